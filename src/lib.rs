@@ -1,13 +1,13 @@
 //! hedgerow
-pub mod source;
-pub mod mesh;
+pub mod analysis;
+pub mod check;
+pub mod cli;
+pub mod compile;
 pub mod diagnostic;
 pub mod diagram;
-pub mod rewrite;
-pub mod syntax;
-pub mod check;
-pub mod compile;
+pub mod mesh;
 pub mod resolve;
+pub mod rewrite;
 pub mod run;
-pub mod analysis;
-pub mod cli;
+pub mod source;
+pub mod syntax;

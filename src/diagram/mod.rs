@@ -1,1 +1,16 @@
-//! diagram
+//! An operation as data: the orbits of its two sides, and what is asked and set.
+//!
+//! Names are resolved: each has one [`Kind`] and an index, and every mention of it
+//! is a [`Ref`] with its place. Paths and fans without a name have got one of their own.
+//! Whether the drawing makes sense is the business of [`check`](crate::check).
+
+mod expression;
+mod op;
+
+pub use expression::{
+    Access, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
+};
+pub use op::{
+    Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Ref, Require, Rule,
+    Side, Spoke, Star,
+};

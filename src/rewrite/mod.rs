@@ -1,1 +1,11 @@
-//! rewrite
+//! The register code, the plan of an operation, and the machine that runs both.
+//!
+//! A proved operation and a script lower to the same flat [`Code`]: typed registers,
+//! explicit loads and stores on the mesh's arrays, jumps, no closures. The
+//! [`Machine`](machine) runs it on a mesh; native code can be made from it later.
+
+mod code;
+mod plan;
+
+pub use code::{Code, ElementField, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
+pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};

@@ -1,1 +1,3 @@
-//! syntax
+//! Text to tree: tokens, comments kept, a parser that recovers.
+
+pub mod tree;

@@ -1,0 +1,282 @@
+//! Operations, rules, sides and the three kinds of orbit.
+
+use super::{Expr, Type};
+use crate::source::Span;
+
+/// What a name of a diagram stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Kind {
+    /// A vertex.
+    Vertex,
+    /// A halfedge.
+    Halfedge,
+    /// An edge.
+    Edge,
+    /// A face, a hole, or either.
+    Face,
+    /// A run of zero or more halfedges of a loop.
+    Path,
+    /// A run of zero or more spokes of a vertex.
+    Fan,
+}
+
+impl Kind {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Vertex => "vertex",
+            Kind::Halfedge => "halfedge",
+            Kind::Edge => "edge",
+            Kind::Face => "face",
+            Kind::Path => "path",
+            Kind::Fan => "fan",
+        }
+    }
+
+    /// The word with its article.
+    pub fn a_word(self) -> &'static str {
+        match self {
+            Kind::Vertex => "a vertex",
+            Kind::Halfedge => "a halfedge",
+            Kind::Edge => "an edge",
+            Kind::Face => "a face",
+            Kind::Path => "a path",
+            Kind::Fan => "a fan",
+        }
+    }
+}
+
+/// A name of a rule, by its index in [`Rule::names`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NameId(pub u32);
+
+impl NameId {
+    /// The index.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A name of a rule.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Name {
+    /// The word, or for what has no name a description: "the path of `f0`".
+    pub text: String,
+    /// What it stands for.
+    pub kind: Kind,
+    /// Whether a person gave the name; what is drawn without one is not named.
+    pub named: bool,
+    /// Where it is first mentioned.
+    pub span: Span,
+}
+
+impl Name {
+    /// The name in backticks, or the description.
+    pub fn quoted(&self) -> String {
+        if self.named {
+            format!("`{}`", self.text)
+        } else {
+            self.text.clone()
+        }
+    }
+}
+
+/// One mention of a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ref {
+    /// The name.
+    pub name: NameId,
+    /// Where it is mentioned.
+    pub span: Span,
+}
+
+/// An operation: alternatives over the same parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Op {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub name_span: Span,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// The type of its result, if it has one.
+    pub result: Option<Type>,
+    /// The alternatives, tried in order.
+    pub rules: Vec<Rule>,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// A parameter of an operation or script.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Param {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// Its type.
+    pub ty: Type,
+    /// Its default, which names nothing but earlier parameters.
+    pub default: Option<Expr>,
+}
+
+/// One alternative.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    /// Its name, where it has one.
+    pub label: Option<String>,
+    /// All its names, in order of first mention: elements, paths and fans.
+    pub names: Vec<Name>,
+    /// For each parameter of the op, the name it binds; `None` for a value, or for an
+    /// element this rule does not draw.
+    pub params: Vec<Option<NameId>>,
+    /// The name it returns.
+    pub result: Option<Ref>,
+    /// The drawing before.
+    pub before: Side,
+    /// What must hold, in order.
+    pub requires: Vec<Require>,
+    /// The drawing after.
+    pub after: Side,
+    /// What is created.
+    pub created: Vec<Ref>,
+    /// What is erased.
+    pub erased: Vec<Ref>,
+    /// The attributes that are set.
+    pub assignments: Vec<Assignment>,
+    /// The whole rule.
+    pub span: Span,
+}
+
+impl Rule {
+    /// A name by its id.
+    pub fn name(&self, id: NameId) -> &Name {
+        &self.names[id.index()]
+    }
+
+    /// The word of a name in backticks, or its description.
+    pub fn quoted(&self, id: NameId) -> String {
+        self.name(id).quoted()
+    }
+
+    /// What a name stands for.
+    pub fn kind(&self, id: NameId) -> Kind {
+        self.name(id).kind
+    }
+
+    /// All names of one kind.
+    pub fn names_of(&self, kind: Kind) -> impl Iterator<Item = NameId> + '_ {
+        (0..self.names.len() as u32)
+            .map(NameId)
+            .filter(move |&id| self.kind(id) == kind)
+    }
+}
+
+/// One drawing: orbits of each kind.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Side {
+    /// Cycles of `next`.
+    pub loops: Vec<Loop>,
+    /// Pairs of `twin`s.
+    pub edges: Vec<Edge>,
+    /// Cycles of spokes.
+    pub stars: Vec<Star>,
+    /// Names that `keep` mentions; their statements stand among the others.
+    pub kept: Vec<Ref>,
+    /// From the keyword to the closing brace.
+    pub span: Span,
+}
+
+/// Which loops a statement stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LoopKind {
+    /// An interior face.
+    Face,
+    /// A boundary loop.
+    Hole,
+    /// Either.
+    Any,
+}
+
+/// A cycle of `next`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// Which loops it stands for.
+    pub kind: LoopKind,
+    /// The face.
+    pub face: Ref,
+    /// Its halfedges and paths, in order; the origin of the first ends the last.
+    pub items: Vec<LoopItem>,
+    /// The vertex written at the end; the origin of the first item, in a good drawing.
+    pub end: Ref,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// A halfedge or path in a loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoopItem {
+    /// The vertex it leaves.
+    pub from: Ref,
+    /// The halfedge or path.
+    pub item: Ref,
+}
+
+/// A pair of `twin`s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// The edge.
+    pub edge: Ref,
+    /// Its halfedges.
+    pub halfedges: [Ref; 2],
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// A cycle of spokes, counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Star {
+    /// The vertex.
+    pub vertex: Ref,
+    /// Its spokes.
+    pub spokes: Vec<Spoke>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// A spoke or a run of spokes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spoke {
+    /// One halfedge.
+    Halfedge(Ref),
+    /// `*S`, the fan `S`.
+    Fan(Ref),
+    /// `*`, a fan without a name.
+    Rest(Span),
+}
+
+/// `require … else "…"`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Require {
+    /// What must hold; its names are those of the rule.
+    pub condition: Expr,
+    /// The reason for a refusal.
+    pub reason: String,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// `v.position = …`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assignment {
+    /// The element.
+    pub target: Ref,
+    /// The attribute.
+    pub attribute: super::Access,
+    /// The value, of the attribute's type.
+    pub value: Expr,
+    /// The whole statement.
+    pub span: Span,
+}

@@ -1,0 +1,140 @@
+//! A program: operations as diagrams, scripts as typed statements.
+
+use crate::diagram::{self, Access, Collection, Expr, Param, Type};
+use crate::source::Span;
+
+/// Everything one file declares, as far as it could be understood.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    /// The operations; one that could not be resolved keeps its place, so that
+    /// calls of it are understood.
+    pub ops: Vec<Op>,
+    /// The scripts that could be resolved.
+    pub scripts: Vec<Script>,
+}
+
+/// An operation, or what is known of one that could not be resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Op {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// The type of its result.
+    pub result: Option<Type>,
+    /// Its diagrams; `None` if they could not be resolved (a diagnostic says why).
+    pub diagram: Option<diagram::Op>,
+}
+
+/// A script.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Script {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// Its parameters: variables 0, 1, … of the script.
+    pub params: Vec<Param>,
+    /// All its variables, parameters first.
+    pub variables: Vec<Variable>,
+    /// What it does.
+    pub body: Block,
+}
+
+/// A variable of a script.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// Statements in order.
+pub type Block = Vec<Statement>;
+
+/// A statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// What it does.
+    pub kind: StatementKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What a statement does. Variables are numbers into [`Script::variables`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum StatementKind {
+    /// `let x = …`, `var x = …`, `x = …`
+    Set { variable: u32, value: Expr },
+    /// `v.position = …` outside of `update`: at once.
+    Write {
+        target: Expr,
+        attribute: Access,
+        value: Expr,
+    },
+    /// `repeat n { … }`
+    Repeat { count: Expr, body: Block },
+    /// `while c { … }`
+    While { condition: Expr, body: Block },
+    /// `for x in xs where c { … }`: elements that exist when the loop starts and still
+    /// exist when their turn comes.
+    For {
+        variable: u32,
+        collection: Collection,
+        filter: Option<Expr>,
+        body: Block,
+    },
+    /// `update x in xs where c { … }`: a `Write` in its body is kept back to the end.
+    Update {
+        variable: u32,
+        collection: Collection,
+        filter: Option<Expr>,
+        body: Block,
+    },
+    /// `if c { … } else { … }`
+    If {
+        condition: Expr,
+        then: Block,
+        otherwise: Block,
+    },
+    /// An op call as a statement: refusals are counted. `must` stops at a refusal.
+    Apply {
+        op: usize,
+        args: Vec<Expr>,
+        must: bool,
+    },
+    /// `if let m = split(e) { … } else { … }`; without a variable, `if split(e) { … }`.
+    IfApply {
+        op: usize,
+        args: Vec<Expr>,
+        variable: Option<u32>,
+        then: Block,
+        otherwise: Block,
+    },
+    /// `print a, b`
+    Print(Vec<Print>),
+    /// `assert c else "…"`
+    Assert { condition: Expr, reason: String },
+    /// `break`, of the innermost loop
+    Break,
+    /// `continue`, with the innermost loop
+    Continue,
+    /// `return`
+    Return,
+}
+
+/// A piece of what `print` prints; the pieces are joined by one space.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Print {
+    /// A text.
+    Text(String),
+    /// A value.
+    Value(Expr),
+}

@@ -1,0 +1,598 @@
+//! The register code.
+//!
+//! Registers are slots of 64 bits in one window per call. An int is an `i64`, a real an
+//! `f64`, a bool 0 or 1, an element its id (`u32::MAX`: none); a vector takes three
+//! consecutive slots. Each instruction fixes the types of its registers, so the code is
+//! typed though the slots are not. Jumps name instructions by index.
+
+use crate::mesh::ElementKind;
+
+/// A register: a slot of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Reg(pub u16);
+
+impl Reg {
+    /// The register `offset` slots further, for the parts of a vector.
+    pub fn part(self, offset: u16) -> Reg {
+        Reg(self.0 + offset)
+    }
+}
+
+/// The place of an instruction, as the target of a jump.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Label(pub u32);
+
+/// A pointer of a halfedge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum HalfedgeField {
+    Next,
+    Prev,
+    Twin,
+    Vertex,
+    Edge,
+    Face,
+}
+
+/// The `halfedge` pointer of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum ElementField {
+    Vertex,
+    Edge,
+    Face,
+}
+
+/// How a run of halfedges is walked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Walk {
+    /// Along a loop: `h.next`.
+    Loop,
+    /// Around a vertex, counterclockwise: `h.prev.twin`.
+    Star,
+}
+
+/// A flat program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Code {
+    /// The instructions; running past the last one returns.
+    pub insts: Vec<Inst>,
+    /// How many slots its window has.
+    pub registers: u16,
+    /// How many buffers it uses.
+    pub buffers: u16,
+    /// Why each trapping instruction could fail, by its index: see [`Traps`].
+    pub traps: Traps,
+}
+
+/// For each instruction that can fail at run time the number of its place in the source:
+/// an index into the spans that whoever made the code keeps. Sorted by instruction.
+pub type Traps = Vec<(u32, u32)>;
+
+/// A function of reals: `f64 -> f64`, or with two or three operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Math {
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Exp,
+    Log,
+    Floor,
+    Ceil,
+    Abs,
+    Negate,
+}
+
+/// One instruction. `to` is written; everything else is read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub enum Inst {
+    // Values.
+    Const {
+        to: Reg,
+        bits: u64,
+    },
+    Copy {
+        to: Reg,
+        from: Reg,
+    },
+    CopyVec {
+        to: Reg,
+        from: Reg,
+    },
+    /// `to = if condition { then } else { otherwise }`
+    Select {
+        to: Reg,
+        condition: Reg,
+        then: Reg,
+        otherwise: Reg,
+    },
+    Not {
+        to: Reg,
+        from: Reg,
+    },
+    And {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    Or {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    /// Two ints, bools or elements.
+    Equal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    AddInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    SubInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MulInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    /// Rounds towards minus infinity. Traps on zero.
+    DivInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    /// Sign of the divisor. Traps on zero.
+    ModInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    NegInt {
+        to: Reg,
+        from: Reg,
+    },
+    AbsInt {
+        to: Reg,
+        from: Reg,
+    },
+    MinInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MaxInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    LessInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    LessEqualInt {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    IntToReal {
+        to: Reg,
+        from: Reg,
+    },
+    /// Half to even. Traps when it does not fit.
+    RoundReal {
+        to: Reg,
+        from: Reg,
+    },
+    AddReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    SubReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MulReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    DivReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MinReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MaxReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    PowReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    Atan2Real {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    LessReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    LessEqualReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    EqualReal {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MathReal {
+        math: Math,
+        to: Reg,
+        from: Reg,
+    },
+    AddVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    SubVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MulVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    NegVec {
+        to: Reg,
+        from: Reg,
+    },
+    /// A vector by a real.
+    ScaleVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    DivVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    MixVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+        t: Reg,
+    },
+    EqualVec {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    Dot {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    Cross {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    LengthVec {
+        to: Reg,
+        from: Reg,
+    },
+    Normalize {
+        to: Reg,
+        from: Reg,
+    },
+
+    // Loads. Each traps if the element is none or erased.
+    Load {
+        field: HalfedgeField,
+        to: Reg,
+        halfedge: Reg,
+    },
+    LoadHalfedge {
+        of: ElementField,
+        to: Reg,
+        element: Reg,
+    },
+    LoadHole {
+        to: Reg,
+        face: Reg,
+    },
+    LoadPosition {
+        to: Reg,
+        vertex: Reg,
+    },
+    /// The number of slots of a kind, living or dead: the bound of a loop over all.
+    Capacity {
+        kind: ElementKind,
+        to: Reg,
+    },
+    /// Whether an element exists. Never traps.
+    Alive {
+        kind: ElementKind,
+        to: Reg,
+        element: Reg,
+    },
+
+    // Questions that walk. Each traps as loads do.
+    Degree {
+        to: Reg,
+        vertex: Reg,
+    },
+    FaceSize {
+        to: Reg,
+        face: Reg,
+    },
+    BoundaryVertex {
+        to: Reg,
+        vertex: Reg,
+    },
+    BoundaryEdge {
+        to: Reg,
+        edge: Reg,
+    },
+    Adjacent {
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    LinkCondition {
+        to: Reg,
+        edge: Reg,
+    },
+    LengthEdge {
+        to: Reg,
+        edge: Reg,
+    },
+    Area {
+        to: Reg,
+        face: Reg,
+    },
+    NormalFace {
+        to: Reg,
+        face: Reg,
+    },
+    NormalVertex {
+        to: Reg,
+        vertex: Reg,
+    },
+    CentroidFace {
+        to: Reg,
+        face: Reg,
+    },
+    /// The number of living elements; of faces, without holes.
+    Count {
+        kind: ElementKind,
+        to: Reg,
+    },
+    CountHoles {
+        to: Reg,
+    },
+
+    // Jumps.
+    Jump {
+        to: Label,
+    },
+    JumpIf {
+        condition: Reg,
+        to: Label,
+    },
+    JumpUnless {
+        condition: Reg,
+        to: Label,
+    },
+    /// Jumps when two elements or ints differ.
+    JumpUnequal {
+        left: Reg,
+        right: Reg,
+        to: Label,
+    },
+    /// Jumps when two elements or ints are equal.
+    JumpEqual {
+        left: Reg,
+        right: Reg,
+        to: Label,
+    },
+
+    // Matching. A test that fails notes its refusal, if none of a later phase is noted
+    // yet, and jumps to the next attempt.
+    /// The refusal if two elements differ.
+    ExpectEqual {
+        left: Reg,
+        right: Reg,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// The refusal if two elements are the same.
+    ExpectDistinct {
+        left: Reg,
+        right: Reg,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// The refusal if a bool is false.
+    Expect {
+        condition: Reg,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// The refusal if a vector has a component that is not finite.
+    ExpectFinite {
+        vector: Reg,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// The refusal if the id space has no room for so many new elements.
+    ExpectRoom {
+        vertices: u16,
+        halfedges: u16,
+        edges: u16,
+        faces: u16,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// Appends the halfedges from `from` up to, but without, `until` to a buffer; the
+    /// whole cycle if both are the same and `whole`, else nothing.
+    Collect {
+        walk: Walk,
+        buffer: u16,
+        from: Reg,
+        until: Reg,
+        whole: bool,
+    },
+    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts.
+    Meets {
+        walk: Walk,
+        to: Reg,
+        from: Reg,
+        goal: Reg,
+        stop: Reg,
+    },
+    /// Gives up: the op refuses with the reason noted.
+    Refuse,
+    /// The op has been applied; its result, if any, is in the register.
+    Return {
+        result: Option<Reg>,
+    },
+
+    // Buffers: growing lists of slots, empty at the start of a call.
+    BufferClear {
+        buffer: u16,
+    },
+    BufferPush {
+        buffer: u16,
+        from: Reg,
+    },
+    BufferLength {
+        buffer: u16,
+        to: Reg,
+    },
+    /// Traps out of range.
+    BufferGet {
+        buffer: u16,
+        to: Reg,
+        index: Reg,
+    },
+
+    // Writes.
+    NewVertex {
+        to: Reg,
+    },
+    NewHalfedge {
+        to: Reg,
+    },
+    NewEdge {
+        to: Reg,
+    },
+    NewFace {
+        to: Reg,
+    },
+    Store {
+        field: HalfedgeField,
+        halfedge: Reg,
+        value: Reg,
+    },
+    StoreHalfedge {
+        of: ElementField,
+        element: Reg,
+        value: Reg,
+    },
+    StoreHole {
+        face: Reg,
+        hole: bool,
+    },
+    /// Traps if not finite.
+    StorePosition {
+        vertex: Reg,
+        value: Reg,
+    },
+    /// Writes one pointer of every halfedge in a buffer.
+    StoreAll {
+        field: HalfedgeField,
+        buffer: u16,
+        value: Reg,
+    },
+    Erase {
+        kind: ElementKind,
+        element: Reg,
+    },
+    /// Lets erased slots be used again: nothing can see them any more.
+    Recycle,
+
+    // Calls, progress and output (scripts).
+    /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
+    /// bool; the result, if applied, goes to `result`.
+    Apply {
+        op: u16,
+        args: Reg,
+        applied: Reg,
+        result: Reg,
+    },
+    /// The op just called refused, and the script said `must`: traps with its reason.
+    Refused {
+        op: u16,
+    },
+    /// One turn of a loop of the script: `done` of `total`. The watcher may interrupt.
+    Turn {
+        depth: u16,
+        done: Reg,
+        total: Reg,
+    },
+    /// Prints a constant text.
+    PrintText {
+        text: u32,
+    },
+    PrintBool {
+        from: Reg,
+    },
+    PrintInt {
+        from: Reg,
+    },
+    PrintReal {
+        from: Reg,
+    },
+    PrintVec {
+        from: Reg,
+    },
+    PrintElement {
+        kind: ElementKind,
+        from: Reg,
+    },
+    PrintEnd,
+    /// Traps with a constant text: an assertion, or an aggregate of nothing.
+    Fail {
+        text: u32,
+    },
+}

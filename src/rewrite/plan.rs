@@ -1,0 +1,90 @@
+//! A compiled operation: its code, and the same as a table to read.
+
+use super::Code;
+use crate::mesh::ElementKind;
+
+/// A compiled operation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Its name.
+    pub name: String,
+    /// The widths of its parameters in slots: 1, or 3 for a vector. The window begins
+    /// with the parameters, in order.
+    pub params: Vec<u16>,
+    /// The kind of its result.
+    pub result: Option<ElementKind>,
+    /// The code: match, allocate, reassign, erase; whole or not at all.
+    pub code: Code,
+    /// Why it can refuse, by number.
+    pub refusals: Vec<Refusal>,
+    /// Each alternative in four phases, to read.
+    pub stages: Vec<Stage>,
+}
+
+/// Why an op can refuse.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// The reason, as a person reads it: "`f0` is a hole".
+    pub reason: String,
+    /// How far the attempt had come; of several attempts the furthest one is reported,
+    /// of equals the first.
+    pub phase: Phase,
+}
+
+/// How far an attempt came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Phase {
+    /// The diagram does not match.
+    Match,
+    /// A `require` does not hold.
+    Require,
+    /// A guard does not hold.
+    Guard,
+    /// There is no room, or a new position is not finite.
+    Evaluate,
+}
+
+/// One alternative in four phases.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stage {
+    /// The name of the alternative.
+    pub rule: Option<String>,
+    /// 1. Collect: a line per load or test.
+    pub collect: Vec<Row>,
+    /// 2. Allocate.
+    pub allocate: Vec<Row>,
+    /// 3. Reassign: every pointer of every named element.
+    pub reassign: Vec<Row>,
+    /// 4. Erase.
+    pub erase: Vec<Row>,
+}
+
+/// A line of the table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The parts: `a.next`, `=`, `c`.
+    pub cell: Cell,
+    /// Whether the code does it; what provably changes nothing is left out.
+    pub executed: bool,
+}
+
+/// What a line says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// `target = value`
+    Set {
+        /// `a.next`, or a name that is bound.
+        target: String,
+        /// `c`, or an expression.
+        value: String,
+    },
+    /// A test that must hold, and the reason if it does not.
+    Test {
+        /// "`b.next` is `c`".
+        claim: String,
+        /// The refusal.
+        reason: String,
+    },
+    /// Anything else, in words.
+    Note(String),
+}

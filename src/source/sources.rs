@@ -1,0 +1,93 @@
+//! The texts a run looks at.
+
+use super::{FileId, LineTable, Span};
+
+/// One text, its name and its lines.
+#[derive(Clone, Debug)]
+pub struct Source {
+    name: String,
+    text: String,
+    lines: LineTable,
+}
+
+impl Source {
+    /// What the file is called in messages, usually its path as the user wrote it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Its line table.
+    pub fn lines(&self) -> &LineTable {
+        &self.lines
+    }
+
+    /// The 1-based line and the 1-based column, counted in characters, of a byte.
+    pub fn line_column(&self, offset: usize) -> (usize, usize) {
+        let offset = self.text.floor_char_boundary(offset);
+        let line = self.lines.line(offset);
+        let start = self.lines.start(line).unwrap_or(0);
+        (line + 1, self.text[start..offset].chars().count() + 1)
+    }
+}
+
+/// All texts, in the order in which they were added.
+#[derive(Clone, Debug, Default)]
+pub struct Sources {
+    files: Vec<Source>,
+}
+
+impl Sources {
+    /// No texts.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes in a text under a name.
+    pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
+        let text = text.into();
+        let lines = LineTable::new(&text);
+        let name = name.into();
+        self.files.push(Source { name, text, lines });
+        FileId((self.files.len() - 1) as u32)
+    }
+
+    /// A text by its id. The id must come from [`Sources::add`] of this collection.
+    pub fn get(&self, file: FileId) -> &Source {
+        &self.files[file.0 as usize]
+    }
+
+    /// The ids of all texts.
+    pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
+        (0..self.files.len() as u32).map(FileId)
+    }
+
+    /// The text a span covers.
+    pub fn slice(&self, span: Span) -> &str {
+        self.get(span.file).text().get(span.range()).unwrap_or("")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters() {
+        let mut sources = Sources::new();
+        let file = sources.add("a", "x\né𝄞z");
+        let source = sources.get(file);
+        assert_eq!(source.line_column(2), (2, 1));
+        assert_eq!(source.line_column(8), (2, 3));
+        assert_eq!(
+            source.line_column(3),
+            (2, 1),
+            "inside a character: its start"
+        );
+        assert_eq!(sources.slice(Span::new(file, 4, 8)), "𝄞");
+    }
+}
