@@ -1,0 +1,291 @@
+//! Typed columns of attributes, one value per slot of an element kind.
+//!
+//! A column is made with a default; every slot has it until a value is written, and
+//! has it again when the slot is given to a new element. Columns are found by name
+//! once and read by [`ColumnId`] afterwards. Positions are no column: every vertex has
+//! one and the mesh keeps them apart.
+
+use std::fmt;
+
+use glam::{DVec2, DVec3};
+
+use super::connectivity::Mesh;
+use super::id::ElementKind;
+
+/// A type that an attribute can have. Implemented for exactly the types of [`Value`].
+pub trait Attribute: Copy + Sized {
+    const TYPE: AttributeType;
+
+    fn from_value(value: Value) -> Option<Self>;
+    fn into_value(self) -> Value;
+    #[doc(hidden)]
+    fn slice(data: &ColumnData) -> Option<&[Self]>;
+    #[doc(hidden)]
+    fn slice_mut(data: &mut ColumnData) -> Option<&mut [Self]>;
+}
+
+/// Declares the attribute types: one line makes a value, a column and the ways between.
+macro_rules! attribute_types {
+    ($($variant:ident($type:ty) $name:literal;)*) => {
+        /// The type of a column.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum AttributeType { $($variant),* }
+
+        /// One value of any attribute type.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub enum Value { $($variant($type)),* }
+
+        /// The values of a column, densely.
+        #[derive(Clone, Debug)]
+        pub enum ColumnData { $($variant(Vec<$type>)),* }
+
+        impl AttributeType {
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name),* }
+            }
+        }
+
+        impl Value {
+            pub fn attribute_type(self) -> AttributeType {
+                match self { $(Self::$variant(_) => AttributeType::$variant),* }
+            }
+
+            fn column(self, len: usize) -> ColumnData {
+                match self { $(Self::$variant(x) => ColumnData::$variant(vec![x; len])),* }
+            }
+        }
+
+        impl ColumnData {
+            fn get(&self, index: usize) -> Option<Value> {
+                match self { $(Self::$variant(xs) => xs.get(index).copied().map(Value::$variant)),* }
+            }
+
+            /// False when the index or the type is not the column's.
+            fn set(&mut self, index: usize, value: Value) -> bool {
+                match (self, value) {
+                    $((Self::$variant(xs), Value::$variant(x)) => match xs.get_mut(index) {
+                        Some(slot) => { *slot = x; true }
+                        None => false,
+                    },)*
+                    _ => false,
+                }
+            }
+
+            fn grow(&mut self, len: usize, value: Value) {
+                match (self, value) {
+                    $((Self::$variant(xs), Value::$variant(x)) => xs.resize(len, x),)*
+                    _ => {}
+                }
+            }
+        }
+
+        $(impl Attribute for $type {
+            const TYPE: AttributeType = AttributeType::$variant;
+
+            fn from_value(value: Value) -> Option<Self> {
+                match value { Value::$variant(x) => Some(x), _ => None }
+            }
+
+            fn into_value(self) -> Value {
+                Value::$variant(self)
+            }
+
+            fn slice(data: &ColumnData) -> Option<&[Self]> {
+                match data { ColumnData::$variant(xs) => Some(xs), _ => None }
+            }
+
+            fn slice_mut(data: &mut ColumnData) -> Option<&mut [Self]> {
+                match data { ColumnData::$variant(xs) => Some(xs), _ => None }
+            }
+        })*
+    };
+}
+
+attribute_types! {
+    Bool(bool) "bool";
+    Int(i64) "int";
+    Float(f64) "float";
+    Vec2(DVec2) "vec2";
+    Vec3(DVec3) "vec3";
+}
+
+impl fmt::Display for AttributeType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The place of a column in its mesh, and in every clone of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ColumnId {
+    pub kind: ElementKind,
+    place: u32,
+}
+
+/// A column of that name is there already, with values of another type.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ColumnConflict {
+    pub kind: ElementKind,
+    pub name: String,
+    pub has: AttributeType,
+    pub wanted: AttributeType,
+}
+
+impl fmt::Display for ColumnConflict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            kind,
+            name,
+            has,
+            wanted,
+        } = self;
+        write!(
+            f,
+            "the {kind} attribute `{name}` is of type {has}, not {wanted}"
+        )
+    }
+}
+
+impl std::error::Error for ColumnConflict {}
+
+/// One column with its name and default.
+#[derive(Clone, Debug)]
+pub struct Column {
+    name: String,
+    default: Value,
+    data: ColumnData,
+}
+
+impl Column {
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    pub fn attribute_type(&self) -> AttributeType {
+        self.default.attribute_type()
+    }
+
+    pub fn default_value(&self) -> Value {
+        self.default
+    }
+}
+
+/// The columns of one element kind.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Columns(Vec<Column>);
+
+impl Columns {
+    #[inline]
+    pub(super) fn reset(&mut self, index: usize) {
+        for column in &mut self.0 {
+            column.data.set(index, column.default);
+        }
+    }
+
+    #[inline]
+    pub(super) fn grow(&mut self, len: usize) {
+        for column in &mut self.0 {
+            column.data.grow(len, column.default);
+        }
+    }
+}
+
+impl Mesh {
+    /// Adds a column with `default` in every slot. If one of that name and type is
+    /// there, it is returned as it stands.
+    pub fn add_column(
+        &mut self,
+        kind: ElementKind,
+        name: &str,
+        default: Value,
+    ) -> Result<ColumnId, ColumnConflict> {
+        if let Some(id) = self.find_column(kind, name) {
+            let has = self.columns[kind as usize].0[id.place as usize].attribute_type();
+            let wanted = default.attribute_type();
+            return match has == wanted {
+                true => Ok(id),
+                false => Err(ColumnConflict {
+                    kind,
+                    name: name.to_owned(),
+                    has,
+                    wanted,
+                }),
+            };
+        }
+        let data = default.column(self.capacity(kind));
+        let columns = &mut self.columns[kind as usize].0;
+        columns.push(Column {
+            name: name.to_owned(),
+            default,
+            data,
+        });
+        Ok(ColumnId {
+            kind,
+            place: columns.len() as u32 - 1,
+        })
+    }
+
+    pub fn find_column(&self, kind: ElementKind, name: &str) -> Option<ColumnId> {
+        let place = self.columns[kind as usize]
+            .0
+            .iter()
+            .position(|c| c.name == name)?;
+        Some(ColumnId {
+            kind,
+            place: place as u32,
+        })
+    }
+
+    /// The columns of a kind, in the order they were added.
+    pub fn columns(&self, kind: ElementKind) -> impl Iterator<Item = (ColumnId, &Column)> {
+        let columns = self.columns[kind as usize].0.iter().enumerate();
+        columns.map(move |(place, column)| {
+            (
+                ColumnId {
+                    kind,
+                    place: place as u32,
+                },
+                column,
+            )
+        })
+    }
+
+    /// `None` for the column of another mesh that this one does not have.
+    pub fn column(&self, id: ColumnId) -> Option<&Column> {
+        self.columns[id.kind as usize].0.get(id.place as usize)
+    }
+
+    /// The value of a living element.
+    pub fn value(&self, id: ColumnId, index: u32) -> Option<Value> {
+        if !self.is_alive(id.kind, index) {
+            return None;
+        }
+        self.column(id)?.data.get(index as usize)
+    }
+
+    /// Writes the value of a living element. False, and nothing written, when the
+    /// element does not live or the type is not the column's.
+    #[must_use]
+    pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
+        self.is_alive(id.kind, index)
+            && match self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+                Some(column) => column.data.set(index as usize, value),
+                None => false,
+            }
+    }
+
+    /// All values of a column by slot, dead slots included; `None` when the type is
+    /// another.
+    #[inline]
+    pub fn values<T: Attribute>(&self, id: ColumnId) -> Option<&[T]> {
+        T::slice(&self.column(id)?.data)
+    }
+
+    #[inline]
+    pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
+        let column = self.columns[id.kind as usize]
+            .0
+            .get_mut(id.place as usize)?;
+        T::slice_mut(&mut column.data)
+    }
+}

@@ -1,0 +1,117 @@
+//! The names of elements: newtypes over `u32`, one per kind.
+//!
+//! An id is only a number: it says nothing about which mesh it belongs to or whether
+//! the element lives. Two numbers are set aside: [`VertexId::NONE`] and its sisters
+//! stand for "no element", and the number before it marks the slot of an erased
+//! element inside the tables of a mesh, where no reader can see it.
+
+use std::fmt;
+
+/// The kinds of elements of a halfedge mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ElementKind {
+    Vertex,
+    Halfedge,
+    Edge,
+    Face,
+}
+
+impl ElementKind {
+    /// All kinds, in the order in which tables over kinds are laid out.
+    pub const ALL: [Self; 4] = [Self::Vertex, Self::Halfedge, Self::Edge, Self::Face];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Vertex => "vertex",
+            Self::Halfedge => "halfedge",
+            Self::Edge => "edge",
+            Self::Face => "face",
+        }
+    }
+
+    pub fn plural(self) -> &'static str {
+        match self {
+            Self::Vertex => "vertices",
+            Self::Halfedge => "halfedges",
+            Self::Edge => "edges",
+            Self::Face => "faces",
+        }
+    }
+}
+
+impl fmt::Display for ElementKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+macro_rules! element_id {
+    ($(#[$doc:meta])* $id:ident, $kind:ident) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub struct $id(pub u32);
+
+        impl $id {
+            pub const KIND: ElementKind = ElementKind::$kind;
+
+            /// Stands for "no element".
+            pub const NONE: Self = Self(u32::MAX);
+
+            #[inline]
+            pub fn index(self) -> usize {
+                self.0 as usize
+            }
+
+            #[inline]
+            pub fn is_none(self) -> bool {
+                self == Self::NONE
+            }
+        }
+
+        /// `vertex 3`, or `no vertex`.
+        impl fmt::Display for $id {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                if self.is_none() {
+                    write!(f, "no {}", Self::KIND)
+                } else {
+                    write!(f, "{} {}", Self::KIND, self.0)
+                }
+            }
+        }
+
+        impl fmt::Debug for $id {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                fmt::Display::fmt(self, f)
+            }
+        }
+    };
+}
+
+element_id!(
+    /// A vertex.
+    VertexId,
+    Vertex
+);
+element_id!(
+    /// A halfedge: one side of an edge, running from its origin along a face.
+    HalfedgeId,
+    Halfedge
+);
+element_id!(
+    /// An edge: two halfedges that are twins.
+    EdgeId,
+    Edge
+);
+element_id!(
+    /// A face or a hole: a cycle of `next`.
+    FaceId,
+    Face
+);
+
+impl HalfedgeId {
+    /// Written over the first pointer of an erased element, whatever its kind.
+    pub(super) const DEAD: Self = Self(u32::MAX - 1);
+}
+
+/// The number of ids a kind can have: all of `u32` but the two set aside.
+pub(super) const ID_SPACE: usize = u32::MAX as usize - 1;
