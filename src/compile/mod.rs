@@ -1,1 +1,3 @@
 //! compile
+mod expression;
+pub use expression::{Scope, lower};

@@ -63,6 +63,17 @@ pub struct Code {
     pub buffers: u16,
     /// Why each trapping instruction could fail, by its index: see [`Traps`].
     pub traps: Traps,
+    /// The constant texts, by number; no two are equal.
+    pub texts: Vec<String>,
+}
+
+impl Code {
+    /// The number of the place in the source of an instruction that can trap.
+    pub fn place(&self, inst: usize) -> Option<u32> {
+        let at = u32::try_from(inst).ok()?;
+        let found = self.traps.binary_search_by_key(&at, |&(inst, _)| inst);
+        found.ok().map(|trap| self.traps[trap].1)
+    }
 }
 
 /// For each instruction that can fail at run time the number of its place in the source:
@@ -595,4 +606,23 @@ pub enum Inst {
     Fail {
         text: u32,
     },
+}
+
+impl Inst {
+    /// The instruction it may jump to.
+    pub fn target_mut(&mut self) -> Option<&mut Label> {
+        match self {
+            Inst::Jump { to }
+            | Inst::JumpIf { to, .. }
+            | Inst::JumpUnless { to, .. }
+            | Inst::JumpUnequal { to, .. }
+            | Inst::JumpEqual { to, .. } => Some(to),
+            Inst::ExpectEqual { otherwise, .. }
+            | Inst::ExpectDistinct { otherwise, .. }
+            | Inst::Expect { otherwise, .. }
+            | Inst::ExpectFinite { otherwise, .. }
+            | Inst::ExpectRoom { otherwise, .. } => Some(otherwise),
+            _ => None,
+        }
+    }
 }
