@@ -52,6 +52,30 @@ pub enum Walk {
     Star,
 }
 
+/// The elements a loop over the whole mesh visits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Elements {
+    Vertices,
+    Halfedges,
+    Edges,
+    /// Faces that are not holes.
+    Faces,
+    Holes,
+}
+
+impl Elements {
+    /// Their kind.
+    pub fn kind(self) -> ElementKind {
+        match self {
+            Elements::Vertices => ElementKind::Vertex,
+            Elements::Halfedges => ElementKind::Halfedge,
+            Elements::Edges => ElementKind::Edge,
+            Elements::Faces | Elements::Holes => ElementKind::Face,
+        }
+    }
+}
+
 /// A flat program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Code {
@@ -136,12 +160,13 @@ pub enum Inst {
         left: Reg,
         right: Reg,
     },
-    /// Two ints, bools or elements.
+    /// Two ints, bools, elements or texts.
     Equal {
         to: Reg,
         left: Reg,
         right: Reg,
     },
+    /// Traps, as all arithmetic of ints does, when the result does not fit.
     AddInt {
         to: Reg,
         left: Reg,
@@ -350,6 +375,19 @@ pub enum Inst {
         kind: ElementKind,
         to: Reg,
     },
+    /// Moves `element` on to the first living one from there on, itself included; jumps
+    /// if there is none.
+    NextLiving {
+        of: Elements,
+        element: Reg,
+        otherwise: Label,
+    },
+    /// Jumps if an element is erased, or a face no longer of its sort. Never traps.
+    JumpUnlessLiving {
+        of: Elements,
+        element: Reg,
+        to: Label,
+    },
     /// Whether an element exists. Never traps.
     Alive {
         kind: ElementKind,
@@ -516,6 +554,18 @@ pub enum Inst {
         to: Reg,
         index: Reg,
     },
+    /// `to = buffer[index]`, and `index` moves on by one; jumps when nothing is left.
+    BufferNext {
+        buffer: u16,
+        index: Reg,
+        to: Reg,
+        otherwise: Label,
+    },
+    /// Appends all living elements, in order of their ids.
+    BufferLiving {
+        of: Elements,
+        buffer: u16,
+    },
 
     // Writes.
     NewVertex {
@@ -549,6 +599,18 @@ pub enum Inst {
         vertex: Reg,
         value: Reg,
     },
+    /// Keeps a position back in a buffer. Traps if it is not finite or the vertex is
+    /// gone.
+    HoldPosition {
+        buffer: u16,
+        vertex: Reg,
+        value: Reg,
+    },
+    /// Writes the positions kept back in a buffer, in order, and clears it. Vertices
+    /// erased in the meantime are passed over.
+    ReleasePositions {
+        buffer: u16,
+    },
     /// Writes one pointer of every halfedge in a buffer.
     StoreAll {
         field: HalfedgeField,
@@ -581,9 +643,15 @@ pub enum Inst {
         done: Reg,
         total: Reg,
     },
+    /// One turn of an aggregate over the whole mesh. The watcher may interrupt.
+    Tick,
     /// Prints a constant text.
     PrintText {
         text: u32,
+    },
+    /// Prints the text whose number is in the register.
+    PrintTextOf {
+        from: Reg,
     },
     PrintBool {
         from: Reg,
@@ -617,6 +685,10 @@ impl Inst {
             | Inst::JumpUnless { to, .. }
             | Inst::JumpUnequal { to, .. }
             | Inst::JumpEqual { to, .. } => Some(to),
+            Inst::JumpUnlessLiving { to, .. } => Some(to),
+            Inst::NextLiving { otherwise, .. } | Inst::BufferNext { otherwise, .. } => {
+                Some(otherwise)
+            }
             Inst::ExpectEqual { otherwise, .. }
             | Inst::ExpectDistinct { otherwise, .. }
             | Inst::Expect { otherwise, .. }

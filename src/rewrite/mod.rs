@@ -9,5 +9,5 @@ mod code;
 mod plan;
 
 pub use assembler::{Assembler, Mark, TooLarge};
-pub use code::{Code, ElementField, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
+pub use code::{Code, ElementField, Elements, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
