@@ -1,1 +1,3 @@
 //! compile
+mod expression;
+pub use expression::{Scope, each, element_kind, elements, lower, lower_into, width};

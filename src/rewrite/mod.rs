@@ -4,8 +4,10 @@
 //! explicit loads and stores on the mesh's arrays, jumps, no closures. The
 //! [`Machine`](machine) runs it on a mesh; native code can be made from it later.
 
+mod assembler;
 mod code;
 mod plan;
 
-pub use code::{Code, ElementField, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
+pub use assembler::{Assembler, Mark, TooLarge};
+pub use code::{Code, ElementField, Elements, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
