@@ -447,9 +447,9 @@ impl Reach<'_> {
     /// Everything the drawing claims that binding has not used.
     fn claims(&mut self) {
         let claims = [
+            self.kind_claims(),
             self.pointer_claims(),
             self.element_claims(),
-            self.kind_claims(),
             self.distinct_claims(),
             self.order_claims(),
             self.emptiness_claims(),
