@@ -521,7 +521,8 @@ pub enum Inst {
         until: Reg,
         whole: bool,
     },
-    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts.
+    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts;
+    /// where it is also the `stop`, the walk goes once around. It ends when it is back.
     Meets {
         walk: Walk,
         to: Reg,
