@@ -15,6 +15,7 @@ mod geometry;
 mod id;
 mod level;
 mod link;
+mod obj;
 mod polygons;
 pub mod shape;
 mod slots;
@@ -28,6 +29,10 @@ pub use build::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use level::{BelowLevel, Level, highest_level, validate_level};
+pub use obj::{
+    Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, write_obj,
+    write_obj_to,
+};
 pub use polygons::Polygons;
 pub use validate::{Invalid, validate};
 pub use walk::{LoopWalk, SpokeWalk};

@@ -38,6 +38,10 @@ impl Polygons {
         &self.corners
     }
 
+    pub fn into_corners(self) -> Vec<u32> {
+        self.corners
+    }
+
     /// The corners of one polygon.
     pub fn get(&self, polygon: usize) -> Option<&[u32]> {
         let end = *self.ends.get(polygon)?;
@@ -50,11 +54,6 @@ impl Polygons {
         self.ends
             .iter()
             .map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
-    }
-
-    /// The polygon that holds the corner with this place in [`Self::corners`].
-    pub fn of_corner(&self, corner: usize) -> usize {
-        self.ends.partition_point(|&end| end <= corner)
     }
 }
 
