@@ -1,0 +1,207 @@
+//! Text to tokens, with the comments beside them.
+//!
+//! What is no token is reported and left out, so that the parser never sees it; a number
+//! or a text with a mistake in it is reported and stays.
+
+use super::text::read_text;
+use super::token::{Token, TokenKind};
+use crate::diagnostic::Diagnostic;
+use crate::source::{FileId, Span};
+use logos::Logos;
+
+/// How many runs of unknown characters are reported one by one.
+const MOST_UNKNOWN: usize = 16;
+
+/// What a comment is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CommentKind {
+    /// `// …`
+    Plain,
+    /// `/// …`, about the item that follows.
+    Doc,
+    /// `//! …`, about the file.
+    FileDoc,
+}
+
+/// A comment and its place, without the line end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comment {
+    /// What it is for.
+    pub kind: CommentKind,
+    /// Where it stands, slashes included.
+    pub span: Span,
+}
+
+impl Comment {
+    /// What it says in the text it was read from, without slashes and outer spaces.
+    pub fn text(self, source: &str) -> &str {
+        let whole = source.get(self.span.range()).unwrap_or("");
+        let marks = match self.kind {
+            CommentKind::Plain => 2,
+            CommentKind::Doc | CommentKind::FileDoc => 3,
+        };
+        let said = whole.get(marks..).unwrap_or("").trim_end();
+        said.strip_prefix(' ').unwrap_or(said)
+    }
+}
+
+/// What a text is made of.
+pub(super) struct Lexed {
+    pub tokens: Vec<Token>,
+    pub comments: Vec<Comment>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads all tokens and comments of a text.
+pub(super) fn lex(file: FileId, text: &str) -> Lexed {
+    let mut lexed = Lexed {
+        tokens: Vec::with_capacity(text.len() / 4),
+        comments: Vec::new(),
+        diagnostics: Vec::new(),
+    };
+    let mut unknown: Vec<Span> = Vec::new();
+    let mut broken_off = false;
+    for (kind, range) in TokenKind::lexer(text).spanned() {
+        let span = Span::new(file, range.start, range.end);
+        let Ok(kind) = kind else {
+            match unknown.last_mut() {
+                Some(last) if broken_off => *last = last.to(span),
+                _ => unknown.push(span),
+            }
+            broken_off = true;
+            continue;
+        };
+        broken_off = false;
+        let word = &text[range];
+        match kind {
+            TokenKind::Comment => lexed.comments.push(comment(span, word)),
+            TokenKind::BadNumber => lexed.number(TokenKind::BadNumber, span, word),
+            TokenKind::Int | TokenKind::Real => lexed.number(kind, span, word),
+            TokenKind::Text => lexed.text(span, word),
+            TokenKind::OpenText => lexed.open_text(span),
+            kind => lexed.tokens.push(Token { kind, span }),
+        }
+    }
+    report_unknown(text, &unknown, &mut lexed.diagnostics);
+    lexed
+}
+
+fn comment(span: Span, word: &str) -> Comment {
+    let kind = if word.starts_with("//!") {
+        CommentKind::FileDoc
+    } else if word.starts_with("///") && !word.starts_with("////") {
+        CommentKind::Doc
+    } else {
+        CommentKind::Plain
+    };
+    let length = word.trim_end().len();
+    let start = span.start as usize;
+    let span = Span::new(span.file, start, start + length);
+    Comment { kind, span }
+}
+
+impl Lexed {
+    fn number(&mut self, kind: TokenKind, span: Span, word: &str) {
+        let kind = match kind {
+            TokenKind::BadNumber => {
+                let digits = word.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+                let message = format!("`{word}` is neither a number nor a name");
+                let space = "put a space or an operator before the letters";
+                let at = span.end as usize - digits.len();
+                let at = Span::new(span.file, at, at);
+                let found = Diagnostic::error("malformed-number", message, span);
+                self.diagnostics.push(found.label(at, "").note(space));
+                TokenKind::Int
+            }
+            TokenKind::Int if word.parse::<i64>().is_err() => {
+                self.too_large(span, "an int", "9223372036854775807");
+                kind
+            }
+            TokenKind::Real if !word.parse::<f64>().is_ok_and(f64::is_finite) => {
+                self.too_large(span, "a real", "1.7976931348623157e308");
+                kind
+            }
+            _ => kind,
+        };
+        self.tokens.push(Token { kind, span });
+    }
+
+    fn too_large(&mut self, span: Span, what: &str, most: &str) {
+        let found = Diagnostic::error("number-too-large", "this number is too large", span);
+        let found = found.note(format!("{what} is at most {most}"));
+        self.diagnostics.push(found);
+    }
+
+    fn text(&mut self, span: Span, word: &str) {
+        let kind = TokenKind::Text;
+        self.tokens.push(Token { kind, span });
+        for (range, escape) in read_text(word).unknown {
+            let start = span.start as usize;
+            let place = Span::new(span.file, start + range.start, start + range.end);
+            let message = format!("`{escape}` is not an escape");
+            let found = Diagnostic::error("unknown-escape", message, place);
+            let known = r#"the escapes are `\n`, `\t`, `\"` and `\\`"#;
+            self.diagnostics.push(found.note(known));
+        }
+    }
+
+    fn open_text(&mut self, span: Span) {
+        let message = "a text must end on the line on which it begins";
+        let found = Diagnostic::error("unterminated-text", message, span);
+        self.diagnostics.push(found.saying("no closing `\"`"));
+        let kind = TokenKind::Text;
+        self.tokens.push(Token { kind, span });
+    }
+}
+
+fn report_unknown(text: &str, unknown: &[Span], diagnostics: &mut Vec<Diagnostic>) {
+    for &span in unknown.iter().take(MOST_UNKNOWN) {
+        let run = &text[span.range()];
+        let mut chars = run.chars();
+        let (first, more) = (chars.next().unwrap_or('?'), chars.next().is_some());
+        let shown = shown(first);
+        let message = if more {
+            format!("unknown characters, beginning with {shown}")
+        } else {
+            format!("unknown character {shown}")
+        };
+        let found = Diagnostic::error("unknown-character", message, span);
+        diagnostics.push(match usual(first) {
+            Some(usual) => found.note(format!("here it is written `{usual}`")),
+            None => found,
+        });
+    }
+    if let [_, ..] = unknown.get(MOST_UNKNOWN..).unwrap_or_default() {
+        let span = unknown[MOST_UNKNOWN];
+        let count = unknown.len() - MOST_UNKNOWN;
+        let message = format!("unknown characters in {count} more places from here on");
+        diagnostics.push(Diagnostic::error("unknown-character", message, span));
+    }
+}
+
+fn shown(character: char) -> String {
+    if character.is_control() {
+        format!("U+{:04X}", u32::from(character))
+    } else {
+        format!("`{character}`")
+    }
+}
+
+/// What stands on a keyboard for a sign that is typeset.
+fn usual(character: char) -> Option<&'static str> {
+    Some(match character {
+        '\u{2192}' => "->",
+        '\u{21D2}' => "=>",
+        '\u{2032}' | '\u{2019}' | '\u{2018}' => "'",
+        '\u{201C}' | '\u{201D}' => "\"",
+        '\u{2212}' | '\u{2013}' | '\u{2014}' => "-",
+        '\u{00D7}' | '\u{00B7}' | '\u{2217}' => "*",
+        '\u{2264}' => "<=",
+        '\u{2265}' => ">=",
+        '\u{2260}' => "!=",
+        '&' => "and",
+        '!' => "not",
+        '%' => "mod",
+        _ => return None,
+    })
+}

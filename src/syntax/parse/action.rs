@@ -1,0 +1,241 @@
+//! Statements of scripts, functions and tests, and the blocks they stand in.
+
+use super::drawing::mark;
+use super::expression::expression;
+use super::failure::Phrase;
+use super::input::{Rule, Scene};
+use super::name::{ident, text, type_word};
+use super::recover;
+use crate::syntax::token::TokenKind as T;
+use crate::syntax::tree::{Action, ActionKind, Block, Expr, ExprKind, Ident};
+use chumsky::prelude::*;
+
+/// The two rules that need each other.
+#[derive(Clone)]
+pub(super) struct Code<'t> {
+    pub block: Rule<'t, Block>,
+    pub expression: Rule<'t, Expr>,
+}
+
+/// Blocks, and expressions with blocks in them.
+pub(super) fn code<'t>() -> Code<'t> {
+    let mut block = Recursive::declare();
+    let expression = expression(block.clone().boxed());
+    let code = Code {
+        block: block.clone().boxed(),
+        expression,
+    };
+    block.define(braces(action(&code)));
+    code
+}
+
+/// `{ … }`; where the closing brace is missing, the end of the item closes.
+fn braces<'t>(action: Rule<'t, Action>) -> Rule<'t, Block> {
+    let broken = recover::action().map(|span| Action {
+        kind: ActionKind::Broken,
+        span,
+    });
+    let statements = just(T::RightBrace)
+        .not()
+        .ignore_then(action.recover_with(via_parser(broken)))
+        .repeated()
+        .collect();
+    just(T::LeftBrace)
+        .ignore_then(statements)
+        .then_ignore(mark(T::RightBrace))
+        .map_with(|statements, scene| Block {
+            statements,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
+    let Code { block, expression } = code;
+    let jump = select! { T::Break => ActionKind::Break, T::Continue => ActionKind::Continue };
+    let values = expression
+        .clone()
+        .separated_by(just(T::Comma))
+        .at_least(1)
+        .collect();
+    let print = just(T::Print).ignore_then(values).map(ActionKind::Print);
+    let back = just(T::Return)
+        .ignore_then(expression.clone().or_not())
+        .map(ActionKind::Return);
+    choice((
+        binding(expression),
+        choice((
+            counted(code),
+            visit(code),
+            repeated_while(code),
+            drain(code),
+        )),
+        conditional(code),
+        print,
+        assertion(expression),
+        back,
+        jump,
+        block.clone().map(ActionKind::Block),
+        value_or_assignment(expression),
+    ))
+    .map_with(|kind, scene| Action {
+        kind,
+        span: scene.span(),
+    })
+    .labelled(Phrase::Statement)
+    .as_context()
+    .boxed()
+}
+
+/// A value in the head of a statement; where it cannot be read, the block behind it still is.
+fn head<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
+    let broken = recover::header().map(|span| Expr {
+        kind: ExprKind::Broken,
+        span,
+    });
+    expression.clone().recover_with(via_parser(broken)).boxed()
+}
+
+/// `let x = …`, `var x: real = …`
+fn binding<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
+    let mutable = select! { T::Let => false, T::Var => true };
+    let ty = just(T::Colon).ignore_then(type_word());
+    mutable
+        .then(ident())
+        .then(ty.or_not())
+        .then_ignore(just(T::Equals))
+        .then(expression.clone())
+        .map(|(((mutable, name), ty), value)| ActionKind::Let {
+            mutable,
+            name,
+            ty,
+            value,
+        })
+        .boxed()
+}
+
+/// `repeat n { … }`
+fn counted<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
+    just(T::Repeat)
+        .ignore_then(head(&code.expression))
+        .then(code.block.clone())
+        .map(|(count, body)| ActionKind::Repeat { count, body })
+        .boxed()
+}
+
+/// `while c { … }`
+fn repeated_while<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
+    just(T::While)
+        .ignore_then(head(&code.expression))
+        .then(code.block.clone())
+        .map(|(condition, body)| ActionKind::While { condition, body })
+        .boxed()
+}
+
+/// `x in xs`
+fn source<'t>(code: &Code<'t>) -> Rule<'t, (Ident, Expr)> {
+    ident()
+        .then_ignore(just(T::In))
+        .then(head(&code.expression))
+        .boxed()
+}
+
+/// `for x in xs where c { … }`, `update x in xs where c { … }`
+fn visit<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
+    let update = select! { T::For => false, T::Update => true };
+    let filter = just(T::Where).ignore_then(head(&code.expression));
+    update
+        .then(source(code))
+        .then(filter.or_not())
+        .then(code.block.clone())
+        .map(|(((update, (variable, sequence)), filter), body)| {
+            if update {
+                ActionKind::Update {
+                    variable,
+                    sequence,
+                    filter,
+                    body,
+                }
+            } else {
+                ActionKind::For {
+                    variable,
+                    sequence,
+                    filter,
+                    body,
+                }
+            }
+        })
+        .boxed()
+}
+
+/// `drain x in xs by key while c { … }`
+fn drain<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
+    let condition = just(T::While).ignore_then(head(&code.expression));
+    just(T::Drain)
+        .ignore_then(source(code))
+        .then_ignore(just(T::By))
+        .then(head(&code.expression))
+        .then(condition.or_not())
+        .then(code.block.clone())
+        .map(
+            |((((variable, sequence), key), condition), body)| ActionKind::Drain {
+                variable,
+                sequence,
+                key,
+                condition,
+                body,
+            },
+        )
+        .boxed()
+}
+
+/// `if c { … } else { … }`, `if let m = split(e) { … }`; `else if` is a block of that `if`.
+fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
+    let binding = just(T::Let)
+        .ignore_then(ident())
+        .then_ignore(just(T::Equals));
+    recursive(|conditional| {
+        let chained = conditional.map_with(|kind, scene: &mut Scene<'t, '_>| {
+            let span = scene.span();
+            let statements = vec![Action { kind, span }];
+            Block { statements, span }
+        });
+        let otherwise = just(T::Else).ignore_then(code.block.clone().or(chained));
+        just(T::If)
+            .ignore_then(binding.or_not())
+            .then(head(&code.expression))
+            .then(code.block.clone())
+            .then(otherwise.or_not())
+            .map(|(((binding, condition), then), otherwise)| ActionKind::If {
+                binding,
+                condition,
+                then,
+                otherwise,
+            })
+    })
+    .boxed()
+}
+
+/// `assert c else "…"`
+fn assertion<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
+    just(T::Assert)
+        .ignore_then(expression.clone())
+        .then(just(T::Else).ignore_then(text()).or_not())
+        .map(|(condition, reason)| ActionKind::Assert { condition, reason })
+        .boxed()
+}
+
+/// A call or the value of a block; with `=` behind it, an assignment.
+fn value_or_assignment<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
+    let assigned = just(T::Equals)
+        .labelled(Phrase::Operator)
+        .ignore_then(expression.clone());
+    expression
+        .clone()
+        .then(assigned.or_not())
+        .map(|(target, value)| match value {
+            Some(value) => ActionKind::Assign { target, value },
+            None => ActionKind::Expr(target),
+        })
+        .boxed()
+}

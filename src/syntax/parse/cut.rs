@@ -1,0 +1,66 @@
+//! A file cut into items, before any of them is read.
+//!
+//! An item begins at its keyword, outside of all braces, or, where braces are not closed,
+//! at a keyword that can begin nothing else: so a broken item ends where the next begins.
+
+use crate::syntax::token::{Token, TokenKind as T};
+use std::ops::Range;
+
+/// The tokens of each item, in order; together they are all tokens.
+pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
+    let mut starts = Vec::new();
+    let mut open = 0_usize;
+    for at in 0..tokens.len() {
+        if begins_item(text, tokens, at, open > 0) {
+            starts.push(at);
+            open = 0;
+        }
+        match tokens[at].kind {
+            T::LeftBrace => open += 1,
+            T::RightBrace => open = open.saturating_sub(1),
+            _ => {}
+        }
+    }
+    if starts.first() != Some(&0) && !tokens.is_empty() {
+        starts.insert(0, 0);
+    }
+    let ends = starts.iter().skip(1).copied().chain([tokens.len()]);
+    starts
+        .iter()
+        .copied()
+        .zip(ends)
+        .map(|(start, end)| start..end)
+        .collect()
+}
+
+/// What an item begins with, as far as that tells it from everything else.
+fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
+    let kind = |ahead: usize| tokens.get(at + ahead).map(|token| token.kind);
+    let named = kind(1).is_some_and(T::is_name);
+    let (sure, hard) = match tokens[at].kind {
+        T::Op | T::Script | T::Fn => (named && kind(2) == Some(T::LeftParen), true),
+        T::Use => (kind(1) == Some(T::Text), true),
+        T::Test => (kind(1) == Some(T::Text), false),
+        T::Private => (kind(1) == Some(T::Attr), false),
+        T::Attr if at > 0 && tokens[at - 1].kind == T::Private => return false,
+        T::Attr => (named && kind(2) == Some(T::Colon), true),
+        _ => return false,
+    };
+    let Some(indent) = indent(text, tokens, at) else {
+        return sure && !inside;
+    };
+    sure || hard && (indent == 0 || !inside)
+}
+
+/// How far a token stands from the start of its line, if it is the first there.
+fn indent(text: &str, tokens: &[Token], at: usize) -> Option<usize> {
+    let start = tokens[at].span.start as usize;
+    let before = match at.checked_sub(1) {
+        Some(before) => tokens[before].span.end as usize,
+        None => return Some(0),
+    };
+    let between = text.get(before..start)?;
+    between
+        .rfind('\n')
+        .map(|line_end| between.len() - line_end - 1)
+}

@@ -1,0 +1,121 @@
+//! How deep an item nests, measured before it is read.
+//!
+//! The parser and everyone behind it walk the tree by recursion, so its depth is bounded
+//! here: brackets that are open, and operators, dots and branches chained within them.
+
+use crate::syntax::token::{Token, TokenKind as T};
+
+/// How deep a tree may be.
+pub(super) const DEEPEST: usize = 256;
+
+/// What is open: a bracket, and how much was chained before it.
+struct Open {
+    bracket: T,
+    chained: usize,
+}
+
+/// The first token at which the tree would be too deep.
+pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
+    let mut open: Vec<Open> = Vec::new();
+    let mut total = 0;
+    let mut chained = 0;
+    let mut before = None;
+    for &token in tokens {
+        let kind = token.kind;
+        if restarts(before, kind) {
+            total -= chained;
+            chained = 0;
+        }
+        match kind {
+            T::LeftBrace | T::LeftParen | T::LeftBracket => {
+                open.push(Open {
+                    bracket: kind,
+                    chained,
+                });
+                total += 1;
+                chained = 0;
+            }
+            T::RightBrace | T::RightParen | T::RightBracket => {
+                while let Some(last) = open.pop_if(|last| closes(kind, last.bracket)) {
+                    total = total - chained - 1;
+                    chained = last.chained;
+                    if last.bracket == opening(kind) {
+                        break;
+                    }
+                }
+            }
+            kind if chains(kind) => {
+                total += 1;
+                chained += 1;
+            }
+            _ => {}
+        }
+        if total > DEEPEST {
+            return Some(token);
+        }
+        before = Some(kind);
+    }
+    None
+}
+
+fn opening(closing: T) -> T {
+    match closing {
+        T::RightBrace => T::LeftBrace,
+        T::RightParen => T::LeftParen,
+        _ => T::LeftBracket,
+    }
+}
+
+/// A closing brace also closes the brackets within that were left open; others stay inside
+/// of their braces.
+fn closes(closing: T, bracket: T) -> bool {
+    closing == T::RightBrace || bracket != T::LeftBrace
+}
+
+/// Whether a token makes the value around it deeper.
+fn chains(kind: T) -> bool {
+    matches!(
+        kind,
+        T::Plus
+            | T::Minus
+            | T::Star
+            | T::Slash
+            | T::Div
+            | T::Mod
+            | T::Equal
+            | T::NotEqual
+            | T::Less
+            | T::LessEqual
+            | T::Greater
+            | T::GreaterEqual
+            | T::And
+            | T::Or
+            | T::Not
+            | T::Must
+            | T::Dot
+            | T::If
+            | T::Else
+    )
+}
+
+/// Whether what was chained ends before a token: at a mark that stands in no value, and
+/// where a value follows a value.
+fn restarts(before: Option<T>, kind: T) -> bool {
+    match kind {
+        T::Comma | T::Colon | T::Equals | T::Arrow | T::FatArrow | T::Bar => true,
+        kind if chains(kind) && !matches!(kind, T::If | T::Not | T::Must) => false,
+        T::LeftBrace
+        | T::LeftParen
+        | T::LeftBracket
+        | T::RightBrace
+        | T::RightParen
+        | T::RightBracket => false,
+        _ => before.is_some_and(|before| {
+            matches!(
+                before,
+                T::Word | T::Int | T::Real | T::Text | T::True | T::False
+            ) || matches!(before, T::RightParen | T::RightBracket | T::RightBrace)
+                || before.is_soft()
+        }),
+    }
+}

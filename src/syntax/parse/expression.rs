@@ -1,0 +1,269 @@
+//! Expressions, from `or` down to names.
+//!
+//! An expression in parentheses has them in its span; nothing else of them remains.
+
+use super::failure::{Failure, Mistake, Phrase};
+use super::input::{Rule, Scene, slice};
+use super::name::{ident, int_here, name, text, word};
+use crate::source::Span;
+use crate::syntax::token::TokenKind as T;
+use crate::syntax::tree::{
+    Action, ActionKind, BinaryOp, Block, Expr, ExprKind, Ident, Name, UnaryOp,
+};
+use chumsky::prelude::*;
+
+/// An expression, in which blocks stand as branches.
+pub(super) fn expression<'t>(block: Rule<'t, Block>) -> Rule<'t, Expr> {
+    recursive(|expression| {
+        let expression = expression.boxed();
+        operators(field(atom(expression.clone(), block)))
+            .labelled(Phrase::Value)
+            .boxed()
+    })
+    .boxed()
+}
+
+fn operators<'t>(operand: Rule<'t, Expr>) -> Rule<'t, Expr> {
+    let or = select! { T::Or => BinaryOp::Or };
+    let and = select! { T::And => BinaryOp::And };
+    let compare = select! {
+        T::Equal => BinaryOp::Equal,
+        T::NotEqual => BinaryOp::NotEqual,
+        T::Less => BinaryOp::Less,
+        T::LessEqual => BinaryOp::LessEqual,
+        T::Greater => BinaryOp::Greater,
+        T::GreaterEqual => BinaryOp::GreaterEqual,
+    };
+    let add = select! { T::Plus => BinaryOp::Add, T::Minus => BinaryOp::Subtract };
+    let multiply = select! {
+        T::Star => BinaryOp::Multiply,
+        T::Slash => BinaryOp::Divide,
+        T::Div => BinaryOp::Div,
+        T::Mod => BinaryOp::Mod,
+    };
+    let negated = signed(T::Minus, UnaryOp::Negate, operand);
+    let product = chain(negated, multiply.labelled(Phrase::Operator).boxed());
+    let sum = chain(product, add.labelled(Phrase::Operator).boxed());
+    let compared = chain(sum, compare.labelled(Phrase::Operator).boxed());
+    let denied = signed(T::Not, UnaryOp::Not, compared);
+    let both = chain(denied, and.labelled(Phrase::Operator).boxed());
+    chain(both, or.labelled(Phrase::Operator).boxed())
+}
+
+/// Any number of signs before an operand.
+fn signed<'t>(sign: T, op: UnaryOp, operand: Rule<'t, Expr>) -> Rule<'t, Expr> {
+    just(sign)
+        .repeated()
+        .foldr_with(operand, move |_, value, scene: &mut Scene<'t, '_>| Expr {
+            kind: ExprKind::Unary(op, Box::new(value)),
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// Operands with operators of one rank between them, grouped from the left.
+fn chain<'t>(operand: Rule<'t, Expr>, operator: Rule<'t, BinaryOp>) -> Rule<'t, Expr> {
+    operand
+        .clone()
+        .foldl_with(
+            operator.then(operand).repeated(),
+            |left, (op, right), scene| {
+                if is_comparison(op) {
+                    comparison(left, op, right, scene)
+                } else {
+                    binary(left, op, right)
+                }
+            },
+        )
+        .boxed()
+}
+
+fn binary(left: Expr, op: BinaryOp, right: Expr) -> Expr {
+    let span = left.span.to(right.span);
+    Expr {
+        kind: ExprKind::Binary(op, Box::new(left), Box::new(right)),
+        span,
+    }
+}
+
+/// A comparison of a comparison is a mistake, unless parentheses say that it is meant.
+fn comparison(left: Expr, op: BinaryOp, right: Expr, scene: &mut Scene) -> Expr {
+    if let ExprKind::Binary(inner, first, _) = &left.kind
+        && is_comparison(*inner)
+        && first.span.start == left.span.start
+    {
+        let span = left.span.to(right.span);
+        scene.emit(Failure::mistake(Mistake::ChainedComparison, span));
+    }
+    binary(left, op, right)
+}
+
+fn is_comparison(op: BinaryOp) -> bool {
+    use BinaryOp::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
+    matches!(
+        op,
+        Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual
+    )
+}
+
+/// `x.edge.face`
+fn field<'t>(value: Rule<'t, Expr>) -> Rule<'t, Expr> {
+    let dot = just(T::Dot).labelled(Phrase::Operator);
+    value
+        .foldl(dot.ignore_then(word()).repeated(), |value, field| {
+            let span = value.span.to(field.span);
+            let kind = ExprKind::Field(Box::new(value), field);
+            Expr { kind, span }
+        })
+        .boxed()
+}
+
+fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr> {
+    let literal = select! { T::True => ExprKind::Bool(true), T::False => ExprKind::Bool(false) };
+    let int = select! { T::Int => () }.map_with(|(), scene| ExprKind::Int(int_here(scene)));
+    let real = select! { T::Real => () }.map_with(|(), scene| {
+        let value = slice(scene)
+            .parse()
+            .ok()
+            .filter(|value: &f64| value.is_finite());
+        ExprKind::Real(value.unwrap_or(f64::MAX))
+    });
+    let text = text().map(|(text, _)| ExprKind::Text(text));
+    let parenthesised = expression
+        .clone()
+        .delimited_by(just(T::LeftParen), just(T::RightParen))
+        .map(|inner| inner.kind);
+    let call = call(expression.clone());
+    let must = just(T::Must)
+        .ignore_then(called(call.clone()))
+        .map(|call| ExprKind::Must(Box::new(call)));
+    choice((
+        call,
+        int,
+        real,
+        literal,
+        parenthesised,
+        text,
+        must,
+        branches(expression, block),
+    ))
+    .map_with(|kind, scene| Expr {
+        kind,
+        span: scene.span(),
+    })
+    .boxed()
+}
+
+fn called<'t>(call: Rule<'t, ExprKind>) -> Rule<'t, Expr> {
+    call.map_with(|kind, scene| Expr {
+        kind,
+        span: scene.span(),
+    })
+    .boxed()
+}
+
+/// What stands between the parentheses of a call.
+struct Arguments {
+    values: Vec<Expr>,
+    each: Option<Each>,
+}
+
+/// `for e in edges where c`
+struct Each {
+    variable: Ident,
+    sequence: Expr,
+    filter: Option<Expr>,
+}
+
+/// `x`, `v[i+1]`, `f(x, y)`, `mean(length(e) for e in edges)`
+fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
+    let filter = just(T::Where).ignore_then(expression.clone());
+    let each = just(T::For)
+        .ignore_then(ident())
+        .then_ignore(just(T::In))
+        .then(expression.clone())
+        .then(filter.or_not())
+        .map(|((variable, sequence), filter)| Each {
+            variable,
+            sequence,
+            filter,
+        });
+    let rest = just(T::Comma)
+        .ignore_then(expression.clone())
+        .repeated()
+        .collect::<Vec<_>>()
+        .then_ignore(just(T::Comma).or_not());
+    let after_first = each
+        .map(|each| (Vec::new(), Some(each)))
+        .or(rest.map(|rest| (rest, None)));
+    let arguments = expression
+        .then(after_first)
+        .map(|(first, (rest, each))| Arguments {
+            values: std::iter::once(first).chain(rest).collect(),
+            each,
+        })
+        .or_not()
+        .map(|arguments| {
+            arguments.unwrap_or(Arguments {
+                values: Vec::new(),
+                each: None,
+            })
+        })
+        .delimited_by(
+            just(T::LeftParen).labelled(Phrase::Operator),
+            just(T::RightParen),
+        );
+    name()
+        .then(arguments.or_not())
+        .validate(|(name, arguments), _, emitter| {
+            let Some(arguments) = arguments else {
+                return ExprKind::Name(name);
+            };
+            if let Some(index) = &name.index {
+                emitter.emit(Failure::mistake(Mistake::CalledFamily, index.span));
+            }
+            called_with(name, arguments)
+        })
+        .boxed()
+}
+
+fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {
+    let function = name.ident;
+    match (arguments.each, arguments.values.pop()) {
+        (Some(each), Some(body)) => ExprKind::Aggregate {
+            function,
+            body: Box::new(body),
+            variable: each.variable,
+            sequence: Box::new(each.sequence),
+            filter: each.filter.map(Box::new),
+        },
+        (_, last) => {
+            arguments.values.extend(last);
+            let args = arguments.values;
+            ExprKind::Call { function, args }
+        }
+    }
+}
+
+/// `if c { x } else { y }`; the branch of `else if` is a block of that `if` alone.
+fn branches<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, ExprKind> {
+    recursive(|branches| {
+        let chained = branches.map_with(|kind, scene: &mut Scene<'t, '_>| {
+            let span: Span = scene.span();
+            let kind = ActionKind::Expr(Expr { kind, span });
+            let statements = vec![Action { kind, span }];
+            Block { statements, span }
+        });
+        just(T::If)
+            .ignore_then(expression)
+            .then(block.clone())
+            .then_ignore(just(T::Else))
+            .then(block.or(chained))
+            .map(|((condition, then), otherwise)| ExprKind::If {
+                condition: Box::new(condition),
+                then: Box::new(then),
+                otherwise: Box::new(otherwise),
+            })
+    })
+    .boxed()
+}

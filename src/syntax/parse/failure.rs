@@ -1,0 +1,220 @@
+//! Why a rule could not read on: a value small enough to be made at every token.
+//!
+//! The parser makes one of these for each alternative it gives up, so what was wanted is
+//! kept as two sets of bits. Words are found later, in `report`, for the few that remain.
+
+use super::input::Tokens;
+use crate::source::Span;
+use crate::syntax::token::TokenKind;
+use chumsky::DefaultExpected;
+use chumsky::error::{Error, LabelError};
+use chumsky::util::MaybeRef;
+
+/// What can be wanted besides a certain token, in the order in which it is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Phrase {
+    Item,
+    Part,
+    Name,
+    Type,
+    Parameter,
+    Arrow,
+    Spoke,
+    Halfedge,
+    Vertex,
+    Index,
+    Value,
+    DrawingStatement,
+    Statement,
+    Reason,
+    /// How a value could go on; told only where nothing else is wanted.
+    Operator,
+    /// How a name could go on; told only where nothing else is wanted.
+    Subscript,
+}
+
+impl Phrase {
+    const ALL: [Self; 16] = [
+        Self::Item,
+        Self::Part,
+        Self::Name,
+        Self::Type,
+        Self::Parameter,
+        Self::Arrow,
+        Self::Spoke,
+        Self::Halfedge,
+        Self::Vertex,
+        Self::Index,
+        Self::Value,
+        Self::DrawingStatement,
+        Self::Statement,
+        Self::Reason,
+        Self::Operator,
+        Self::Subscript,
+    ];
+
+    /// The words for it.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::Item => "`op`, `script`, `fn`, `attr`, `use` or `test`",
+            Self::Part => "`before`, `require`, `guard`, `after` or `rule`",
+            Self::Name => "a name",
+            Self::Type => "a type",
+            Self::Parameter => "a parameter like `e: edge`",
+            Self::Arrow => "`-h->`, `=P=>`",
+            Self::Spoke => "a halfedge or a fan like `*S`",
+            Self::Halfedge => "a halfedge",
+            Self::Vertex => "a vertex",
+            Self::Index => "an index like `i+1`",
+            Self::Value => "a value",
+            Self::DrawingStatement => "the next statement",
+            Self::Statement => "a statement",
+            Self::Reason => "a reason in quotes",
+            Self::Operator => "an operator",
+            Self::Subscript => "a subscript",
+        }
+    }
+}
+
+/// A set of tokens and phrases.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Wanted {
+    tokens: u128,
+    phrases: u32,
+}
+
+impl Wanted {
+    fn add(&mut self, other: Self) {
+        self.tokens |= other.tokens;
+        self.phrases |= other.phrases;
+    }
+
+    fn phrase(phrase: Phrase) -> Self {
+        let phrases = 1 << phrase as u32;
+        Self { tokens: 0, phrases }
+    }
+
+    /// Whether a token is wanted.
+    pub(super) fn has(self, kind: TokenKind) -> bool {
+        self.tokens >> kind as u32 & 1 == 1
+    }
+
+    /// The phrases, in order.
+    pub(super) fn phrases(self) -> impl Iterator<Item = Phrase> {
+        let all = Phrase::ALL.into_iter();
+        all.filter(move |&phrase| self.phrases >> phrase as u32 & 1 == 1)
+    }
+
+    /// The tokens of fixed spelling, in order.
+    pub(super) fn tokens(self) -> impl Iterator<Item = TokenKind> {
+        let fixed = TokenKind::KEYWORDS.iter().chain(TokenKind::MARKS);
+        let kinds = fixed.map(|&(_, kind)| kind);
+        kinds.filter(move |&kind| self.has(kind))
+    }
+}
+
+/// A mistake with a sentence of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mistake {
+    /// `a < b < c`
+    ChainedComparison,
+    /// `before` or `after` twice in one rule; the other one's place.
+    TwiceDrawn(Span),
+    /// A condition or `before` that stands too late; where it should stand.
+    Misplaced(&'static str),
+    /// `v[i](…)`: what is called has no subscript.
+    CalledFamily,
+    /// `rule` beside parts that stand in none.
+    RuleAmongParts,
+}
+
+/// Why a rule could not read on.
+#[derive(Clone, Debug)]
+pub(super) struct Failure {
+    /// Where.
+    pub span: Span,
+    /// What stands there; nothing at the end of the item.
+    pub found: Option<TokenKind>,
+    /// What could have stood there.
+    pub wanted: Wanted,
+    /// Where the statement or header began that could not be read on.
+    pub context: Option<Span>,
+    /// What it is instead of something unexpected.
+    pub mistake: Option<Mistake>,
+}
+
+impl Failure {
+    /// A mistake with a sentence of its own.
+    pub(super) fn mistake(mistake: Mistake, span: Span) -> Self {
+        Self {
+            span,
+            found: None,
+            wanted: Wanted::default(),
+            context: None,
+            mistake: Some(mistake),
+        }
+    }
+}
+
+impl<'t> Error<'t, Tokens<'t>> for Failure {
+    fn merge(mut self, other: Self) -> Self {
+        self.wanted.add(other.wanted);
+        self.context = self.context.or(other.context);
+        self.mistake = self.mistake.or(other.mistake);
+        self
+    }
+}
+
+impl<'t> LabelError<'t, Tokens<'t>, DefaultExpected<'t, TokenKind>> for Failure {
+    fn expected_found<E: IntoIterator<Item = DefaultExpected<'t, TokenKind>>>(
+        expected: E,
+        found: Option<MaybeRef<'t, TokenKind>>,
+        span: Span,
+    ) -> Self {
+        let mut wanted = Wanted::default();
+        for one in expected {
+            if let DefaultExpected::Token(kind) = one {
+                wanted.tokens |= 1 << *kind as u32;
+            }
+        }
+        Self {
+            span,
+            found: found.map(|kind| *kind),
+            wanted,
+            context: None,
+            mistake: None,
+        }
+    }
+}
+
+impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
+    fn expected_found<E: IntoIterator<Item = Phrase>>(
+        expected: E,
+        found: Option<MaybeRef<'t, TokenKind>>,
+        span: Span,
+    ) -> Self {
+        let mut wanted = Wanted::default();
+        for phrase in expected {
+            wanted.add(Wanted::phrase(phrase));
+        }
+        Self {
+            span,
+            found: found.map(|kind| *kind),
+            wanted,
+            context: None,
+            mistake: None,
+        }
+    }
+
+    fn label_with(&mut self, label: Phrase) {
+        self.wanted = Wanted::phrase(label);
+    }
+
+    fn in_context(&mut self, _label: Phrase, span: Span) {
+        self.context = self.context.or(Some(span));
+    }
+}
+
+/// So many kinds fit into the bits of [`Wanted`].
+const _: () = assert!(TokenKind::Comment as u8 as u32 <= u128::BITS - 1);

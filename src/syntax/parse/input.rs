@@ -1,0 +1,63 @@
+//! What the grammar reads: the tokens of one item, and the text they stand in.
+
+use super::failure::Failure;
+use crate::source::{FileId, Span};
+use crate::syntax::token::{Token, TokenKind};
+use chumsky::inspector::SimpleState;
+use chumsky::prelude::*;
+use chumsky::span::Span as Place;
+use std::ops::Range;
+
+type Split<'t> = fn(&'t Token) -> (&'t TokenKind, &'t Span);
+
+/// The tokens of one item.
+pub(super) type Tokens<'t> =
+    chumsky::input::MappedInput<'t, TokenKind, Span, &'t [Token], Split<'t>>;
+
+/// The source text, for the names and numbers that tokens stand for.
+pub(super) type Source<'t> = SimpleState<&'t str>;
+
+/// How the grammar fails, and what it knows.
+pub(super) type Extra<'t> = extra::Full<Failure, Source<'t>, ()>;
+
+/// A rule of the grammar.
+pub(super) type Rule<'t, O> = Boxed<'t, 't, Tokens<'t>, O, Extra<'t>>;
+
+/// What a rule may look at when it builds a part of the tree.
+pub(super) type Scene<'t, 'b> = chumsky::input::MapExtra<'t, 'b, Tokens<'t>, Extra<'t>>;
+
+/// The grammar's view of some tokens; `end` is where they end.
+pub(super) fn tokens(tokens: &[Token], end: Span) -> Tokens<'_> {
+    let split: Split = |token| (&token.kind, &token.span);
+    tokens.map(end, split)
+}
+
+/// The text under what a rule has just read.
+pub(super) fn slice<'t>(scene: &mut Scene<'t, '_>) -> &'t str {
+    let span = scene.span();
+    scene.state().0.get(span.range()).unwrap_or("")
+}
+
+impl Place for Span {
+    type Context = FileId;
+    type Offset = u32;
+
+    /// A rule that reads nothing begins at the next token and ends at the last one; such a
+    /// span is empty, never inverted.
+    fn new(file: FileId, range: Range<u32>) -> Self {
+        let (start, end) = (range.start, range.end.max(range.start));
+        Span { file, start, end }
+    }
+
+    fn context(&self) -> FileId {
+        self.file
+    }
+
+    fn start(&self) -> u32 {
+        self.start
+    }
+
+    fn end(&self) -> u32 {
+        self.end
+    }
+}

@@ -1,0 +1,307 @@
+//! Items: what stands at the top level of a file.
+
+use super::action::{Code, code};
+use super::drawing::{mark, side};
+use super::failure::{Failure, Mistake, Phrase};
+use super::input::{Rule, Scene};
+use super::name::{ident, name, text, type_word};
+use super::recover;
+use crate::source::Span;
+use crate::syntax::token::TokenKind as T;
+use crate::syntax::tree::{
+    Attr, Condition, Expr, Fn, Ident, Item, Op, Param, Rule as Alternative, Script, Side, Test, Use,
+};
+use chumsky::input::Emitter;
+use chumsky::prelude::*;
+
+/// An item, up to where the next one begins. Doc comments are put in later.
+pub(super) fn item<'t>() -> Rule<'t, Item> {
+    let code = code();
+    let item = choice((
+        op(&code).map(Item::Op),
+        script(&code).map(Item::Script),
+        function(&code).map(Item::Fn),
+        test(&code).map(Item::Test),
+        attr(&code).map(Item::Attr),
+        file_use().map(Item::Use),
+    ));
+    let item = item.labelled(Phrase::Item).as_context();
+    let leftover = end().recover_with(via_parser(recover::rest().ignored()));
+    item.recover_with(via_parser(recover::rest().map(Item::Broken)))
+        .then_ignore(leftover)
+        .boxed()
+}
+
+/// `use "path"`
+fn file_use<'t>() -> Rule<'t, Use> {
+    just(T::Use)
+        .ignore_then(text())
+        .map_with(|(path, path_span), scene| Use {
+            path,
+            path_span,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// `private attr name: vertex real = 0`
+fn attr<'t>(code: &Code<'t>) -> Rule<'t, Attr> {
+    let default = just(T::Equals).ignore_then(code.expression.clone());
+    just(T::Private)
+        .or_not()
+        .then_ignore(just(T::Attr))
+        .then(ident())
+        .then_ignore(just(T::Colon))
+        .then(type_word())
+        .then(type_word())
+        .then(default.or_not())
+        .map_with(|((((private, name), kind), ty), default), scene| Attr {
+            docs: Vec::new(),
+            private: private.is_some(),
+            name,
+            kind,
+            ty,
+            default,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// `(e: edge, t: real = 0.5)`; a parameter that cannot be read is left out.
+fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
+    let default = just(T::Equals).ignore_then(code.expression.clone());
+    let param = name()
+        .then_ignore(just(T::Colon))
+        .then(type_word())
+        .then(default.or_not())
+        .map_with(|((name, ty), default), scene| Param {
+            name,
+            ty,
+            default,
+            span: scene.span(),
+        })
+        .labelled(Phrase::Parameter)
+        .map(Some);
+    let end = just(T::RightParen);
+    let param = end
+        .not()
+        .ignore_then(param.recover_with(via_parser(recover::entry().map(|_| None))));
+    param
+        .separated_by(just(T::Comma))
+        .allow_trailing()
+        .collect::<Vec<_>>()
+        .map(|params| params.into_iter().flatten().collect())
+        .delimited_by(just(T::LeftParen), mark(T::RightParen))
+        .boxed()
+}
+
+/// `-> real`
+fn result<'t>(word: Rule<'t, Ident>) -> Rule<'t, Option<Ident>> {
+    just(T::Arrow).ignore_then(word).or_not().boxed()
+}
+
+/// `fn name(…) -> type { … }`
+fn function<'t>(code: &Code<'t>) -> Rule<'t, Fn> {
+    just(T::Fn)
+        .ignore_then(ident())
+        .then(params(code))
+        .then(result(type_word()))
+        .then(code.block.clone())
+        .map_with(|(((name, params), result), body), scene| Fn {
+            docs: Vec::new(),
+            name,
+            params,
+            result,
+            body,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// `script name(…) { … }`
+fn script<'t>(code: &Code<'t>) -> Rule<'t, Script> {
+    just(T::Script)
+        .ignore_then(ident())
+        .then(params(code))
+        .then(code.block.clone())
+        .map_with(|((name, params), body), scene| Script {
+            docs: Vec::new(),
+            name,
+            params,
+            body,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// `test "…" { … }`
+fn test<'t>(code: &Code<'t>) -> Rule<'t, Test> {
+    just(T::Test)
+        .ignore_then(text())
+        .then(code.block.clone())
+        .map_with(|((name, _), body), scene| Test {
+            name,
+            body,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// `op name(…) -> result keeps … { … }`
+fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
+    let keeps = just(T::Keeps)
+        .ignore_then(ident().separated_by(just(T::Comma)).at_least(1).collect())
+        .or_not()
+        .map(|keeps: Option<Vec<Ident>>| keeps.unwrap_or_default());
+    just(T::Op)
+        .ignore_then(ident())
+        .then(params(code))
+        .then(result(ident()))
+        .then(keeps)
+        .then(rules(&code.expression))
+        .map_with(|((((name, params), result), keeps), rules), scene| Op {
+            docs: Vec::new(),
+            name,
+            params,
+            result,
+            keeps,
+            rules,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// What stands between the braces of an op.
+enum Part {
+    Before(Side),
+    Condition(Condition),
+    After(Side),
+    Rule(Alternative),
+    Broken,
+}
+
+/// The braces of an op: its parts, or its rules.
+fn rules<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Vec<Alternative>> {
+    let rule = just(T::Rule)
+        .ignore_then(ident())
+        .then(parts(part(expression)))
+        .validate(|(name, parts), scene, emitter| {
+            let mut rule = assembled(parts, scene.span(), emitter).0;
+            rule.name = Some(name);
+            rule
+        });
+    let part = part(expression).or(rule.map(Part::Rule)).boxed();
+    parts(part)
+        .validate(|parts, scene, emitter| {
+            let (alone, mut rules) = assembled(parts, scene.span(), emitter);
+            if rules.is_empty() {
+                rules.push(alone);
+            } else if alone.before.is_some() || alone.after.is_some() {
+                let span = alone
+                    .before
+                    .or(alone.after)
+                    .map_or(alone.span, |side| side.span);
+                emitter.emit(Failure::mistake(Mistake::RuleAmongParts, span));
+            }
+            rules
+        })
+        .boxed()
+}
+
+fn part<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Part> {
+    choice((
+        side(T::Before, expression.clone()).map(Part::Before),
+        condition(expression).map(Part::Condition),
+        side(T::After, expression.clone()).map(Part::After),
+    ))
+    .labelled(Phrase::Part)
+    .as_context()
+    .boxed()
+}
+
+/// Parts in braces. A closing brace with another part behind it closes nothing.
+fn parts<'t>(part: Rule<'t, Part>) -> Rule<'t, Vec<Part>> {
+    let another = select! { kind if recover::begins_part(kind) => () };
+    let stray = just(T::RightBrace).then(another).rewind();
+    let end = just(T::RightBrace).and_is(stray.not());
+    let broken = recover::part().map(|_| Part::Broken);
+    let parts = end
+        .not()
+        .ignore_then(part.recover_with(via_parser(broken)))
+        .repeated()
+        .collect();
+    mark(T::LeftBrace)
+        .ignore_then(parts)
+        .then_ignore(mark(T::RightBrace))
+        .boxed()
+}
+
+/// `require CONDITION else "REASON"` or `guard LEVEL`
+fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
+    let require = just(T::Require)
+        .ignore_then(expression.clone())
+        .then(just(T::Else).ignore_then(text()).or_not())
+        .map_with(
+            |(condition, reason), scene: &mut Scene<'t, '_>| Condition::Require {
+                condition,
+                reason,
+                span: scene.span(),
+            },
+        );
+    let guard = just(T::Guard)
+        .ignore_then(ident())
+        .map_with(|level, scene| Condition::Guard {
+            level,
+            span: scene.span(),
+        });
+    require.or(guard).boxed()
+}
+
+/// Sorts parts into one rule without a name, and the rules among them.
+fn assembled(
+    parts: Vec<Part>,
+    span: Span,
+    emitter: &mut Emitter<Failure>,
+) -> (Alternative, Vec<Alternative>) {
+    let mut alone = Alternative {
+        name: None,
+        before: None,
+        conditions: Vec::new(),
+        after: None,
+        span,
+    };
+    let mut rules = Vec::new();
+    let mut wrong = |mistake, span| emitter.emit(Failure::mistake(mistake, span));
+    for part in parts {
+        match part {
+            Part::Before(side) => {
+                if let Some(first) = &alone.before {
+                    wrong(Mistake::TwiceDrawn(first.span), side.span);
+                    continue;
+                }
+                if alone.after.is_some() || !alone.conditions.is_empty() {
+                    wrong(Mistake::Misplaced("`before` comes first"), side.span);
+                }
+                alone.before = Some(side);
+            }
+            Part::Condition(condition) => {
+                let (Condition::Require { span, .. } | Condition::Guard { span, .. }) = &condition;
+                if alone.after.is_some() {
+                    let place = "a condition stands between `before` and `after`";
+                    wrong(Mistake::Misplaced(place), *span);
+                }
+                alone.conditions.push(condition);
+            }
+            Part::After(side) => {
+                if let Some(first) = &alone.after {
+                    wrong(Mistake::TwiceDrawn(first.span), side.span);
+                    continue;
+                }
+                alone.after = Some(side);
+            }
+            Part::Rule(rule) => rules.push(rule),
+            Part::Broken => {}
+        }
+    }
+    (alone, rules)
+}

@@ -1,0 +1,95 @@
+//! Names, subscripts, types and texts.
+
+use super::failure::Phrase;
+use super::input::{Rule, Scene, slice};
+use crate::source::Span;
+use crate::syntax::text::read_text;
+use crate::syntax::token::TokenKind as T;
+use crate::syntax::tree::{Ident, Index, Name};
+use chumsky::prelude::*;
+
+fn ident_here(scene: &mut Scene) -> Ident {
+    Ident {
+        text: slice(scene).to_owned(),
+        span: scene.span(),
+    }
+}
+
+/// A name without a subscript.
+pub(super) fn ident<'t>() -> Rule<'t, Ident> {
+    select! { kind if T::is_name(kind) => () }
+        .map_with(|(), scene| ident_here(scene))
+        .labelled(Phrase::Name)
+        .boxed()
+}
+
+/// A word where no statement can begin, so that keywords are words too: a field, a type.
+pub(super) fn word<'t>() -> Rule<'t, Ident> {
+    select! { kind if T::is_wordlike(kind) => () }
+        .map_with(|(), scene| ident_here(scene))
+        .labelled(Phrase::Name)
+        .boxed()
+}
+
+/// The name of a type.
+pub(super) fn type_word<'t>() -> Rule<'t, Ident> {
+    word().labelled(Phrase::Type).boxed()
+}
+
+/// A name of a drawing: `v0`, `v[i+1]`, `a[0]`.
+pub(super) fn name<'t>() -> Rule<'t, Name> {
+    ident()
+        .then(subscript().or_not())
+        .map_with(|(ident, index), scene| Name {
+            ident,
+            index,
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// A name in a list, where `v.position = …` would begin the next statement.
+pub(super) fn listed_name<'t>() -> Rule<'t, Name> {
+    name().then_ignore(just(T::Dot).not()).boxed()
+}
+
+/// `[i]`, `[i+1]`, `[0]`
+fn subscript<'t>() -> Rule<'t, Index> {
+    let int = select! { T::Int => () }.map_with(|(), scene| int_here(scene));
+    let sign = just(T::Plus).to(1).or(just(T::Minus).to(-1));
+    let offset = sign.clone().then(int.clone());
+    let moved = ident()
+        .then(offset.or_not())
+        .map(|(variable, offset)| (Some(variable), offset.unwrap_or((1, 0))));
+    let fixed = sign.or_not().then(int).map(|(sign, int)| {
+        let variable: Option<Ident> = None;
+        (variable, (sign.unwrap_or(1), int))
+    });
+    moved
+        .or(fixed)
+        .labelled(Phrase::Index)
+        .map_with(|(variable, (sign, int)), scene| Index {
+            variable,
+            offset: sign * int,
+            span: scene.span(),
+        })
+        .delimited_by(
+            just(T::LeftBracket).labelled(Phrase::Subscript),
+            just(T::RightBracket),
+        )
+        .boxed()
+}
+
+/// The int under a token; one that is too large has been reported and counts as the largest.
+pub(super) fn int_here(scene: &mut Scene) -> i64 {
+    let digits = slice(scene).trim_end_matches(|c: char| !c.is_ascii_digit());
+    digits.parse().unwrap_or(i64::MAX)
+}
+
+/// A text in quotes and its place.
+pub(super) fn text<'t>() -> Rule<'t, (String, Span)> {
+    select! { T::Text => () }
+        .map_with(|(), scene| (read_text(slice(scene)).value, scene.span()))
+        .labelled(Phrase::Reason)
+        .boxed()
+}

@@ -1,0 +1,134 @@
+//! The words of the language, told apart by one automaton.
+//!
+//! A [`Token`] is a kind and a place; its text is read from the source when it is wanted.
+//! Keywords are kept out of names, but the tree takes some of them back where no
+//! statement can begin: after a dot, as a type, and, for the few that are
+//! [soft](TokenKind::is_soft), as any name.
+
+use crate::source::Span;
+use logos::Logos;
+use std::fmt;
+
+/// A token and its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Token {
+    /// What it is.
+    pub kind: TokenKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// Writes the token kinds: those with a fixed spelling, and the keywords among them.
+macro_rules! token_kinds {
+    (
+        keywords { $($word:literal $keyword:ident)* }
+        marks { $($mark:literal $name:ident)* }
+    ) => {
+        /// What a token is.
+        #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[logos(skip r"[ \t\r\n\x0C\u{FEFF}]+")]
+        #[repr(u8)]
+        #[allow(missing_docs)]
+        pub enum TokenKind {
+            $(#[token($word)] $keyword,)*
+            $(#[token($mark)] $name,)*
+            /// A name, perhaps with primes.
+            #[regex(r"[\p{XID_Start}_]\p{XID_Continue}*'*", priority = 3)]
+            Word,
+            /// `12`
+            #[regex(r"[0-9]+", priority = 5)]
+            Int,
+            /// `0.5`, `1e-3`
+            #[regex(r"[0-9]+\.[0-9]+([eE][+-]?[0-9]+)?", priority = 5)]
+            #[regex(r"[0-9]+[eE][+-]?[0-9]+", priority = 5)]
+            Real,
+            /// A number grown together with a name: `2x`.
+            #[regex(r"[0-9]+(\.[0-9]+)?\p{XID_Start}\p{XID_Continue}*", priority = 4)]
+            #[regex(r"[0-9]+(\.[0-9]+)?_\p{XID_Continue}*", priority = 4)]
+            BadNumber,
+            /// `"text"`
+            #[regex(r#""([^"\\\r\n]|\\[^\r\n])*""#)]
+            Text,
+            /// A text whose line ends before its closing quote.
+            #[regex(r#""([^"\\\r\n]|\\[^\r\n])*\\?"#)]
+            OpenText,
+            /// `// …`, `/// …`, `//! …`; never reaches the parser.
+            #[regex(r"//[^\n]*", allow_greedy = true)]
+            Comment,
+        }
+
+        impl TokenKind {
+            /// Every keyword with its spelling, in the order of the reference.
+            pub const KEYWORDS: &[(&str, Self)] = &[$(($word, Self::$keyword)),*];
+
+            /// The tokens of fixed spelling that are not words.
+            pub const MARKS: &[(&str, Self)] = &[$(($mark, Self::$name)),*];
+
+            /// The spelling, where there is only one.
+            pub fn spelling(self) -> Option<&'static str> {
+                match self {
+                    $(Self::$keyword => Some($word),)*
+                    $(Self::$name => Some($mark),)*
+                    _ => None,
+                }
+            }
+
+            /// Whether it is a keyword.
+            pub fn is_keyword(self) -> bool {
+                matches!(self, $(Self::$keyword)|*)
+            }
+        }
+    };
+}
+
+token_kinds! {
+    keywords {
+        "use" Use "private" Private "attr" Attr "fn" Fn "op" Op "script" Script "test" Test
+        "keeps" Keeps "rule" Rule "before" Before "require" Require "guard" Guard "after" After
+        "face" Face "hole" Hole "loop" Loop "edge" Edge "vertex" Vertex
+        "each" Each "new" New "keep" Keep "erase" Erase
+        "let" Let "var" Var "if" If "else" Else "repeat" Repeat "for" For "in" In
+        "where" Where "while" While "drain" Drain "by" By "update" Update
+        "must" Must "print" Print "assert" Assert
+        "return" Return "break" Break "continue" Continue
+        "and" And "or" Or "not" Not "div" Div "mod" Mod "true" True "false" False
+    }
+    marks {
+        "{" LeftBrace "}" RightBrace "(" LeftParen ")" RightParen "[" LeftBracket "]" RightBracket
+        ":" Colon "," Comma "." Dot "|" Bar "->" Arrow "=>" FatArrow "=" Equals
+        "+" Plus "-" Minus "*" Star "/" Slash
+        "==" Equal "!=" NotEqual "<" Less "<=" LessEqual ">" Greater ">=" GreaterEqual
+    }
+}
+
+impl TokenKind {
+    /// Whether it is spelled like a name: a name or any keyword.
+    pub fn is_wordlike(self) -> bool {
+        self == Self::Word || self.is_keyword()
+    }
+
+    /// Whether it is a keyword that may also be a name, since it means something only in
+    /// one place: `test` before a text, `private` before `attr`, `by` behind a sequence.
+    pub fn is_soft(self) -> bool {
+        matches!(self, Self::Test | Self::Private | Self::By)
+    }
+
+    /// Whether it can stand where a name is wanted.
+    pub fn is_name(self) -> bool {
+        self == Self::Word || self.is_soft()
+    }
+}
+
+impl fmt::Display for TokenKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Word => f.write_str("a name"),
+            Self::Int => f.write_str("an int"),
+            Self::Real => f.write_str("a real"),
+            Self::BadNumber => f.write_str("a number"),
+            Self::Text | Self::OpenText => f.write_str("a text in quotes"),
+            Self::Comment => f.write_str("a comment"),
+            fixed => write!(f, "`{}`", fixed.spelling().unwrap_or_default()),
+        }
+    }
+}
