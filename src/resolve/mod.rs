@@ -1,7 +1,48 @@
 //! Tree to program: names, kinds, types.
+//!
+//! [`resolve`] finds for every name of a drawing what kind of element it stands for, for
+//! every expression its type, for every call the op or function it means. What it makes
+//! is a [`Program`]: [diagrams](crate::diagram) for the checker, scripts for the machine.
+//! It assumes nothing of the tree, which may be broken anywhere, and leaves to the checker
+//! whether a drawing makes sense.
+//!
+//! An item with an error is lost, and only that item. What the language has but this
+//! layer does not understand yet is an error of its own, `not-yet`.
 
 mod program;
 
+mod file;
+
+mod declared;
+mod depth;
+mod report;
+mod suggestion;
+mod words;
+
+mod op;
+mod parameter;
+mod family;
+mod mention;
+mod names;
+mod rule;
+mod drawing;
+mod lists;
+mod condition;
+
+mod typing;
+mod scopes;
+mod lookup;
+mod operator;
+mod field;
+mod builtin;
+mod function;
+mod sequence;
+
+mod script;
+mod statement;
+mod application;
+
+pub use file::{Resolved, resolve};
 pub use program::{
     Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
 };

@@ -1,0 +1,284 @@
+//! Calls of ops in scripts.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::op::{Returned, Signature};
+use super::program::{Statement, StatementKind};
+use super::scopes::{Binding, Local};
+use super::script::Scripting;
+use super::suggestion::suggest;
+use super::typing::typed;
+use super::words::{a_type, arguments};
+
+/// `must split(e)` as a value.
+pub(super) struct Applied {
+    op: usize,
+    args: Vec<Expr>,
+    /// What the op is called.
+    name: String,
+    /// The type of what it returns.
+    pub(super) result: Type,
+    span: Span,
+}
+
+impl Applied {
+    /// The statement that stores the result, or stops the script at a refusal.
+    pub(super) fn into_variable(self, variable: u32) -> StatementKind {
+        let refused = Statement {
+            kind: StatementKind::Assert {
+                condition: typed(Type::Bool, ExprKind::Bool(false), self.span),
+                reason: format!("`{}` was refused", self.name),
+            },
+            span: self.span,
+        };
+        StatementKind::IfApply {
+            op: self.op,
+            args: self.args,
+            variable: Some(variable),
+            then: Vec::new(),
+            otherwise: vec![refused],
+        }
+    }
+}
+
+impl Scripting<'_> {
+    /// Whether an expression is the call of an op of this file.
+    pub(super) fn is_op_call(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            tree::ExprKind::Call { function, .. } => {
+                self.typing.declared.op(&function.text).is_some()
+            }
+            _ => false,
+        }
+    }
+
+    /// The value of an op, if `expr` calls one: `must split(e)`. The inner `None` has its
+    /// reason in the report.
+    pub(super) fn applied_value(&mut self, expr: &tree::Expr) -> Option<Option<Applied>> {
+        match &expr.kind {
+            tree::ExprKind::Must(inner) => match &inner.kind {
+                tree::ExprKind::Call { function, args } => {
+                    Some(self.applied(function, args, inner.span))
+                }
+                _ => None,
+            },
+            tree::ExprKind::Call { function, .. } if self.is_op_call(expr) => {
+                let word = &function.text;
+                let message = format!("`{word}` may be refused, and then there is no value");
+                let error = Diagnostic::error("needs-must", message, expr.span)
+                    .note(format!(
+                        "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
+                    ))
+                    .fix("write `must`", expr.span.before(), "must ");
+                self.typing.report.add(error);
+                Some(None)
+            }
+            _ => None,
+        }
+    }
+
+    fn applied(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> Option<Applied> {
+        let (op, args) = self.application(function, args, span)?;
+        let result = self.result(op, span)?;
+        Some(Applied {
+            op,
+            args,
+            name: function.text.clone(),
+            result,
+            span,
+        })
+    }
+
+    /// The type of what an op returns, where a value is wanted.
+    fn result(&mut self, op: usize, span: Span) -> Option<Type> {
+        let signature = &self.ops[op];
+        match signature.result {
+            Returned::Element(ty) => Some(ty),
+            Returned::Unknown => {
+                self.typing.report.fail();
+                None
+            }
+            Returned::Nothing => {
+                let message = format!("`{}` returns nothing", signature.name);
+                let error = Diagnostic::error("returns-nothing", message, span);
+                self.typing.report.add(error);
+                None
+            }
+        }
+    }
+
+    /// Whether the result of an op can be stored in a variable.
+    pub(super) fn result_fits(
+        &mut self,
+        applied: &Applied,
+        wanted: Option<Type>,
+        variable: &Ident,
+        span: Span,
+    ) -> bool {
+        let Some(wanted) = wanted.filter(|wanted| *wanted != applied.result) else {
+            return true;
+        };
+        let message = format!(
+            "`{}` wants {}, but `{}` returns {}",
+            variable.text,
+            a_type(wanted),
+            applied.name,
+            a_type(applied.result)
+        );
+        self.typing
+            .report
+            .add(Diagnostic::error("type-mismatch", message, span));
+        false
+    }
+
+    /// `if let m = split(e) { … } else { … }`, `if split(e) { … }`
+    pub(super) fn if_applied(
+        &mut self,
+        binding: Option<&Ident>,
+        condition: &tree::Expr,
+        [then, otherwise]: [Option<&tree::Block>; 2],
+    ) -> Option<StatementKind> {
+        let applied = match &condition.kind {
+            tree::ExprKind::Call { function, args } => {
+                self.application(function, args, condition.span)
+            }
+            tree::ExprKind::Must(_) => {
+                let message = "`if let` asks whether the op is refused, so `must` has no place";
+                let error = Diagnostic::error("misplaced-must", message, condition.span);
+                self.typing.report.add(error);
+                None
+            }
+            tree::ExprKind::Broken => {
+                self.typing.report.fail();
+                None
+            }
+            _ => {
+                let message = "`if let` wants the call of an op";
+                let error = Diagnostic::error("not-an-op", message, condition.span);
+                self.typing.report.add(error);
+                None
+            }
+        };
+        self.typing.scopes.enter();
+        let variable = binding.map(|binding| {
+            let op = applied.as_ref().map(|(op, _)| *op);
+            let ty = op.and_then(|op| self.result(op, condition.span));
+            self.typing.scopes.declare(Local {
+                name: binding.text.clone(),
+                span: binding.span,
+                ty,
+                binding: Binding::Head,
+            })
+        });
+        let then = then.map(|block| self.block(block)).unwrap_or_default();
+        self.typing.scopes.leave();
+        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
+        let (op, args) = applied?;
+        Some(StatementKind::IfApply {
+            op,
+            args,
+            variable,
+            then,
+            otherwise,
+        })
+    }
+
+    /// An op and its arguments, those left out as well.
+    pub(super) fn application(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<(usize, Vec<Expr>)> {
+        let number = self.typing.declared.op(&function.text);
+        let ops = self.ops;
+        let found = number.and_then(|number| Some((number, ops.get(number)?)));
+        let Some((number, op)) = found else {
+            self.unknown_op(function);
+            for arg in args {
+                self.typing.expression(arg);
+            }
+            return None;
+        };
+        let mut values: Vec<Option<Expr>> = Vec::new();
+        for (place, arg) in args.iter().enumerate() {
+            let value = match op.params.get(place).map(|param| (param, param.ty)) {
+                Some((param, Some(ty))) => {
+                    let whose = format!("`{}` of `{}`", param.name, op.name);
+                    self.typing.expression_as(arg, ty, &whose)
+                }
+                // Of unknown type, or one too many.
+                Some((_, None)) | None => self.typing.expression(arg),
+            };
+            values.push(value);
+        }
+        self.right_op_count(op, args.len(), span)?;
+        for param in &op.params[args.len()..] {
+            if param.default.is_none() {
+                self.typing.report.fail();
+            }
+            values.push(param.default.clone());
+        }
+        let values = values.into_iter().collect::<Option<_>>()?;
+        Some((number, values))
+    }
+
+    /// Complains about a wrong number of arguments.
+    fn right_op_count(&mut self, op: &Signature, given: usize, span: Span) -> Option<()> {
+        let most = op.params.len();
+        // A parameter before one without a default cannot be left out either.
+        let required = op.params.iter().rposition(|param| !param.optional);
+        let least = required.map_or(0, |place| place + 1);
+        if (least..=most).contains(&given) {
+            return Some(());
+        }
+        let wanted = match least {
+            least if least == most => arguments(most),
+            least => format!("{least} to {}", arguments(most)),
+        };
+        let verb = if given == 1 { "is" } else { "are" };
+        let given = match given {
+            0 => "none".to_owned(),
+            given => given.to_string(),
+        };
+        let message = format!("`{}` takes {wanted}, but {given} {verb} given", op.name);
+        let params: Vec<String> = op
+            .params
+            .iter()
+            .map(|param| match param.ty {
+                Some(ty) => format!("{}: {}", param.name, ty.word()),
+                None => param.name.clone(),
+            })
+            .collect();
+        let error = Diagnostic::error("wrong-count", message, span)
+            .note(format!("it is `{}({})`", op.name, params.join(", ")));
+        self.typing.report.add(error);
+        None
+    }
+
+    fn unknown_op(&mut self, function: &Ident) {
+        let declared = self.typing.declared;
+        let word = function.text.as_str();
+        if declared.may_be_op() || declared.may_be_function(word) {
+            // What declares it has been refused already.
+            self.typing.report.fail();
+            return;
+        }
+        if declared.is_called(word) {
+            let message = format!("`{word}` is a function, not an op");
+            let error = Diagnostic::error("not-an-op", message, function.span);
+            self.typing.report.add(error);
+            return;
+        }
+        let message = format!("there is no op `{word}`");
+        let error = Diagnostic::error("unknown-op", message, function.span);
+        let error = match declared.is_script(word) {
+            true => error.note(format!("`{word}` is a script; a script calls ops only")),
+            false => suggest(error, word, function.span, declared.op_names()),
+        };
+        self.typing.report.add(error);
+    }
+}

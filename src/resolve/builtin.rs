@@ -1,0 +1,147 @@
+//! The functions of the language: what they are called, take and give.
+
+use crate::diagram::{Builtin, Type};
+
+/// What a function wants at one place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// A value of one type.
+    Is(Type),
+    /// A vector, or a vertex for its position.
+    Point,
+}
+
+/// One way to call a function.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Overload {
+    /// What it takes.
+    pub(super) wanted: &'static [Wanted],
+    /// What it gives.
+    pub(super) result: Type,
+    /// What it is.
+    pub(super) builtin: Builtin,
+}
+
+const BOOL: Type = Type::Bool;
+const INT: Type = Type::Int;
+const REAL: Type = Type::Real;
+const VEC3: Type = Type::Vec3;
+
+const I: Wanted = Wanted::Is(Type::Int);
+const R: Wanted = Wanted::Is(Type::Real);
+const X: Wanted = Wanted::Is(Type::Vec3);
+const V: Wanted = Wanted::Is(Type::Vertex);
+const H: Wanted = Wanted::Is(Type::Halfedge);
+const E: Wanted = Wanted::Is(Type::Edge);
+const F: Wanted = Wanted::Is(Type::Face);
+const P: Wanted = Wanted::Point;
+
+const fn f(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
+    Overload {
+        wanted,
+        result,
+        builtin,
+    }
+}
+
+/// The functions by name, each with its overloads. `vec3` and the aggregates stand apart.
+const FUNCTIONS: &[(&str, &[Overload])] = &[
+    (
+        "degree",
+        &[
+            f(&[V], INT, Builtin::DegreeVertex),
+            f(&[F], INT, Builtin::DegreeFace),
+        ],
+    ),
+    (
+        "boundary",
+        &[
+            f(&[V], BOOL, Builtin::BoundaryVertex),
+            f(&[H], BOOL, Builtin::BoundaryHalfedge),
+            f(&[E], BOOL, Builtin::BoundaryEdge),
+            f(&[F], BOOL, Builtin::IsHole),
+        ],
+    ),
+    ("hole", &[f(&[F], BOOL, Builtin::IsHole)]),
+    ("adjacent", &[f(&[V, V], BOOL, Builtin::Adjacent)]),
+    ("link_condition", &[f(&[E], BOOL, Builtin::LinkCondition)]),
+    (
+        "length",
+        &[
+            f(&[E], REAL, Builtin::LengthEdge),
+            f(&[H], REAL, Builtin::LengthHalfedge),
+            f(&[X], REAL, Builtin::LengthVec3),
+        ],
+    ),
+    ("area", &[f(&[F], REAL, Builtin::Area)]),
+    (
+        "normal",
+        &[
+            f(&[F], VEC3, Builtin::NormalFace),
+            f(&[V], VEC3, Builtin::NormalVertex),
+        ],
+    ),
+    (
+        "centroid",
+        &[
+            f(&[F], VEC3, Builtin::CentroidFace),
+            f(&[E], VEC3, Builtin::CentroidEdge),
+        ],
+    ),
+    ("midpoint", &[f(&[E], VEC3, Builtin::CentroidEdge)]),
+    (
+        "mix",
+        &[
+            f(&[R, R, R], REAL, Builtin::MixReal),
+            f(&[X, X, R], VEC3, Builtin::MixVec3),
+        ],
+    ),
+    ("dot", &[f(&[X, X], REAL, Builtin::Dot)]),
+    ("cross", &[f(&[X, X], VEC3, Builtin::Cross)]),
+    ("normalize", &[f(&[X], VEC3, Builtin::Normalize)]),
+    ("distance", &[f(&[P, P], REAL, Builtin::Distance)]),
+    ("angle", &[f(&[X, X], REAL, Builtin::Angle)]),
+    (
+        "abs",
+        &[f(&[I], INT, Builtin::AbsInt), f(&[R], REAL, Builtin::AbsReal)],
+    ),
+    (
+        "min",
+        &[
+            f(&[I, I], INT, Builtin::MinInt),
+            f(&[R, R], REAL, Builtin::MinReal),
+        ],
+    ),
+    (
+        "max",
+        &[
+            f(&[I, I], INT, Builtin::MaxInt),
+            f(&[R, R], REAL, Builtin::MaxReal),
+        ],
+    ),
+    ("sqrt", &[f(&[R], REAL, Builtin::Sqrt)]),
+    ("sin", &[f(&[R], REAL, Builtin::Sin)]),
+    ("cos", &[f(&[R], REAL, Builtin::Cos)]),
+    ("tan", &[f(&[R], REAL, Builtin::Tan)]),
+    ("asin", &[f(&[R], REAL, Builtin::Asin)]),
+    ("acos", &[f(&[R], REAL, Builtin::Acos)]),
+    ("atan2", &[f(&[R, R], REAL, Builtin::Atan2)]),
+    ("exp", &[f(&[R], REAL, Builtin::Exp)]),
+    ("log", &[f(&[R], REAL, Builtin::Log)]),
+    ("pow", &[f(&[R, R], REAL, Builtin::Pow)]),
+    ("floor", &[f(&[R], REAL, Builtin::Floor)]),
+    ("ceil", &[f(&[R], REAL, Builtin::Ceil)]),
+    ("round", &[f(&[R], INT, Builtin::Round)]),
+];
+
+/// The ways to call a function; none if there is no such function.
+pub(super) fn overloads(name: &str) -> &'static [Overload] {
+    let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
+    found.map_or(&[], |(_, overloads)| overloads)
+}
+
+/// The names of all functions but the aggregates.
+pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
+    let known = FUNCTIONS.iter().map(|(known, _)| *known);
+    known.chain(["vec3"])
+}

@@ -1,0 +1,164 @@
+//! What stands beside the drawings: `require`, `guard` and the assignments.
+
+use std::collections::HashMap;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Access, Assignment, NameId, Ref, Require, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Condition, Ident, Statement};
+
+use super::field::{attribute, attributes_of};
+use super::lookup::element_type;
+use super::names::Names;
+use super::parameter::Parameter;
+use super::report::not_yet;
+use super::suggestion::suggest;
+use super::typing::Typing;
+use super::words::quoted;
+
+/// The conditions of a rule of `op`.
+pub(super) fn requires(
+    conditions: &[Condition],
+    op: &str,
+    params: &[Parameter],
+    typing: &mut Typing,
+) -> Vec<Require> {
+    let mut requires = Vec::new();
+    for condition in conditions {
+        match condition {
+            Condition::Require {
+                condition,
+                reason,
+                span,
+            } => {
+                let typed = typing.whole_as(condition, Type::Bool, "`require`");
+                let reason = match reason {
+                    Some((text, _)) => text.clone(),
+                    None => format!("the require of `{op}` does not hold"),
+                };
+                requires.extend(typed.map(|condition| Require {
+                    condition,
+                    reason,
+                    span: *span,
+                }));
+            }
+            Condition::Guard { span, .. } => {
+                let edge = params.iter().find(|param| param.ty == Some(Type::Edge));
+                let edge = edge.map_or("e", |param| &param.name);
+                let error = not_yet("`guard` is not supported yet", *span).note(format!(
+                    "where an edge is collapsed, write `require link_condition({edge}) else \
+                     \"…\"`"
+                ));
+                typing.report.add(error);
+            }
+        }
+    }
+    requires
+}
+
+/// The assignments of `after`, whose elements must not be among the `erased`.
+pub(super) fn assignments(
+    after: &tree::Side,
+    names: &Names,
+    erased: &[Ref],
+    typing: &mut Typing,
+) -> Vec<Assignment> {
+    let erased: HashMap<NameId, Span> = erased.iter().map(|r| (r.name, r.span)).collect();
+    let mut done: HashMap<(NameId, Access), Span> = HashMap::new();
+    let mut assignments = Vec::new();
+    for statement in &after.statements {
+        let Statement::Assign {
+            target,
+            attribute,
+            value,
+            span,
+        } = statement
+        else {
+            continue;
+        };
+        let Some((target, access, ty)) = assigned(target, attribute, names, typing) else {
+            // What is wrong on the right is told as well.
+            typing.whole(value);
+            continue;
+        };
+        let word = &names.get(target.name).text;
+        if let Some(place) = erased.get(&target.name) {
+            let message = format!("`{word}` is erased, so nothing can be assigned to it");
+            let error = Diagnostic::error("assign-to-erased", message, target.span)
+                .label(*place, "it is erased here");
+            typing.report.add(error);
+        }
+        if let Some(first) = done.insert((target.name, access), *span) {
+            let message = format!("`{word}.{}` is assigned twice", attribute.text);
+            let error = Diagnostic::error("assigned-twice", message, *span)
+                .saying("assigned again")
+                .label(first, "assigned first");
+            typing.report.add(error);
+        }
+        let whose = format!("`{word}.{}`", attribute.text);
+        let value = typing.whole_as(value, ty, &whose);
+        assignments.extend(value.map(|value| Assignment {
+            target,
+            attribute: access,
+            value,
+            span: *span,
+        }));
+    }
+    assignments
+}
+
+/// The element and the attribute that are assigned.
+fn assigned(
+    target: &tree::Name,
+    attribute_name: &Ident,
+    names: &Names,
+    typing: &mut Typing,
+) -> Option<(Ref, Access, Type)> {
+    let word = &target.ident.text;
+    let Some(id) = names.find(word) else {
+        let message = format!("`{word}` is assigned to but drawn nowhere");
+        let error = Diagnostic::error("unknown-name", message, target.span);
+        let error = suggest(error, word, target.span, names.words());
+        typing.report.add(error);
+        return None;
+    };
+    let kind = names.get(id).kind;
+    let Some(ty) = element_type(kind) else {
+        let message = format!("`{word}` is {}, which has no attributes", kind.a_word());
+        let error = Diagnostic::error("unknown-attribute", message, attribute_name.span);
+        typing.report.add(error);
+        return None;
+    };
+    let (access, value) = typing.attribute_of(ty, attribute_name)?;
+    let target = Ref {
+        name: id,
+        span: target.span,
+    };
+    Some((target, access, value))
+}
+
+impl Typing<'_> {
+    /// The attribute of this name of an element, and the type of its values.
+    pub(super) fn attribute_of(&mut self, ty: Type, name: &Ident) -> Option<(Access, Type)> {
+        let found = attribute(ty, &name.text);
+        if found.is_some() {
+            return found;
+        }
+        if self.declared.has_attribute(&name.text) {
+            // The declaration has been refused already.
+            self.report.fail();
+            return None;
+        }
+        let element = super::words::a_type(ty);
+        let message = format!("{element} has no attribute `{}`", name.text);
+        let error = Diagnostic::error("unknown-attribute", message, name.span);
+        let known = attributes_of(ty);
+        let error = suggest(error, &name.text, name.span, known.iter().copied());
+        let error = match known.as_slice() {
+            [] => error.note(format!("{element} has none that can be set")),
+            known => error.note(format!("{element} has {}", quoted(known))),
+        };
+        self.report.add(error);
+        None
+    }
+}

@@ -1,0 +1,272 @@
+//! The statements of one side: loops, edges and stars with their names resolved.
+
+use std::collections::HashMap;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Edge, Loop, LoopItem, LoopKind, NameId, Ref, Side, Spoke, Star};
+use crate::source::Span;
+use crate::syntax::tree::{self, Arrow, LoopKeyword, Statement};
+
+use super::lists::restate;
+use super::mention::path_of;
+use super::names::Names;
+use super::report::Report;
+
+/// Drawing one side of a rule.
+pub(super) struct Drawing<'a> {
+    names: &'a Names,
+    report: &'a mut Report,
+    side: Side,
+    /// Where each face, edge and vertex has its statement.
+    stated: HashMap<NameId, Span>,
+}
+
+/// The drawing before.
+pub(super) fn draw_before(side: &tree::Side, names: &Names, report: &mut Report) -> Side {
+    let mut drawing = Drawing::new(side, names, report);
+    for statement in &side.statements {
+        if !drawing.orbit(statement) {
+            drawing.only_in_after(statement);
+        }
+    }
+    drawing.side
+}
+
+/// The drawing after; `keep` restates what `before` states.
+pub(super) fn draw_after(
+    side: &tree::Side,
+    before: &Side,
+    names: &Names,
+    report: &mut Report,
+) -> Side {
+    let mut drawing = Drawing::new(side, names, report);
+    for statement in &side.statements {
+        if !drawing.orbit(statement)
+            && let Statement::Keep(kept, _) = statement
+        {
+            for name in kept {
+                drawing.keep(name, before);
+            }
+        }
+    }
+    for l in &drawing.side.loops {
+        missing_path(l, names, drawing.report);
+    }
+    drawing.side
+}
+
+/// An unnamed path is the one that the loop had before.
+fn missing_path(l: &Loop, names: &Names, report: &mut Report) {
+    let unnamed = |item: &&LoopItem| !names.get(item.item.name).named;
+    let Some(item) = l.items.iter().find(unnamed) else {
+        return;
+    };
+    if !names.readable(item.item.name) {
+        let face = &names.get(l.face.name).text;
+        let message = format!("the loop of `{face}` has no path without a name in `before`");
+        let error = Diagnostic::error("unknown-path", message, item.item.span)
+            .note("a path without a name is the one of the same loop; give it a name to move it");
+        report.add(error);
+    }
+}
+
+impl<'a> Drawing<'a> {
+    fn new(side: &tree::Side, names: &'a Names, report: &'a mut Report) -> Self {
+        Self {
+            names,
+            report,
+            side: Side {
+                span: side.span,
+                ..Side::default()
+            },
+            stated: HashMap::new(),
+        }
+    }
+
+    /// Draws an orbit; `false` if the statement is none.
+    fn orbit(&mut self, statement: &Statement) -> bool {
+        // A word without a number has lost its kind, and the report says so.
+        let drawn = match statement {
+            Statement::Loop(l) => self.face(l),
+            Statement::Edge {
+                name,
+                halfedges,
+                span,
+            } => self.edge(name, halfedges, *span),
+            Statement::Vertex(star) => self.star(star),
+            Statement::Broken(_) => None,
+            Statement::New(..)
+            | Statement::Erase(..)
+            | Statement::Keep(..)
+            | Statement::Assign { .. } => return false,
+        };
+        if drawn.is_none() {
+            self.report.fail();
+        }
+        true
+    }
+
+    fn only_in_after(&mut self, statement: &Statement) {
+        let (what, span) = match statement {
+            Statement::New(_, span) => ("`new`", *span),
+            Statement::Erase(_, span) => ("`erase`", *span),
+            Statement::Keep(_, span) => ("`keep`", *span),
+            Statement::Assign { span, .. } => ("an assignment", *span),
+            _ => return,
+        };
+        let message = format!("{what} stands in `after`, not in `before`");
+        self.report
+            .add(Diagnostic::error("not-in-before", message, span));
+    }
+
+    pub(super) fn refer(&self, name: &tree::Name) -> Option<Ref> {
+        let id = self.names.find(&name.ident.text)?;
+        Some(Ref {
+            name: id,
+            span: name.span,
+        })
+    }
+
+    /// Notes where something is stated, and complains the second time.
+    pub(super) fn state(&mut self, what: Ref, span: Span) {
+        let Some(first) = self.stated.insert(what.name, span) else {
+            return;
+        };
+        let name = self.names.get(what.name);
+        let message = format!("the {} `{}` is stated twice", name.kind.word(), name.text);
+        let error = Diagnostic::error("stated-twice", message, span)
+            .saying("stated again")
+            .label(first, "stated first");
+        self.report.add(error);
+    }
+
+    fn face(&mut self, l: &tree::Loop) -> Option<()> {
+        let face = self.refer(&l.name)?;
+        self.state(face, l.span);
+        let word = &l.name.ident.text;
+        let mut items = Vec::new();
+        let mut unnamed: Option<Span> = None;
+        for item in &l.items {
+            let from = self.refer(&item.from)?;
+            let item = match &item.arrow {
+                Arrow::Halfedge(name) | Arrow::Path(Some(name)) => self.refer(name)?,
+                Arrow::Path(None) => {
+                    if let Some(first) = unnamed.replace(item.span) {
+                        let message =
+                            format!("the loop of `{word}` has two paths without a name");
+                        let error = Diagnostic::error("two-unnamed-paths", message, item.span)
+                            .label(first, "the first is here")
+                            .note("give one of them a name: `=P=>`");
+                        self.report.add(error);
+                    }
+                    Ref {
+                        name: self.names.find(&path_of(word))?,
+                        span: item.span,
+                    }
+                }
+            };
+            items.push(LoopItem { from, item });
+        }
+        let Some(first) = items.first().map(|item| item.from) else {
+            let message = format!("the loop of `{word}` has no halfedges");
+            self.report
+                .add(Diagnostic::error("empty-orbit", message, l.span));
+            return None;
+        };
+        let end = match &l.end {
+            Some(end) => self.refer(end)?,
+            None => {
+                self.unended(word, first, l.span);
+                return None;
+            }
+        };
+        if end.name != first.name {
+            self.open_loop(word, first, end);
+        }
+        self.side.loops.push(Loop {
+            kind: match l.keyword {
+                LoopKeyword::Face => LoopKind::Face,
+                LoopKeyword::Hole => LoopKind::Hole,
+                LoopKeyword::Loop => LoopKind::Any,
+            },
+            face,
+            items,
+            end,
+            span: l.span,
+        });
+        Some(())
+    }
+
+    fn open_loop(&mut self, face: &str, first: Ref, end: Ref) {
+        let [begins, ends] = [first, end].map(|r| self.names.get(r.name).text.as_str());
+        let message =
+            format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
+        let error = Diagnostic::error("open-loop", message, end.span)
+            .label(first.span, "it begins here")
+            .fix(format!("end at `{begins}`"), end.span, begins);
+        self.report.add(error);
+    }
+
+    fn unended(&mut self, face: &str, first: Ref, span: Span) {
+        let begins = &self.names.get(first.name).text;
+        let message = format!("the loop of `{face}` does not end; it begins at `{begins}`");
+        let error = Diagnostic::error("open-loop", message, span.after())
+            .label(first.span, "it begins here")
+            .fix(format!("end at `{begins}`"), span.after(), format!(" {begins}"));
+        self.report.add(error);
+    }
+
+    fn edge(&mut self, name: &tree::Name, halfedges: &[tree::Name; 2], span: Span) -> Option<()> {
+        let edge = self.refer(name)?;
+        self.state(edge, span);
+        let [first, second] = halfedges;
+        let halfedges = [self.refer(first)?, self.refer(second)?];
+        self.side.edges.push(Edge {
+            edge,
+            halfedges,
+            span,
+        });
+        Some(())
+    }
+
+    fn star(&mut self, star: &tree::Star) -> Option<()> {
+        let vertex = self.refer(&star.name)?;
+        self.state(vertex, star.span);
+        let mut spokes = Vec::new();
+        for spoke in &star.spokes {
+            spokes.push(match spoke {
+                tree::Spoke::Halfedge(name) => Spoke::Halfedge(self.refer(name)?),
+                tree::Spoke::Fan(Some(name), _) => Spoke::Fan(self.refer(name)?),
+                tree::Spoke::Fan(None, span) => Spoke::Rest(*span),
+            });
+        }
+        if spokes.is_empty() {
+            let message = format!("the vertex `{}` has no spokes", star.name.ident.text);
+            self.report
+                .add(Diagnostic::error("empty-orbit", message, star.span));
+            return None;
+        }
+        self.side.stars.push(Star {
+            vertex,
+            spokes,
+            span: star.span,
+        });
+        Some(())
+    }
+
+    /// `keep x`: what `before` states of `x`, once more.
+    fn keep(&mut self, name: &tree::Name, before: &Side) {
+        let Some(kept) = self.refer(name) else {
+            // The lists report names that are drawn nowhere.
+            return;
+        };
+        if self.side.kept.iter().any(|first| first.name == kept.name) {
+            return;
+        }
+        let restated = restate(kept, before, &mut self.side);
+        if restated {
+            self.state(kept, kept.span);
+        }
+        self.side.kept.push(kept);
+    }
+}

@@ -1,0 +1,118 @@
+//! Fields: the pointers of an element, its attributes, the components of a vector.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Access, Expr, ExprKind, Pointer, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::sequence::sequences_of;
+use super::suggestion::suggest;
+use super::typing::{Typing, typed};
+use super::words::{a_type, quoted};
+
+/// What a field is.
+#[derive(Clone, Copy)]
+enum Field {
+    Pointer(Pointer, Type),
+    Attribute(Access, Type),
+    Component(u8),
+}
+
+/// The fields of a type that are values.
+fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
+    use Field::{Attribute, Component, Pointer as To};
+    match ty {
+        Type::Halfedge => &[
+            ("next", To(Pointer::Next, Type::Halfedge)),
+            ("prev", To(Pointer::Prev, Type::Halfedge)),
+            ("twin", To(Pointer::Twin, Type::Halfedge)),
+            ("vertex", To(Pointer::Vertex, Type::Vertex)),
+            ("target", To(Pointer::Target, Type::Vertex)),
+            ("edge", To(Pointer::Edge, Type::Edge)),
+            ("face", To(Pointer::Face, Type::Face)),
+        ],
+        Type::Vertex => &[
+            ("position", Attribute(Access::Position, Type::Vec3)),
+            ("halfedge", To(Pointer::VertexHalfedge, Type::Halfedge)),
+        ],
+        Type::Edge => &[("halfedge", To(Pointer::EdgeHalfedge, Type::Halfedge))],
+        Type::Face => &[("halfedge", To(Pointer::FaceHalfedge, Type::Halfedge))],
+        Type::Vec3 => &[
+            ("x", Component(0)),
+            ("y", Component(1)),
+            ("z", Component(2)),
+        ],
+        Type::Bool | Type::Int | Type::Real | Type::Text => &[],
+    }
+}
+
+/// The attribute of this name that elements of type `ty` have, and the type of its values.
+pub(super) fn attribute(ty: Type, word: &str) -> Option<(Access, Type)> {
+    fields_of(ty).iter().find_map(|(known, field)| match field {
+        Field::Attribute(access, value) if *known == word => Some((*access, *value)),
+        _ => None,
+    })
+}
+
+/// The names of the attributes that elements of type `ty` have.
+pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
+    let attribute = |(known, field): &(&'static str, Field)| {
+        matches!(field, Field::Attribute(..)).then_some(*known)
+    };
+    fields_of(ty).iter().filter_map(attribute).collect()
+}
+
+impl Typing<'_> {
+    /// `x.field`
+    pub(super) fn field(
+        &mut self,
+        (written, base): (&tree::Expr, Expr),
+        field: &Ident,
+        span: Span,
+    ) -> Option<Expr> {
+        let word = field.text.as_str();
+        let found = fields_of(base.ty).iter().find(|(known, _)| *known == word);
+        let Some((_, found)) = found else {
+            if sequences_of(base.ty).contains(&word) {
+                let message = format!(
+                    "`{word}` of {} is a sequence; it can stand after `in` or in `count(…)`",
+                    a_type(base.ty)
+                );
+                self.report
+                    .add(Diagnostic::error("not-a-value", message, span));
+            } else {
+                self.unknown_field(written, base.ty, field);
+            }
+            return None;
+        };
+        let base = Box::new(base);
+        Some(match *found {
+            Field::Pointer(pointer, ty) => typed(ty, ExprKind::Follow(pointer, base), span),
+            Field::Attribute(access, ty) => typed(ty, ExprKind::Read(access, base), span),
+            Field::Component(axis) => typed(Type::Real, ExprKind::Component(axis, base), span),
+        })
+    }
+
+    /// Says that there is no such field, and what there is.
+    pub(super) fn unknown_field(&mut self, written: &tree::Expr, ty: Type, field: &Ident) {
+        if self.declared.has_attribute(&field.text) {
+            // The declaration has been refused already.
+            self.report.fail();
+            return;
+        }
+        let known: Vec<&str> = fields_of(ty)
+            .iter()
+            .map(|(known, _)| *known)
+            .chain(sequences_of(ty).iter().copied())
+            .collect();
+        let message = format!("{} has no field `{}`", a_type(ty), field.text);
+        let error = Diagnostic::error("unknown-field", message, field.span);
+        let error = suggest(error, &field.text, field.span, known.iter().copied())
+            .label(written.span, format!("this is {}", a_type(ty)));
+        let error = match known.as_slice() {
+            [] => error,
+            known => error.note(format!("{} has {}", a_type(ty), quoted(known))),
+        };
+        self.report.add(error);
+    }
+}

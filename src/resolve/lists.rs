@@ -1,0 +1,233 @@
+//! `new`, `erase` and `keep`: lists of names that are drawn elsewhere.
+
+use std::collections::HashMap;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Edge, Kind, Loop, LoopItem, NameId, Ref, Side, Spoke, Star};
+use crate::source::Span;
+use crate::syntax::tree::{self, Statement};
+
+use super::lookup::element_type;
+use super::names::Names;
+use super::report::Report;
+use super::suggestion::suggest;
+
+/// What the lists of `after` say.
+#[derive(Debug, Default)]
+pub(super) struct Lists {
+    /// The names of `new`.
+    pub(super) created: Vec<Ref>,
+    /// The names of `erase`.
+    pub(super) erased: Vec<Ref>,
+}
+
+/// Reads the lists of `after`, which restates parts of `before`.
+pub(super) fn read_lists(
+    after: &tree::Side,
+    before: &Side,
+    names: &Names,
+    report: &mut Report,
+) -> Lists {
+    let mut reader = Reader {
+        names,
+        before,
+        report,
+        listed: HashMap::new(),
+    };
+    let mut lists = Lists::default();
+    for statement in &after.statements {
+        match statement {
+            Statement::New(listed, _) => {
+                let created = listed.iter().filter_map(|name| reader.new_name(name));
+                lists.created.extend(created);
+            }
+            Statement::Erase(listed, _) => {
+                let erased = listed.iter().filter_map(|name| reader.erased(name));
+                lists.erased.extend(erased);
+            }
+            Statement::Keep(listed, _) => listed.iter().for_each(|name| reader.kept(name)),
+            _ => {}
+        }
+    }
+    let created: HashMap<NameId, Span> = lists.created.iter().map(|r| (r.name, r.span)).collect();
+    for erased in &lists.erased {
+        if let Some(span) = created.get(&erased.name) {
+            let word = &names.get(erased.name).text;
+            let message = format!("`{word}` is both in `new` and in `erase`");
+            let error = Diagnostic::error("new-and-erased", message, erased.span)
+                .label(*span, "it is created here");
+            report.add(error);
+        }
+    }
+    lists
+}
+
+struct Reader<'a> {
+    names: &'a Names,
+    before: &'a Side,
+    report: &'a mut Report,
+    listed: HashMap<(&'static str, &'a str), Span>,
+}
+
+impl<'a> Reader<'a> {
+    /// Whether a name stands in a list for the first time.
+    fn first(&mut self, list: &'static str, name: &'a tree::Name) -> bool {
+        let key = (list, name.ident.text.as_str());
+        let Some(first) = self.listed.get(&key) else {
+            self.listed.insert(key, name.span);
+            return true;
+        };
+        let message = format!("`{}` is listed twice in `{list}`", name.ident.text);
+        let error = Diagnostic::error("listed-twice", message, name.span)
+            .label(*first, "listed first");
+        self.report.add(error);
+        false
+    }
+
+    fn new_name(&mut self, name: &'a tree::Name) -> Option<Ref> {
+        let word = &name.ident.text;
+        if !self.first("new", name) {
+            return None;
+        }
+        let Some(id) = self.names.find(word) else {
+            self.unused_new(name);
+            return None;
+        };
+        let known = self.names.get(id);
+        if self.names.readable(id) {
+            let message = format!("`{word}` is listed in `new`, but it is there before");
+            let error = Diagnostic::error("already-drawn", message, name.span);
+            self.report.add(match known.span {
+                // Of a parameter that only `after` draws this is the first mention.
+                first if first == name.span => error,
+                first => error.label(first, "it is drawn here"),
+            });
+            return None;
+        }
+        if !self.names.in_after(id) {
+            self.unused_new(name);
+            return None;
+        }
+        if element_type(known.kind).is_none() {
+            let message = format!(
+                "`{word}` is {}; `new` names vertices, halfedges, edges and faces",
+                known.kind.a_word()
+            );
+            self.report
+                .add(Diagnostic::error("not-an-element", message, name.span));
+            return None;
+        }
+        Some(Ref {
+            name: id,
+            span: name.span,
+        })
+    }
+
+    fn unused_new(&mut self, name: &tree::Name) {
+        let message = format!(
+            "`{}` is listed in `new` but stands nowhere in `after`",
+            name.ident.text
+        );
+        self.report
+            .add(Diagnostic::error("unused-new", message, name.span));
+    }
+
+    fn erased(&mut self, name: &'a tree::Name) -> Option<Ref> {
+        if !self.first("erase", name) {
+            return None;
+        }
+        let id = self.drawn("erase", name)?;
+        Some(Ref {
+            name: id,
+            span: name.span,
+        })
+    }
+
+    fn kept(&mut self, name: &'a tree::Name) {
+        if !self.first("keep", name) {
+            return;
+        }
+        let Some(id) = self.drawn("keep", name) else {
+            return;
+        };
+        let word = &name.ident.text;
+        let kind = self.names.get(id).kind;
+        let error = if !matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face) {
+            let message = format!(
+                "`{word}` is {}; `keep` names vertices, edges and faces",
+                kind.a_word()
+            );
+            Diagnostic::error("cannot-keep", message, name.span)
+        } else if !self.names.readable(id) || (kind != Kind::Vertex && !self.stated(id)) {
+            let message = format!("`before` says nothing of `{word}` that could be kept");
+            Diagnostic::error("cannot-keep", message, name.span)
+        } else {
+            return;
+        };
+        self.report.add(error);
+    }
+
+    /// Whether `before` has a statement of an edge or a face.
+    fn stated(&self, id: NameId) -> bool {
+        let edge = self.before.edges.iter().any(|edge| edge.edge.name == id);
+        edge || self.before.loops.iter().any(|l| l.face.name == id)
+    }
+
+    /// The number of a listed name, which a statement must have drawn.
+    fn drawn(&mut self, list: &str, name: &tree::Name) -> Option<NameId> {
+        let word = &name.ident.text;
+        let found = self.names.find(word);
+        if found.is_none() {
+            let message = format!("`{word}` is listed in `{list}` but drawn nowhere");
+            let error = Diagnostic::error("unknown-name", message, name.span);
+            self.report
+                .add(suggest(error, word, name.span, self.names.words()));
+        }
+        found
+    }
+}
+
+/// Repeats in `after` what `before` states of a name, as if it were written where the
+/// name is kept; `false` if it states nothing.
+pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
+    let span = kept.span;
+    let here = |r: Ref| Ref { span, ..r };
+    let count = |side: &Side| side.loops.len() + side.edges.len() + side.stars.len();
+    let stated = count(after);
+    let loops = before.loops.iter().filter(|l| l.face.name == kept.name);
+    after.loops.extend(loops.take(1).map(|l| Loop {
+        kind: l.kind,
+        face: kept,
+        items: l
+            .items
+            .iter()
+            .map(|item| LoopItem {
+                from: here(item.from),
+                item: here(item.item),
+            })
+            .collect(),
+        end: here(l.end),
+        span,
+    }));
+    let edges = before.edges.iter().filter(|e| e.edge.name == kept.name);
+    after.edges.extend(edges.take(1).map(|edge| Edge {
+        edge: kept,
+        halfedges: edge.halfedges.map(here),
+        span,
+    }));
+    let stars = before.stars.iter().filter(|s| s.vertex.name == kept.name);
+    after.stars.extend(stars.take(1).map(|star| Star {
+        vertex: kept,
+        spokes: star
+            .spokes
+            .iter()
+            .map(|spoke| match spoke {
+                Spoke::Halfedge(r) => Spoke::Halfedge(here(*r)),
+                Spoke::Fan(r) => Spoke::Fan(here(*r)),
+                Spoke::Rest(_) => Spoke::Rest(span),
+            })
+            .collect(),
+        span,
+    }));
+    count(after) > stated
+}

@@ -1,0 +1,100 @@
+//! Every mention of a name in a drawing, in the order of the text.
+//!
+//! A mention in a statement gives the name its kind; one in a list does not. A path
+//! without a name is mentioned under the name that its loop lends it.
+
+use std::borrow::Cow;
+
+use crate::diagram::Kind;
+use crate::source::Span;
+use crate::syntax::tree::{Arrow, Name, Side, Spoke, Statement};
+
+/// One mention.
+#[derive(Clone, Debug)]
+pub(super) struct Mention<'a> {
+    /// The word, or the description of a path without a name.
+    pub(super) text: Cow<'a, str>,
+    /// What its place makes of it; nothing in a list.
+    pub(super) kind: Option<Kind>,
+    /// Where it stands.
+    pub(super) span: Span,
+}
+
+impl Mention<'_> {
+    /// Whether a person gave the name.
+    pub(super) fn is_named(&self) -> bool {
+        matches!(self.text, Cow::Borrowed(_))
+    }
+}
+
+/// The name of the one path without a name that the loop of a face may have. No word of
+/// the language looks like it.
+pub(super) fn path_of(face: &str) -> String {
+    format!("the path of `{face}`")
+}
+
+/// All mentions of `side`.
+pub(super) fn mentions(side: &Side) -> Vec<Mention<'_>> {
+    let mut mentions = Vec::new();
+    for statement in &side.statements {
+        push_mentions(statement, &mut mentions);
+    }
+    mentions
+}
+
+fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) {
+    let mut push = |name: &'a Name, kind: Option<Kind>| {
+        mentions.push(Mention {
+            text: Cow::Borrowed(&name.ident.text),
+            kind,
+            span: name.span,
+        });
+    };
+    match statement {
+        Statement::Loop(l) => {
+            push(&l.name, Some(Kind::Face));
+            for item in &l.items {
+                push(&item.from, Some(Kind::Vertex));
+                match &item.arrow {
+                    Arrow::Halfedge(name) => push(name, Some(Kind::Halfedge)),
+                    Arrow::Path(Some(name)) => push(name, Some(Kind::Path)),
+                    Arrow::Path(None) => {}
+                }
+            }
+            if let Some(end) = &l.end {
+                push(end, Some(Kind::Vertex));
+            }
+            let unnamed = l.items.iter().filter(|i| i.arrow == Arrow::Path(None));
+            mentions.extend(unnamed.map(|item| Mention {
+                text: Cow::Owned(path_of(&l.name.ident.text)),
+                kind: Some(Kind::Path),
+                span: item.span,
+            }));
+        }
+        Statement::Edge {
+            name, halfedges, ..
+        } => {
+            push(name, Some(Kind::Edge));
+            for halfedge in halfedges {
+                push(halfedge, Some(Kind::Halfedge));
+            }
+        }
+        Statement::Vertex(star) => {
+            push(&star.name, Some(Kind::Vertex));
+            for spoke in &star.spokes {
+                match spoke {
+                    Spoke::Halfedge(name) => push(name, Some(Kind::Halfedge)),
+                    Spoke::Fan(Some(name), _) => push(name, Some(Kind::Fan)),
+                    Spoke::Fan(None, _) => {}
+                }
+            }
+        }
+        Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
+            for name in names {
+                push(name, None);
+            }
+        }
+        // An assignment reads and writes what is drawn; it draws nothing.
+        Statement::Assign { .. } | Statement::Broken(_) => {}
+    }
+}

@@ -1,0 +1,211 @@
+//! The table of a rule's names: one kind and one number each, shared by both sides.
+
+use std::collections::HashMap;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Kind, Name, NameId, Type};
+use crate::source::Span;
+use crate::syntax::tree::{Rule, Side, Statement};
+
+use super::mention::{Mention, mentions};
+use super::parameter::Parameter;
+use super::report::Report;
+use super::words::a_type;
+
+/// The names of one rule.
+#[derive(Debug)]
+pub(super) struct Names {
+    list: Vec<Name>,
+    numbers: HashMap<String, NameId>,
+    /// By number: whether the name stands in a statement of `before`, or is a parameter.
+    readable: Vec<bool>,
+    /// By number: whether the name stands in a statement of `after`.
+    after: Vec<bool>,
+    /// Where a name stands in `new`.
+    created: HashMap<NameId, Span>,
+    params: usize,
+}
+
+/// What has given a name its kind.
+struct Origin {
+    kind: Result<Kind, Type>,
+    span: Span,
+    told: bool,
+}
+
+impl Names {
+    /// Reads the names of a rule. A name used as two kinds is reported and has the first.
+    pub(super) fn of(rule: &Rule, params: &[Parameter], report: &mut Report) -> Self {
+        let before = rule.before.as_ref().map(mentions).unwrap_or_default();
+        let after = rule.after.as_ref().map(mentions).unwrap_or_default();
+        let all = || before.iter().chain(&after);
+        let kinds = kinds(params, all(), report);
+        let mut names = Self {
+            list: Vec::new(),
+            numbers: HashMap::new(),
+            readable: Vec::new(),
+            after: Vec::new(),
+            created: HashMap::new(),
+            params: params.len(),
+        };
+        for mention in all() {
+            if let Some(Ok(kind)) = kinds.get(mention.text.as_ref()).map(|o| o.kind) {
+                names.add(mention, kind);
+            }
+        }
+        for mention in before.iter().filter(|mention| mention.kind.is_some()) {
+            names.mark(&mention.text, |names| &mut names.readable);
+        }
+        for mention in after.iter().filter(|mention| mention.kind.is_some()) {
+            names.mark(&mention.text, |names| &mut names.after);
+        }
+        for param in params {
+            names.mark(&param.name, |names| &mut names.readable);
+        }
+        names.read_created(rule.after.as_ref());
+        names
+    }
+
+    fn add(&mut self, mention: &Mention, kind: Kind) {
+        if self.numbers.contains_key(mention.text.as_ref()) {
+            return;
+        }
+        let id = NameId(self.list.len() as u32);
+        let text = mention.text.as_ref().to_owned();
+        self.numbers.insert(text.clone(), id);
+        self.list.push(Name {
+            text,
+            kind,
+            named: mention.is_named(),
+            span: mention.span,
+        });
+        self.readable.push(false);
+        self.after.push(false);
+    }
+
+    fn mark(&mut self, word: &str, marks: impl FnOnce(&mut Self) -> &mut Vec<bool>) {
+        if let Some(id) = self.find(word) {
+            marks(self)[id.index()] = true;
+        }
+    }
+
+    fn read_created(&mut self, after: Option<&Side>) {
+        for statement in after.iter().flat_map(|side| &side.statements) {
+            let Statement::New(listed, _) = statement else {
+                continue;
+            };
+            for name in listed {
+                if let Some(id) = self.find(&name.ident.text) {
+                    self.created.entry(id).or_insert(name.span);
+                }
+            }
+        }
+    }
+
+    /// The number of a name.
+    pub(super) fn find(&self, word: &str) -> Option<NameId> {
+        self.numbers.get(word).copied()
+    }
+
+    /// A name by its number.
+    pub(super) fn get(&self, id: NameId) -> &Name {
+        &self.list[id.index()]
+    }
+
+    /// The words that a person may write, in order of first mention.
+    pub(super) fn words(&self) -> impl Iterator<Item = &str> {
+        let named = self.list.iter().filter(|name| name.named);
+        named.map(|name| name.text.as_str())
+    }
+
+    /// Whether the mesh of before has it, as far as the drawing says.
+    pub(super) fn readable(&self, id: NameId) -> bool {
+        self.readable[id.index()]
+    }
+
+    /// Whether a statement of `after` mentions it.
+    pub(super) fn in_after(&self, id: NameId) -> bool {
+        self.after[id.index()]
+    }
+
+    /// Where it is listed in `new`.
+    pub(super) fn created(&self, id: NameId) -> Option<Span> {
+        self.created.get(&id).copied()
+    }
+
+    /// How many parameters the op has: variables before the first of an aggregate.
+    pub(super) fn params(&self) -> usize {
+        self.params
+    }
+
+    /// The table.
+    pub(super) fn into_list(self) -> Vec<Name> {
+        self.list
+    }
+}
+
+/// The kind of each name: that of the parameter, else of its first use.
+fn kinds<'a>(
+    params: &[Parameter],
+    mentions: impl Iterator<Item = &'a Mention<'a>>,
+    report: &mut Report,
+) -> HashMap<String, Origin> {
+    let mut kinds: HashMap<String, Origin> = HashMap::new();
+    for param in params {
+        if let Some(ty) = param.ty {
+            let kind = kind_of(ty).ok_or(ty);
+            let origin = Origin {
+                kind,
+                span: param.span,
+                told: false,
+            };
+            kinds.entry(param.name.clone()).or_insert(origin);
+        }
+    }
+    for mention in mentions {
+        let Some(kind) = mention.kind else { continue };
+        let first = kinds.entry(mention.text.as_ref().to_owned());
+        let first = first.or_insert(Origin {
+            kind: Ok(kind),
+            span: mention.span,
+            told: false,
+        });
+        if first.kind != Ok(kind) && !first.told {
+            first.told = true;
+            report.add(two_kinds(mention, kind, first));
+        }
+    }
+    kinds
+}
+
+fn two_kinds(mention: &Mention, kind: Kind, first: &Origin) -> Diagnostic {
+    let word = &mention.text;
+    let used = kind.a_word();
+    let (message, first_is) = match first.kind {
+        Ok(was) => {
+            let was = was.a_word();
+            (format!("`{word}` is {was}, but here it is {used}"), was)
+        }
+        Err(ty) => {
+            let ty = a_type(ty);
+            let message = format!(
+                "the parameter `{word}` is {ty}, but here `{word}` is {used}; rename one of them"
+            );
+            (message, ty)
+        }
+    };
+    Diagnostic::error("two-kinds", message, mention.span)
+        .saying(format!("used as {used}"))
+        .label(first.span, format!("here it is {first_is}"))
+}
+
+/// The kind of the elements of a type.
+pub(super) fn kind_of(ty: Type) -> Option<Kind> {
+    match ty {
+        Type::Vertex => Some(Kind::Vertex),
+        Type::Halfedge => Some(Kind::Halfedge),
+        Type::Edge => Some(Kind::Edge),
+        Type::Face => Some(Kind::Face),
+        Type::Bool | Type::Int | Type::Real | Type::Vec3 | Type::Text => None,
+    }
+}

@@ -1,0 +1,180 @@
+//! An op: parameters, result, and its rules one by one.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{self, Kind, Type};
+use crate::syntax::tree::{self, Ident};
+
+use super::declared::{Declared, duplicate};
+use super::family::first_family;
+use super::lookup::element_type;
+use super::names::Names;
+use super::parameter::{Owner, Parameter, parameters};
+use super::program;
+use super::report::{Report, not_yet};
+use super::rule::{Context, resolve_rule};
+use super::suggestion::suggest;
+use super::words::quoted;
+
+/// What an op keeps, in words that `keeps` knows.
+const PROPERTIES: [&str; 8] = [
+    "map",
+    "surface",
+    "simple",
+    "triangles",
+    "quads",
+    "euler",
+    "boundary",
+    "constant_time",
+];
+
+/// What a call of an op needs to know.
+#[derive(Clone, Debug)]
+pub(super) struct Signature {
+    /// Its name.
+    pub(super) name: String,
+    /// Its parameters.
+    pub(super) params: Vec<Parameter>,
+    /// What it returns.
+    pub(super) result: Returned,
+}
+
+/// What an op returns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Returned {
+    /// Nothing.
+    Nothing,
+    /// An element.
+    Element(Type),
+    /// Something, but it could not be found out what.
+    Unknown,
+}
+
+/// Resolves an op.
+pub(super) fn resolve_op(
+    op: &tree::Op,
+    declared: &Declared,
+    report: &mut Report,
+) -> (Signature, program::Op) {
+    if !declared.is_op_of_its_name(&op.name) {
+        report.fail();
+    }
+    let params = parameters(&op.params, Owner::Op, declared, report);
+    check_keeps(&op.keeps, report);
+    rule_names(&op.rules, report);
+    if op.rules.is_empty() {
+        let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
+        report.add(Diagnostic::error("missing-side", message, op.name.span));
+    }
+    let names = op.rules.iter().map(|rule| Names::of(rule, &params, report));
+    let names: Vec<Names> = names.collect();
+    let result = match &op.result {
+        None => Returned::Nothing,
+        Some(name) => result_type(name, &names, report).map_or(Returned::Unknown, Returned::Element),
+    };
+    let mut rules = Vec::new();
+    if let Some(family) = first_family(op) {
+        let what = "families (`each` and subscripts) are not supported yet";
+        report.add(not_yet(what, family));
+    } else {
+        let context = Context {
+            op,
+            params: &params,
+            result,
+            declared,
+        };
+        for (rule, names) in op.rules.iter().zip(names) {
+            rules.extend(resolve_rule(rule, names, &context, report));
+        }
+    }
+    let result_type = match result {
+        Returned::Element(ty) => Some(ty),
+        Returned::Nothing | Returned::Unknown => None,
+    };
+    let public: Vec<diagram::Param> = params.iter().map(Parameter::param).collect();
+    let diagram = (!report.failed()).then(|| diagram::Op {
+        name: op.name.text.clone(),
+        name_span: op.name.span,
+        docs: op.docs.clone(),
+        params: public.clone(),
+        result: result_type,
+        rules,
+        span: op.span,
+    });
+    let resolved = program::Op {
+        name: op.name.text.clone(),
+        span: op.name.span,
+        params: public,
+        result: result_type,
+        diagram,
+    };
+    let signature = Signature {
+        name: op.name.text.clone(),
+        params,
+        result,
+    };
+    (signature, resolved)
+}
+
+/// `keeps` is a claim; who cannot prove it must say so.
+fn check_keeps(keeps: &[Ident], report: &mut Report) {
+    for word in keeps {
+        if !PROPERTIES.contains(&word.text.as_str()) {
+            let message = format!("there is no property `{}` to keep", word.text);
+            let error = Diagnostic::error("unknown-property", message, word.span);
+            let error = suggest(error, &word.text, word.span, PROPERTIES)
+                .note(format!("the properties are {}", quoted(&PROPERTIES)));
+            report.add(error);
+        }
+    }
+    if let [first, .., last] | [first @ last] = keeps {
+        let message = "what `keeps` claims is not checked yet";
+        let span = first.span.to(last.span);
+        report.add(Diagnostic::warning("not-yet", message, span));
+    }
+}
+
+/// Two rules of an op have two names.
+fn rule_names(rules: &[tree::Rule], report: &mut Report) {
+    let named: Vec<&Ident> = rules.iter().filter_map(|rule| rule.name.as_ref()).collect();
+    for (place, name) in named.iter().enumerate() {
+        let first = named[..place].iter().find(|first| first.text == name.text);
+        if let Some(first) = first {
+            report.add(duplicate("a rule", name, first.span));
+        }
+    }
+}
+
+/// The type of what an op returns: that of its name in the rules.
+fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Type> {
+    let word = &name.text;
+    let mut kinds: Vec<Kind> = Vec::new();
+    for names in rules {
+        let kind = names.find(word).map(|id| names.get(id).kind);
+        kinds.extend(kind);
+    }
+    let Some(first) = kinds.first().copied() else {
+        let message = format!("`{word}` is returned, but it is drawn nowhere");
+        let error = Diagnostic::error("unknown-result", message, name.span);
+        let drawn = rules.iter().flat_map(Names::words);
+        report.add(suggest(error, word, name.span, drawn));
+        return None;
+    };
+    if let Some(other) = kinds.iter().find(|kind| **kind != first) {
+        let message = format!(
+            "`{word}` is returned as {} by one rule and as {} by another",
+            first.a_word(),
+            other.a_word()
+        );
+        report.add(Diagnostic::error("result-kind", message, name.span));
+        return None;
+    }
+    let ty = element_type(first);
+    if ty.is_none() {
+        let message = format!(
+            "`{word}` is {}; an op returns a vertex, a halfedge, an edge or a face",
+            first.a_word()
+        );
+        report.add(Diagnostic::error("not-an-element", message, name.span));
+    }
+    ty
+}

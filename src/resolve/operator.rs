@@ -1,0 +1,226 @@
+//! Operators: which types they join, and how ints widen.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Binary, Expr, ExprKind, Type, Unary};
+use crate::source::Span;
+use crate::syntax::tree::{self, BinaryOp, UnaryOp};
+
+use super::typing::{Typing, to_real, typed};
+use super::words::{a_type, operator, subject};
+
+/// An operand as it is written, and its value.
+type Operand<'a> = (&'a tree::Expr, Expr);
+
+impl Typing<'_> {
+    /// `-x`, `not x`
+    pub(super) fn unary(
+        &mut self,
+        op: UnaryOp,
+        (written, value): Operand,
+        span: Span,
+    ) -> Option<Expr> {
+        let unary = match (op, value.ty) {
+            (UnaryOp::Negate, Type::Int) => Unary::NegateInt,
+            (UnaryOp::Negate, Type::Real) => Unary::NegateReal,
+            (UnaryOp::Negate, Type::Vec3) => Unary::NegateVec3,
+            (UnaryOp::Negate, ty) => {
+                let message = format!(
+                    "`-` wants a number or a vector, but {} is {}",
+                    subject(written),
+                    a_type(ty)
+                );
+                let error = Diagnostic::error("type-mismatch", message, written.span);
+                self.report.add(place_note(error, &[(written, &value)]));
+                return None;
+            }
+            (UnaryOp::Not, _) => {
+                let value = self.convert(written, value, Type::Bool, "`not`")?;
+                return Some(not(value, span));
+            }
+        };
+        let ty = value.ty;
+        Some(typed(ty, ExprKind::Unary(unary, Box::new(value)), span))
+    }
+
+    /// `x + y`
+    pub(super) fn binary(
+        &mut self,
+        op: BinaryOp,
+        operands: [Operand; 2],
+        span: Span,
+    ) -> Option<Expr> {
+        let [(left_written, left), (right_written, right)] = operands;
+        let types = [left.ty, right.ty];
+        let Some(joined) = join(op, types) else {
+            let message = format!(
+                "`{}` wants {}, not {} and {}",
+                operator(op),
+                wants(op),
+                a_type(left.ty),
+                a_type(right.ty)
+            );
+            let error = Diagnostic::error("type-mismatch", message, span)
+                .label(left_written.span, format!("this is {}", a_type(left.ty)))
+                .label(right_written.span, format!("this is {}", a_type(right.ty)));
+            let written = [(left_written, &left), (right_written, &right)];
+            self.report.add(place_note(error, &written));
+            return None;
+        };
+        let (mut left, mut right) = (left, right);
+        if joined.swap {
+            (left, right) = (right, left);
+        }
+        if joined.widen {
+            left = to_real(left);
+            right = to_real(right);
+        }
+        let kind = ExprKind::Binary(joined.binary, Box::new(left), Box::new(right));
+        let value = typed(joined.ty, kind, span);
+        Some(if joined.negate {
+            not(value, span)
+        } else {
+            value
+        })
+    }
+}
+
+/// `not x`
+fn not(value: Expr, span: Span) -> Expr {
+    let kind = ExprKind::Unary(Unary::Not, Box::new(value));
+    typed(Type::Bool, kind, span)
+}
+
+/// How an operator joins two types.
+struct Joined {
+    binary: Binary,
+    ty: Type,
+    /// Whether ints become reals first.
+    widen: bool,
+    /// Whether the operands change places.
+    swap: bool,
+    /// Whether the result is turned around.
+    negate: bool,
+}
+
+impl Joined {
+    fn plain(binary: Binary, ty: Type) -> Self {
+        Self {
+            binary,
+            ty,
+            widen: false,
+            swap: false,
+            negate: false,
+        }
+    }
+
+    fn real(binary: Binary, ty: Type) -> Self {
+        Self {
+            widen: true,
+            ..Self::plain(binary, ty)
+        }
+    }
+
+    fn swapped(self) -> Self {
+        Self { swap: true, ..self }
+    }
+}
+
+/// How `op` joins two types, if it does.
+fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
+    use Type::{Bool, Int, Real, Vec3};
+    let number = |ty| matches!(ty, Int | Real);
+    let numbers = types.into_iter().all(number);
+    let ints = types == [Int, Int];
+    let vectors = types == [Vec3, Vec3];
+    let arithmetic = |int, real, vec3| match () {
+        () if ints => Some(Joined::plain(int, Int)),
+        () if numbers => Some(Joined::real(real, Real)),
+        () if vectors => Some(Joined::plain(vec3, Vec3)),
+        () => None,
+    };
+    let order = |int, real| match () {
+        () if ints => Some(Joined::plain(int, Bool)),
+        () if numbers => Some(Joined::real(real, Bool)),
+        () => None,
+    };
+    match op {
+        BinaryOp::Add => arithmetic(Binary::AddInt, Binary::AddReal, Binary::AddVec3),
+        BinaryOp::Subtract => arithmetic(
+            Binary::SubtractInt,
+            Binary::SubtractReal,
+            Binary::SubtractVec3,
+        ),
+        BinaryOp::Multiply => match types {
+            [Vec3, other] if number(other) => Some(Joined::real(Binary::ScaleVec3, Vec3)),
+            [other, Vec3] if number(other) => Some(Joined::real(Binary::ScaleVec3, Vec3).swapped()),
+            _ => arithmetic(
+                Binary::MultiplyInt,
+                Binary::MultiplyReal,
+                Binary::MultiplyVec3,
+            ),
+        },
+        BinaryOp::Divide => match types {
+            [Vec3, other] if number(other) => Some(Joined::real(Binary::DivideVec3, Vec3)),
+            _ => numbers.then(|| Joined::real(Binary::DivideReal, Real)),
+        },
+        BinaryOp::Div => ints.then(|| Joined::plain(Binary::Div, Int)),
+        BinaryOp::Mod => ints.then(|| Joined::plain(Binary::Mod, Int)),
+        BinaryOp::Equal => equal(types),
+        BinaryOp::NotEqual => equal(types).map(|joined| Joined {
+            negate: true,
+            ..joined
+        }),
+        BinaryOp::Less => order(Binary::LessInt, Binary::LessReal),
+        BinaryOp::LessEqual => order(Binary::LessEqualInt, Binary::LessEqualReal),
+        BinaryOp::Greater => order(Binary::LessInt, Binary::LessReal).map(Joined::swapped),
+        BinaryOp::GreaterEqual => {
+            order(Binary::LessEqualInt, Binary::LessEqualReal).map(Joined::swapped)
+        }
+        BinaryOp::And => (types == [Bool, Bool]).then(|| Joined::plain(Binary::And, Bool)),
+        BinaryOp::Or => (types == [Bool, Bool]).then(|| Joined::plain(Binary::Or, Bool)),
+    }
+}
+
+/// `x == y`
+fn equal([left, right]: [Type; 2]) -> Option<Joined> {
+    use Type::{Bool, Edge, Face, Halfedge, Int, Real, Text, Vec3, Vertex};
+    let plain = |binary| Some(Joined::plain(binary, Bool));
+    match (left, right) {
+        (Int, Int) => plain(Binary::EqualInt),
+        (Int | Real, Int | Real) => Some(Joined::real(Binary::EqualReal, Bool)),
+        (Vec3, Vec3) => plain(Binary::EqualVec3),
+        (Bool, Bool) => plain(Binary::EqualBool),
+        (Text, Text) => plain(Binary::EqualText),
+        (Vertex, Vertex) | (Halfedge, Halfedge) | (Edge, Edge) | (Face, Face) => {
+            plain(Binary::EqualElement)
+        }
+        _ => None,
+    }
+}
+
+/// What an operator wants, in words.
+fn wants(op: BinaryOp) -> &'static str {
+    match op {
+        BinaryOp::Add | BinaryOp::Subtract => "two numbers or two vectors",
+        BinaryOp::Multiply => "two numbers, two vectors, or a vector and a number",
+        BinaryOp::Divide => "two numbers, or a vector and a number",
+        BinaryOp::Div | BinaryOp::Mod => "two ints",
+        BinaryOp::Equal | BinaryOp::NotEqual => "two values of one type",
+        BinaryOp::Less | BinaryOp::LessEqual | BinaryOp::Greater | BinaryOp::GreaterEqual => {
+            "two numbers"
+        }
+        BinaryOp::And | BinaryOp::Or => "two bools",
+    }
+}
+
+/// Who computes with a vertex means its position.
+fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
+    let vertex = operands.iter().find(|(_, value)| value.ty == Type::Vertex);
+    match vertex.map(|(written, _)| &written.kind) {
+        Some(tree::ExprKind::Name(name)) => error.note(format!(
+            "the point at which a vertex lies is `{}.position`",
+            name.ident.text
+        )),
+        _ => error,
+    }
+}

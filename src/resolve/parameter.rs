@@ -1,0 +1,180 @@
+//! Parameters and the types that are written in words.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, Param, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::declared::{Declared, duplicate};
+use super::report::{Report, not_yet};
+use super::scopes::{Binding, Local, Scopes};
+use super::suggestion::suggest;
+use super::typing::{Place, Typing};
+use super::words::{a_type, quoted};
+
+/// A parameter, as far as it is understood.
+#[derive(Clone, Debug)]
+pub(super) struct Parameter {
+    /// Its name.
+    pub(super) name: String,
+    /// Where its name stands.
+    pub(super) span: Span,
+    /// Its type, if there is such a type.
+    pub(super) ty: Option<Type>,
+    /// Whether a call may leave it out.
+    pub(super) optional: bool,
+    /// Its default, if it could be understood.
+    pub(super) default: Option<Expr>,
+}
+
+impl Parameter {
+    /// The parameter as others see it. One whose type is unknown counts as a real: its
+    /// item cannot be used, but calls of it should still be counted right.
+    pub(super) fn param(&self) -> Param {
+        Param {
+            name: self.name.clone(),
+            span: self.span,
+            ty: self.ty.unwrap_or(Type::Real),
+            default: self.default.clone(),
+        }
+    }
+}
+
+/// Whose parameters they are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Owner {
+    /// An op: elements and values; a default names nothing.
+    Op,
+    /// A script: values; a default may name earlier parameters.
+    Script,
+}
+
+const TYPES: [Type; 9] = [
+    Type::Bool,
+    Type::Int,
+    Type::Real,
+    Type::Vec3,
+    Type::Text,
+    Type::Vertex,
+    Type::Halfedge,
+    Type::Edge,
+    Type::Face,
+];
+
+/// The types of the language that cannot be computed with yet.
+const LATER: [&str; 3] = ["vec2", "mat3", "mat4"];
+
+/// The type of this name.
+pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
+    let found = TYPES.into_iter().find(|ty| ty.word() == word.text);
+    if found.is_some() {
+        return found;
+    }
+    if LATER.contains(&word.text.as_str()) {
+        let what = format!("the type `{}` is not supported yet", word.text);
+        report.add(not_yet(what, word.span));
+        return None;
+    }
+    let message = format!("there is no type `{}`", word.text);
+    let error = Diagnostic::error("unknown-type", message, word.span);
+    let known = TYPES.map(Type::word);
+    let error = suggest(error, &word.text, word.span, known)
+        .note(format!("the types are {}", quoted(&known)));
+    report.add(error);
+    None
+}
+
+/// The parameters of an item.
+pub(super) fn parameters(
+    params: &[tree::Param],
+    owner: Owner,
+    declared: &Declared,
+    report: &mut Report,
+) -> Vec<Parameter> {
+    let mut understood: Vec<Parameter> = Vec::new();
+    for param in params {
+        let name = &param.name.ident;
+        if let Some(first) = understood.iter().find(|p| p.name == name.text) {
+            report.add(duplicate("a parameter", name, first.span));
+        }
+        let ty = type_named(&param.ty, report).filter(|ty| allowed(*ty, owner, param, report));
+        let default = param.default.as_ref().and_then(|default| {
+            let ty = ty?;
+            let earlier = match owner {
+                Owner::Op => &[],
+                Owner::Script => understood.as_slice(),
+            };
+            default_value(default, (name, ty), earlier, declared, report)
+        });
+        understood.push(Parameter {
+            name: name.text.clone(),
+            span: name.span,
+            ty,
+            optional: param.default.is_some(),
+            default,
+        });
+    }
+    understood
+}
+
+/// Whether an item may have a parameter of this type.
+fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> bool {
+    let (fits, message) = match owner {
+        Owner::Op => (
+            ty != Type::Text,
+            "a parameter of an op is an element, a bool, an int, a real or a vec3".to_owned(),
+        ),
+        Owner::Script => (
+            matches!(ty, Type::Bool | Type::Int | Type::Real | Type::Vec3),
+            format!(
+                "a parameter of a script is a bool, an int, a real or a vec3, not {}",
+                a_type(ty)
+            ),
+        ),
+    };
+    if !fits {
+        report.add(Diagnostic::error("parameter-type", message, param.ty.span));
+    }
+    fits
+}
+
+/// The default of a parameter.
+fn default_value(
+    default: &tree::Expr,
+    (name, ty): (&Ident, Type),
+    earlier: &[Parameter],
+    declared: &Declared,
+    report: &mut Report,
+) -> Option<Expr> {
+    if ty.is_element() {
+        let message = format!(
+            "`{}` is {}, and an element has no default",
+            name.text,
+            a_type(ty)
+        );
+        report.add(Diagnostic::error("parameter-type", message, default.span));
+        return None;
+    }
+    let mut scopes = Scopes::default();
+    scopes.enter();
+    for parameter in earlier {
+        scopes.declare(local(parameter));
+    }
+    let mut typing = Typing {
+        place: Place::Default,
+        declared,
+        scopes,
+        report,
+    };
+    typing.whole_as(default, ty, &format!("`{}`", name.text))
+}
+
+/// A parameter as the variable of its number.
+pub(super) fn local(parameter: &Parameter) -> Local {
+    Local {
+        name: parameter.name.clone(),
+        span: parameter.span,
+        ty: parameter.ty,
+        binding: Binding::Parameter,
+    }
+}

@@ -1,0 +1,136 @@
+//! A rule: its two drawings, what it asks and what it sets.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Ref, Rule};
+use crate::syntax::tree::{self, Ident};
+
+use super::condition::{assignments, requires};
+use super::declared::Declared;
+use super::drawing::{draw_after, draw_before};
+use super::lists::read_lists;
+use super::names::Names;
+use super::op::Returned;
+use super::parameter::{Parameter, local};
+use super::report::Report;
+use super::scopes::Scopes;
+use super::typing::{Place, Typing};
+
+/// What a rule has from its op.
+pub(super) struct Context<'a> {
+    pub(super) op: &'a tree::Op,
+    pub(super) params: &'a [Parameter],
+    pub(super) result: Returned,
+    pub(super) declared: &'a Declared,
+}
+
+/// Resolves a rule, whose names are read. It is complete only if the report has no error.
+pub(super) fn resolve_rule(
+    rule: &tree::Rule,
+    names: Names,
+    context: &Context,
+    report: &mut Report,
+) -> Option<Rule> {
+    let (before, after) = sides(rule, &context.op.name, report)?;
+    let drawn_before = draw_before(before, &names, report);
+    let drawn_after = draw_after(after, &drawn_before, &names, report);
+    let lists = read_lists(after, &drawn_before, &names, report);
+
+    let mut scopes = Scopes::default();
+    scopes.enter();
+    for param in context.params {
+        scopes.declare(local(param));
+    }
+    let mut typing = Typing {
+        place: Place::Rule(&names),
+        declared: context.declared,
+        scopes,
+        report,
+    };
+    let op = &context.op.name.text;
+    let requires = requires(&rule.conditions, op, context.params, &mut typing);
+    let assignments = assignments(after, &names, &lists.erased, &mut typing);
+
+    let result = match (&context.op.result, context.result) {
+        (Some(name), Returned::Element(_)) => {
+            returned(name, rule, &names, &lists.erased, report)
+        }
+        // Of a result that is no element the op has complained.
+        _ => None,
+    };
+    let params = context.params.iter();
+    let params = params.map(|param| {
+        // A value of the name of a drawn element is an error by now.
+        names
+            .find(&param.name)
+            .filter(|_| param.ty.is_some_and(|ty| ty.is_element()))
+    });
+    Some(Rule {
+        label: rule.name.as_ref().map(|name| name.text.clone()),
+        params: params.collect(),
+        result,
+        before: drawn_before,
+        requires,
+        after: drawn_after,
+        created: lists.created,
+        erased: lists.erased,
+        assignments,
+        span: rule.span,
+        names: names.into_list(),
+    })
+}
+
+/// Both sides of a rule.
+fn sides<'a>(
+    rule: &'a tree::Rule,
+    op: &Ident,
+    report: &mut Report,
+) -> Option<(&'a tree::Side, &'a tree::Side)> {
+    let missing = match (&rule.before, &rule.after) {
+        (Some(before), Some(after)) => return Some((before, after)),
+        (Some(_), None) => "no `after`",
+        (None, Some(_)) => "no `before`",
+        (None, None) => "neither `before` nor `after`",
+    };
+    let (what, place) = match &rule.name {
+        Some(rule) => ("rule", rule),
+        None => ("op", op),
+    };
+    let message = format!("the {what} `{}` has {missing}", place.text);
+    report.add(Diagnostic::error("missing-side", message, place.span));
+    None
+}
+
+/// The element that the rule returns.
+fn returned(
+    name: &Ident,
+    rule: &tree::Rule,
+    names: &Names,
+    erased: &[Ref],
+    report: &mut Report,
+) -> Option<Ref> {
+    let word = &name.text;
+    let Some(id) = names.find(word) else {
+        if let Some(label) = &rule.name {
+            report.add(not_returned(name, label));
+        }
+        return None;
+    };
+    if let Some(erased) = erased.iter().find(|erased| erased.name == id) {
+        let message = format!("`{word}` is returned, but it is erased");
+        let error = Diagnostic::error("returns-erased", message, name.span)
+            .label(erased.span, "it is erased here");
+        report.add(error);
+    }
+    Some(Ref {
+        name: id,
+        span: name.span,
+    })
+}
+
+fn not_returned(name: &Ident, rule: &Ident) -> Diagnostic {
+    let message = format!(
+        "`{}` is returned, but the rule `{}` does not draw it",
+        name.text, rule.text
+    );
+    Diagnostic::error("unknown-result", message, name.span).label(rule.span, "in this rule")
+}

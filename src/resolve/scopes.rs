@@ -1,0 +1,131 @@
+//! Variables: numbered once, visible in their block.
+
+use std::collections::HashMap;
+
+use crate::diagram::Type;
+use crate::source::Span;
+
+use super::program::Variable;
+
+/// A variable, visible or not.
+#[derive(Clone, Debug)]
+pub(super) struct Local {
+    /// Its name.
+    pub(super) name: String,
+    /// Where it is declared.
+    pub(super) span: Span,
+    /// Its type; `None` if its declaration could not be understood.
+    pub(super) ty: Option<Type>,
+    /// How it came to be.
+    pub(super) binding: Binding,
+}
+
+/// How a variable came to be, which decides whether `=` may set it again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Binding {
+    /// `var`: it may be set.
+    Var,
+    /// `let`, and where that word stands.
+    Let(Span),
+    /// A parameter.
+    Parameter,
+    /// The variable of a loop, an aggregate or an `if let`.
+    Head,
+}
+
+/// All variables of an item, and which of them can be seen.
+#[derive(Debug, Default)]
+pub(super) struct Scopes {
+    locals: Vec<Local>,
+    /// The variables of each name that can be seen, innermost last.
+    visible: HashMap<String, Vec<u32>>,
+    /// What each open block has declared.
+    open: Vec<Vec<u32>>,
+}
+
+impl Scopes {
+    /// Opens a block.
+    pub(super) fn enter(&mut self) {
+        self.open.push(Vec::new());
+    }
+
+    /// Closes the innermost block and forgets what it declared.
+    pub(super) fn leave(&mut self) {
+        for number in self.open.pop().unwrap_or_default() {
+            let name = &self.locals[number as usize].name;
+            if let Some(numbers) = self.visible.get_mut(name) {
+                numbers.pop();
+            }
+        }
+    }
+
+    /// Declares a variable in the innermost block and gives its number.
+    pub(super) fn declare(&mut self, local: Local) -> u32 {
+        let number = self.locals.len() as u32;
+        let same = self.visible.entry(local.name.clone()).or_default();
+        same.push(number);
+        if let Some(block) = self.open.last_mut() {
+            block.push(number);
+        }
+        self.locals.push(local);
+        number
+    }
+
+    /// The variable that a name means here.
+    pub(super) fn find(&self, name: &str) -> Option<(u32, &Local)> {
+        let number = *self.visible.get(name)?.last()?;
+        Some((number, &self.locals[number as usize]))
+    }
+
+    /// The variable of this name that the innermost block itself has declared.
+    pub(super) fn find_here(&self, name: &str) -> Option<&Local> {
+        let (number, local) = self.find(name)?;
+        let here = self.open.last().is_some_and(|block| block.contains(&number));
+        here.then_some(local)
+    }
+
+    /// The names that can be seen, in order of declaration.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        (0..).zip(&self.locals).filter_map(|(number, local)| {
+            let numbers = self.visible.get(&local.name)?;
+            (numbers.last() == Some(&number)).then_some(local.name.as_str())
+        })
+    }
+
+    /// All variables by number; `None` if the type of one is unknown.
+    pub(super) fn into_variables(self) -> Option<Vec<Variable>> {
+        let variable = |local: Local| {
+            Some(Variable {
+                name: local.name,
+                ty: local.ty?,
+                span: local.span,
+            })
+        };
+        self.locals.into_iter().map(variable).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_inner_variable_hides_an_outer_one() {
+        let local = |ty| Local {
+            name: "x".to_owned(),
+            span: Span::default(),
+            ty: Some(ty),
+            binding: Binding::Head,
+        };
+        let mut scopes = Scopes::default();
+        scopes.enter();
+        scopes.declare(local(Type::Int));
+        scopes.enter();
+        assert!(scopes.find_here("x").is_none());
+        scopes.declare(local(Type::Bool));
+        assert_eq!(scopes.find("x").map(|(number, _)| number), Some(1));
+        scopes.leave();
+        assert_eq!(scopes.find("x").map(|(number, _)| number), Some(0));
+        assert_eq!(scopes.into_variables().map(|all| all.len()), Some(2));
+    }
+}

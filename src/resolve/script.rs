@@ -1,0 +1,243 @@
+//! A script: its parameters, its variables, its blocks and loops.
+
+use crate::diagram::{Collection, Expr, Type};
+use crate::syntax::tree::{self, Action, ActionKind, Ident};
+
+use super::declared::Declared;
+use super::depth::shallow_block;
+use super::op::Signature;
+use super::parameter::{Owner, Parameter, local, parameters};
+use super::program::{Block, Script, Statement, StatementKind};
+use super::report::{Report, not_yet};
+use super::scopes::{Binding, Local, Scopes};
+use super::typing::{Place, Typing};
+
+/// Resolving the statements of one script.
+pub(super) struct Scripting<'a> {
+    pub(super) typing: Typing<'a>,
+    /// The ops of the file, by number.
+    pub(super) ops: &'a [Signature],
+    /// How many loops are open here.
+    pub(super) loops: u32,
+    /// Whether an `update` is open here.
+    pub(super) updating: bool,
+}
+
+/// The head of `for` or `update`, and what it repeats.
+struct Visit<'a> {
+    variable: &'a Ident,
+    sequence: &'a tree::Expr,
+    filter: Option<&'a tree::Expr>,
+    body: &'a tree::Block,
+}
+
+/// A resolved [`Visit`].
+struct Visited {
+    variable: u32,
+    collection: Collection,
+    filter: Option<Expr>,
+    body: Block,
+}
+
+/// Resolves a script; `None` if the report has an error.
+pub(super) fn resolve_script(
+    script: &tree::Script,
+    ops: &[Signature],
+    declared: &Declared,
+    report: &mut Report,
+) -> Option<Script> {
+    if !declared.is_script_of_its_name(&script.name) {
+        report.fail();
+    }
+    let params = parameters(&script.params, Owner::Script, declared, report);
+    if !shallow_block(&script.body, report) {
+        return None;
+    }
+    let mut scopes = Scopes::default();
+    scopes.enter();
+    for param in &params {
+        scopes.declare(local(param));
+    }
+    let mut scripting = Scripting {
+        typing: Typing {
+            place: Place::Script,
+            declared,
+            scopes,
+            report,
+        },
+        ops,
+        loops: 0,
+        updating: false,
+    };
+    let body = scripting.block(&script.body);
+    let scopes = scripting.typing.scopes;
+    if report.failed() {
+        return None;
+    }
+    Some(Script {
+        name: script.name.text.clone(),
+        span: script.name.span,
+        docs: script.docs.clone(),
+        params: params.iter().map(Parameter::param).collect(),
+        variables: scopes.into_variables()?,
+        body,
+    })
+}
+
+impl Scripting<'_> {
+    /// `{ … }`
+    pub(super) fn block(&mut self, block: &tree::Block) -> Block {
+        self.typing.scopes.enter();
+        let mut statements = Block::new();
+        self.actions(block, &mut statements);
+        self.typing.scopes.leave();
+        statements
+    }
+
+    fn actions(&mut self, block: &tree::Block, statements: &mut Block) {
+        for action in &block.statements {
+            match &action.kind {
+                // A block in a block is nothing but a scope.
+                ActionKind::Block(inner) => statements.extend(self.block(inner)),
+                _ => statements.extend(self.action(action).map(|kind| Statement {
+                    kind,
+                    span: action.span,
+                })),
+            }
+        }
+    }
+
+    /// A statement; `None` if the report has the reason.
+    fn action(&mut self, action: &Action) -> Option<StatementKind> {
+        if self.updating && !self.may_update(action) {
+            return None;
+        }
+        match &action.kind {
+            ActionKind::Let { .. } => self.declaration(action),
+            ActionKind::Assign { target, value } => self.assignment(target, value, action.span),
+            ActionKind::Repeat { count, body } => {
+                let count = self.typing.expression_as(count, Type::Int, "`repeat`");
+                let body = self.repeated(body);
+                Some(StatementKind::Repeat {
+                    count: count?,
+                    body,
+                })
+            }
+            ActionKind::While { condition, body } => {
+                let condition = self.typing.expression_as(condition, Type::Bool, "`while`");
+                let body = self.repeated(body);
+                Some(StatementKind::While {
+                    condition: condition?,
+                    body,
+                })
+            }
+            ActionKind::For {
+                variable,
+                sequence,
+                filter,
+                body,
+            } => {
+                let visited = self.visit(Visit {
+                    variable,
+                    sequence,
+                    filter: filter.as_ref(),
+                    body,
+                })?;
+                Some(StatementKind::For {
+                    variable: visited.variable,
+                    collection: visited.collection,
+                    filter: visited.filter,
+                    body: visited.body,
+                })
+            }
+            ActionKind::Update {
+                variable,
+                sequence,
+                filter,
+                body,
+            } => {
+                self.updating = true;
+                let visited = self.visit(Visit {
+                    variable,
+                    sequence,
+                    filter: filter.as_ref(),
+                    body,
+                });
+                self.updating = false;
+                let visited = visited?;
+                Some(StatementKind::Update {
+                    variable: visited.variable,
+                    collection: visited.collection,
+                    filter: visited.filter,
+                    body: visited.body,
+                })
+            }
+            ActionKind::Drain { variable, .. } => {
+                let what = "`drain` is not supported yet";
+                self.typing.report.add(not_yet(what, variable.span));
+                None
+            }
+            ActionKind::If {
+                binding,
+                condition,
+                then,
+                otherwise,
+            } => self.choice(binding.as_ref(), condition, then, otherwise.as_ref()),
+            ActionKind::Print(values) => self.print(values),
+            ActionKind::Assert { condition, reason } => {
+                let condition = self
+                    .typing
+                    .expression_as(condition, Type::Bool, "`assert`")?;
+                let reason = reason.as_ref().map(|(text, _)| text.clone());
+                Some(StatementKind::Assert {
+                    condition,
+                    reason: reason.unwrap_or_else(|| "the assertion does not hold".to_owned()),
+                })
+            }
+            ActionKind::Return(value) => self.exit(value.as_ref()),
+            ActionKind::Break => self.of_a_loop("break", StatementKind::Break, action.span),
+            ActionKind::Continue => {
+                self.of_a_loop("continue", StatementKind::Continue, action.span)
+            }
+            ActionKind::Expr(expr) => self.alone(expr),
+            ActionKind::Block(_) | ActionKind::Broken => {
+                self.typing.report.fail();
+                None
+            }
+        }
+    }
+
+    /// The body of a loop.
+    fn repeated(&mut self, body: &tree::Block) -> Block {
+        self.loops += 1;
+        let body = self.block(body);
+        self.loops -= 1;
+        body
+    }
+
+    fn visit(&mut self, visit: Visit) -> Option<Visited> {
+        let collection = self.typing.sequence(visit.sequence);
+        self.typing.scopes.enter();
+        let variable = self.typing.scopes.declare(Local {
+            name: visit.variable.text.clone(),
+            span: visit.variable.span,
+            ty: collection.as_ref().map(Collection::element),
+            binding: Binding::Head,
+        });
+        let filter = visit
+            .filter
+            .map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
+        let body = self.repeated(visit.body);
+        self.typing.scopes.leave();
+        let filter = match filter {
+            Some(filter) => Some(filter?),
+            None => None,
+        };
+        Some(Visited {
+            variable,
+            collection: collection?,
+            filter,
+            body,
+        })
+    }
+}

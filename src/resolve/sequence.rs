@@ -1,0 +1,274 @@
+//! Sequences of elements, and the aggregates over them.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Collection, Expr, ExprKind, Fold, FoldFunction, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::scopes::{Binding, Local};
+use super::suggestion::suggest;
+use super::typing::{Place, Typing, to_real, typed};
+use super::words::{a_type, quoted, subject};
+
+/// The sequences of the whole mesh.
+pub(super) const WHOLE_MESH: [(&str, Collection); 5] = [
+    ("vertices", Collection::Vertices),
+    ("halfedges", Collection::Halfedges),
+    ("edges", Collection::Edges),
+    ("faces", Collection::Faces),
+    ("holes", Collection::Holes),
+];
+
+const FOLDS: [(&str, FoldFunction); 7] = [
+    ("mean", FoldFunction::Mean),
+    ("sum", FoldFunction::Sum),
+    ("min", FoldFunction::Min),
+    ("max", FoldFunction::Max),
+    ("count", FoldFunction::Count),
+    ("any", FoldFunction::Any),
+    ("all", FoldFunction::All),
+];
+
+/// The names of the aggregates.
+pub(super) fn fold_names() -> impl Iterator<Item = &'static str> {
+    FOLDS.iter().map(|(known, _)| *known)
+}
+
+/// The fields of a type that are sequences.
+pub(super) fn sequences_of(ty: Type) -> &'static [&'static str] {
+    match ty {
+        Type::Vertex => &["halfedges", "edges", "faces", "neighbors"],
+        Type::Face => &["halfedges", "vertices", "edges"],
+        Type::Edge => &["vertices", "faces"],
+        _ => &[],
+    }
+}
+
+/// The sequence of this name around an element.
+fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
+    let make = match (base.ty, word) {
+        (Type::Vertex, "halfedges") => Collection::VertexHalfedges,
+        (Type::Vertex, "edges") => Collection::VertexEdges,
+        (Type::Vertex, "faces") => Collection::VertexFaces,
+        (Type::Vertex, "neighbors") => Collection::VertexNeighbors,
+        (Type::Face, "halfedges") => Collection::FaceHalfedges,
+        (Type::Face, "vertices") => Collection::FaceVertices,
+        (Type::Face, "edges") => Collection::FaceEdges,
+        (Type::Edge, "vertices") => Collection::EdgeVertices,
+        (Type::Edge, "faces") => Collection::EdgeFaces,
+        _ => return Err(base),
+    };
+    Ok(make(base))
+}
+
+impl Typing<'_> {
+    /// What a loop or an aggregate runs over.
+    pub(super) fn sequence(&mut self, expr: &tree::Expr) -> Option<Collection> {
+        match &expr.kind {
+            tree::ExprKind::Name(name) if name.index.is_none() => {
+                let word = name.ident.text.as_str();
+                let found = WHOLE_MESH.into_iter().find(|(known, _)| *known == word);
+                match found {
+                    Some((_, collection)) => self.whole_mesh(word, collection, expr.span),
+                    None => self.no_sequence(expr),
+                }
+            }
+            tree::ExprKind::Field(base, field) => {
+                let value = self.expression(base)?;
+                match around(value, &field.text) {
+                    Ok(collection) => Some(collection),
+                    Err(value) => {
+                        let ty = value.ty;
+                        match self.field((&**base, value), field, expr.span) {
+                            Some(value) => self.not_a_sequence(expr, value.ty, sequences_of(ty)),
+                            None => None,
+                        }
+                    }
+                }
+            }
+            tree::ExprKind::Broken => {
+                self.report.fail();
+                None
+            }
+            _ => self.no_sequence(expr),
+        }
+    }
+
+    /// All elements of one kind: for scripts only.
+    fn whole_mesh(
+        &mut self,
+        word: &str,
+        collection: Collection,
+        span: Span,
+    ) -> Option<Collection> {
+        let message = match self.place {
+            Place::Script => return Some(collection),
+            Place::Rule(_) => format!(
+                "an op cannot look at all `{word}` of the mesh, only at what is near its \
+                 parameters"
+            ),
+            Place::Default => {
+                format!("a default cannot look at the `{word}` of a mesh")
+            }
+        };
+        self.report
+            .add(Diagnostic::error("whole-mesh", message, span));
+        None
+    }
+
+    /// An expression that is none of the forms of a sequence.
+    fn no_sequence(&mut self, expr: &tree::Expr) -> Option<Collection> {
+        let value = self.expression(expr)?;
+        self.not_a_sequence(expr, value.ty, sequences_of(value.ty))
+    }
+
+    fn not_a_sequence(
+        &mut self,
+        expr: &tree::Expr,
+        ty: Type,
+        instead: &[&str],
+    ) -> Option<Collection> {
+        let message = format!("{} is {}, not a sequence", subject(expr), a_type(ty));
+        let error = Diagnostic::error("not-a-sequence", message, expr.span);
+        let error = if instead.is_empty() {
+            let words = WHOLE_MESH.map(|(known, _)| known);
+            error.note(format!("the sequences of the mesh are {}", quoted(&words)))
+        } else {
+            error.note(format!("its sequences are {}", quoted(instead)))
+        };
+        self.report.add(error);
+        None
+    }
+
+    /// `mean(x for e in edges where c)`
+    pub(super) fn aggregate(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        let tree::ExprKind::Aggregate {
+            function,
+            body,
+            variable,
+            sequence,
+            filter,
+        } = &expr.kind
+        else {
+            return None;
+        };
+        let fold = self.fold_function(function);
+        let collection = self.sequence(sequence);
+        self.scopes.enter();
+        let number = self.scopes.declare(Local {
+            name: variable.text.clone(),
+            span: variable.span,
+            ty: collection.as_ref().map(Collection::element),
+            binding: Binding::Head,
+        });
+        let filter = filter
+            .as_ref()
+            .map(|filter| self.expression_as(filter, Type::Bool, "`where`"));
+        let value = self.expression(body);
+        self.scopes.leave();
+        let filter = match filter {
+            Some(filter) => Some(filter?),
+            None => None,
+        };
+        let (fold, value) = (fold?, value?);
+        let (ty, value) = self.fold_body(fold, function, body, value)?;
+        let fold = Fold {
+            function: fold,
+            variable: number,
+            collection: collection?,
+            filter,
+            body: value,
+        };
+        Some(typed(ty, ExprKind::Fold(Box::new(fold)), expr.span))
+    }
+
+    /// `count(edges)`: how many elements there are.
+    pub(super) fn count(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<Expr> {
+        self.right_count(function, 1, args.len(), span)?;
+        let collection = self.sequence(args.first()?)?;
+        if function.text != "count" {
+            let message = format!(
+                "`{0}` wants a value for each element: `{0}(… for x in …)`",
+                function.text
+            );
+            self.report
+                .add(Diagnostic::error("type-mismatch", message, span));
+            return None;
+        }
+        self.scopes.enter();
+        let variable = self.scopes.declare(Local {
+            name: String::new(),
+            span,
+            ty: Some(collection.element()),
+            binding: Binding::Head,
+        });
+        self.scopes.leave();
+        let fold = Fold {
+            function: FoldFunction::Count,
+            variable,
+            collection,
+            filter: None,
+            body: typed(Type::Bool, ExprKind::Bool(true), span),
+        };
+        Some(typed(Type::Int, ExprKind::Fold(Box::new(fold)), span))
+    }
+
+    fn fold_function(&mut self, function: &Ident) -> Option<FoldFunction> {
+        let word = function.text.as_str();
+        let found = FOLDS.iter().find(|(known, _)| *known == word);
+        if let Some((_, fold)) = found {
+            return Some(*fold);
+        }
+        let message = format!("there is no aggregate `{word}`");
+        let error = Diagnostic::error("unknown-function", message, function.span);
+        let known: Vec<&str> = fold_names().collect();
+        let error = suggest(error, word, function.span, fold_names())
+            .note(format!("the aggregates are {}", quoted(&known)));
+        self.report.add(error);
+        None
+    }
+
+    /// The type of an aggregate, and its body as it wants it.
+    fn fold_body(
+        &mut self,
+        fold: FoldFunction,
+        function: &Ident,
+        written: &tree::Expr,
+        value: Expr,
+    ) -> Option<(Type, Expr)> {
+        let whose = format!("`{}`", function.text);
+        let wants = match (fold, value.ty) {
+            (FoldFunction::Mean, Type::Int | Type::Real) => {
+                return Some((Type::Real, to_real(value)));
+            }
+            (FoldFunction::Mean, Type::Vec3)
+            | (FoldFunction::Sum, Type::Int | Type::Real | Type::Vec3)
+            | (FoldFunction::Min | FoldFunction::Max, Type::Int | Type::Real) => {
+                return Some((value.ty, value));
+            }
+            (FoldFunction::Count | FoldFunction::Any | FoldFunction::All, _) => {
+                let ty = match fold {
+                    FoldFunction::Count => Type::Int,
+                    _ => Type::Bool,
+                };
+                let value = self.convert(written, value, Type::Bool, &whose)?;
+                return Some((ty, value));
+            }
+            (FoldFunction::Mean | FoldFunction::Sum, _) => "numbers or vectors",
+            (FoldFunction::Min | FoldFunction::Max, _) => "numbers",
+        };
+        let message = format!(
+            "{whose} wants {wants}, but {} is {}",
+            subject(written),
+            a_type(value.ty)
+        );
+        self.report
+            .add(Diagnostic::error("type-mismatch", message, written.span));
+        None
+    }
+}

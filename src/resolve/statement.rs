@@ -1,0 +1,311 @@
+//! Statements of a script that are no loops: variables, attributes, choices, output.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Action, ActionKind, Ident};
+
+use super::declared::duplicate;
+use super::parameter::type_named;
+use super::program::{Print, StatementKind};
+use super::scopes::{Binding, Local};
+use super::script::Scripting;
+use super::suggestion::suggest;
+use super::words::a_type;
+
+impl Scripting<'_> {
+    /// `let x = …`, `var x = …`
+    pub(super) fn declaration(&mut self, action: &Action) -> Option<StatementKind> {
+        let ActionKind::Let {
+            mutable,
+            name,
+            ty,
+            value,
+        } = &action.kind
+        else {
+            return None;
+        };
+        if let Some(first) = self.typing.scopes.find_here(&name.text) {
+            let error = duplicate("a variable", name, first.span);
+            self.typing.report.add(error);
+        }
+        let annotated = ty.as_ref().map(|ty| type_named(ty, self.typing.report));
+        let wanted = annotated.flatten();
+        let applied = self.applied_value(value);
+        let (ty, value) = match applied {
+            Some(applied) => {
+                let applied = applied.and_then(|applied| {
+                    let fits = self.result_fits(&applied, wanted, name, value.span);
+                    fits.then_some(applied)
+                });
+                (applied.as_ref().map(|a| a.result), Err(applied))
+            }
+            None => {
+                let value = match wanted {
+                    Some(ty) => {
+                        let whose = format!("`{}`", name.text);
+                        self.typing.expression_as(value, ty, &whose)
+                    }
+                    None => self.typing.expression(value),
+                };
+                (value.as_ref().map(|value| value.ty), Ok(value))
+            }
+        };
+        let keyword = Span {
+            end: action.span.start.saturating_add(3).min(name.span.start),
+            ..action.span
+        };
+        let variable = self.typing.scopes.declare(Local {
+            name: name.text.clone(),
+            span: name.span,
+            ty: wanted.or(ty),
+            binding: match mutable {
+                true => Binding::Var,
+                false => Binding::Let(keyword),
+            },
+        });
+        match value {
+            Ok(value) => value.map(|value| StatementKind::Set { variable, value }),
+            Err(applied) => applied.map(|applied| applied.into_variable(variable)),
+        }
+    }
+
+    /// `x = …`, `v.position = …`
+    pub(super) fn assignment(
+        &mut self,
+        target: &tree::Expr,
+        value: &tree::Expr,
+        span: Span,
+    ) -> Option<StatementKind> {
+        match &target.kind {
+            tree::ExprKind::Name(name) if name.index.is_none() => self.set(&name.ident, value),
+            tree::ExprKind::Field(base, field) => self.write(base, field, value),
+            tree::ExprKind::Broken => {
+                self.typing.report.fail();
+                None
+            }
+            _ => {
+                let message = "only a variable or an attribute of an element can be assigned";
+                let error = Diagnostic::error("not-assignable", message, target.span);
+                self.typing.report.add(error.label(span, ""));
+                None
+            }
+        }
+    }
+
+    fn set(&mut self, name: &Ident, value: &tree::Expr) -> Option<StatementKind> {
+        let word = &name.text;
+        let found = self.typing.scopes.find(word);
+        let Some((variable, local)) = found.map(|(number, local)| (number, local.clone())) else {
+            let message = format!("there is no variable `{word}`");
+            let error = Diagnostic::error("unknown-name", message, name.span);
+            let error = suggest(error, word, name.span, self.typing.scopes.names())
+                .note("a variable begins with `let` or `var`");
+            self.typing.report.add(error);
+            self.typing.expression(value);
+            return None;
+        };
+        if let Some(error) = fixed(name, &local) {
+            self.typing.report.add(error);
+        }
+        if let Some(applied) = self.applied_value(value) {
+            let applied = applied?;
+            let fits = self.result_fits(&applied, local.ty, name, value.span);
+            return fits.then(|| applied.into_variable(variable));
+        }
+        let value = match local.ty {
+            Some(ty) => self.typing.expression_as(value, ty, &format!("`{word}`"))?,
+            None => self.typing.expression(value)?,
+        };
+        Some(StatementKind::Set { variable, value })
+    }
+
+    fn write(
+        &mut self,
+        base: &tree::Expr,
+        field: &Ident,
+        value: &tree::Expr,
+    ) -> Option<StatementKind> {
+        let target = self.typing.expression(base);
+        let Some(target) = target else {
+            self.typing.expression(value);
+            return None;
+        };
+        if !target.ty.is_element() {
+            let message = match target.ty {
+                Type::Vec3 => "a component of a vector cannot be assigned by itself".to_owned(),
+                ty => format!("{} has no attributes", a_type(ty)),
+            };
+            let error = Diagnostic::error("not-assignable", message, base.span.to(field.span));
+            let error = match &target.kind {
+                ExprKind::Read(..) | ExprKind::Local(_) if target.ty == Type::Vec3 => {
+                    error.note("assign the whole vector, for example with `vec3(x, y, z)`")
+                }
+                _ => error,
+            };
+            self.typing.report.add(error);
+            return None;
+        }
+        let (attribute, ty) = self.typing.attribute_of(target.ty, field)?;
+        let whose = format!("`{}`", field.text);
+        let value = self.typing.expression_as(value, ty, &whose)?;
+        Some(StatementKind::Write {
+            target,
+            attribute,
+            value,
+        })
+    }
+
+    /// `if c { … } else { … }`, also with an op
+    pub(super) fn choice(
+        &mut self,
+        binding: Option<&Ident>,
+        condition: &tree::Expr,
+        then: &tree::Block,
+        otherwise: Option<&tree::Block>,
+    ) -> Option<StatementKind> {
+        if binding.is_some() || self.is_op_call(condition) {
+            return self.if_applied(binding, condition, [Some(then), otherwise]);
+        }
+        let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
+        let then = self.block(then);
+        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
+        Some(StatementKind::If {
+            condition: condition?,
+            then,
+            otherwise,
+        })
+    }
+
+    /// `print a, b`
+    pub(super) fn print(&mut self, values: &[tree::Expr]) -> Option<StatementKind> {
+        let pieces: Vec<Option<Print>> = values
+            .iter()
+            .map(|value| {
+                let value = self.typing.expression(value)?;
+                Some(match value.kind {
+                    ExprKind::Text(text) => Print::Text(text),
+                    _ => Print::Value(value),
+                })
+            })
+            .collect();
+        let pieces = pieces.into_iter().collect::<Option<_>>()?;
+        Some(StatementKind::Print(pieces))
+    }
+
+    /// `return`
+    pub(super) fn exit(&mut self, value: Option<&tree::Expr>) -> Option<StatementKind> {
+        if let Some(value) = value {
+            let message = "a script returns nothing";
+            let error = Diagnostic::error("script-returns", message, value.span);
+            self.typing.report.add(error);
+            return None;
+        }
+        Some(StatementKind::Return)
+    }
+
+    /// `break`, `continue`
+    pub(super) fn of_a_loop(
+        &mut self,
+        word: &str,
+        kind: StatementKind,
+        span: Span,
+    ) -> Option<StatementKind> {
+        if self.loops == 0 {
+            let message = format!("`{word}` stands inside of a loop");
+            self.typing
+                .report
+                .add(Diagnostic::error("outside-loop", message, span));
+            return None;
+        }
+        Some(kind)
+    }
+
+    /// An expression that stands alone: the call of an op, or a mistake.
+    pub(super) fn alone(&mut self, expr: &tree::Expr) -> Option<StatementKind> {
+        match &expr.kind {
+            tree::ExprKind::Call { function, args } if function.text == "print" => {
+                self.print(args)
+            }
+            tree::ExprKind::Call { function, args }
+                if !self.typing.declared.is_called(&function.text)
+                    || self.typing.declared.op(&function.text).is_some() =>
+            {
+                let (op, args) = self.application(function, args, expr.span)?;
+                Some(StatementKind::Apply {
+                    op,
+                    args,
+                    must: false,
+                })
+            }
+            tree::ExprKind::Must(inner) => {
+                let tree::ExprKind::Call { function, args } = &inner.kind else {
+                    self.typing.misplaced_must(inner, expr.span);
+                    return None;
+                };
+                let (op, args) = self.application(function, args, inner.span)?;
+                Some(StatementKind::Apply {
+                    op,
+                    args,
+                    must: true,
+                })
+            }
+            _ => {
+                let value: Expr = self.typing.expression(expr)?;
+                let message = "this value is not used";
+                let error = Diagnostic::error("unused-value", message, expr.span)
+                    .saying(format!("this is {}", a_type(value.ty)));
+                self.typing.report.add(error);
+                None
+            }
+        }
+    }
+
+    /// Whether a statement may stand in `update`, which keeps the mesh's connectivity.
+    pub(super) fn may_update(&mut self, action: &Action) -> bool {
+        let span = match &action.kind {
+            ActionKind::Let { value, .. } | ActionKind::Assign { value, .. } => {
+                match &value.kind {
+                    tree::ExprKind::Must(_) => value.span,
+                    _ => return true,
+                }
+            }
+            ActionKind::If {
+                binding, condition, ..
+            } => {
+                if binding.is_none() && !self.is_op_call(condition) {
+                    return true;
+                }
+                condition.span
+            }
+            ActionKind::Block(_) | ActionKind::Broken => return true,
+            _ => action.span,
+        };
+        let message = "`update` only computes and writes attributes";
+        let error = Diagnostic::error("not-in-update", message, span)
+            .note("inside of `update` there may be `let`, `var`, assignments and `if`");
+        self.typing.report.add(error);
+        false
+    }
+}
+
+/// The error for a variable that is not to be set again.
+fn fixed(name: &Ident, local: &Local) -> Option<Diagnostic> {
+    let word = &name.text;
+    let what = match local.binding {
+        Binding::Var => return None,
+        Binding::Let(keyword) => {
+            let message = format!("`{word}` is declared with `let`, so it cannot change");
+            let error = Diagnostic::error("assign-to-let", message, name.span)
+                .label(local.span, "it is declared here")
+                .fix("write `var`", keyword, "var");
+            return Some(error);
+        }
+        Binding::Parameter => "a parameter",
+        Binding::Head => "bound by the statement around it",
+    };
+    let message = format!("`{word}` is {what}, so it cannot change");
+    let error = Diagnostic::error("assign-to-let", message, name.span)
+        .label(local.span, "it is declared here");
+    Some(error)
+}

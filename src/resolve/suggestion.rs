@@ -1,0 +1,57 @@
+//! What a misspelt word was meant to be.
+
+use strsim::damerau_levenshtein;
+
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+
+/// The candidate closest to `word`, if no more than a third of its letters differ;
+/// among equals the first.
+pub(super) fn closest<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let length = word.chars().count();
+    let most = length / 3;
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in candidates {
+        if candidate == word || candidate.chars().count().abs_diff(length) > most {
+            continue;
+        }
+        let distance = damerau_levenshtein(word, candidate);
+        if distance <= most && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+/// Says at the primary place of `diagnostic` what `word`, which stands at `span`, was
+/// perhaps meant to be, and offers to write it.
+pub(super) fn suggest<'a>(
+    diagnostic: Diagnostic,
+    word: &str,
+    span: Span,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Diagnostic {
+    match closest(word, candidates) {
+        Some(meant) => diagnostic
+            .saying(format!("did you mean `{meant}`?"))
+            .fix(format!("write `{meant}`"), span, meant),
+        None => diagnostic,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_third_of_the_letters_may_differ() {
+        let words = ["length", "link_condition", "v0"];
+        assert_eq!(closest("lenght", words), Some("length"));
+        assert_eq!(closest("linkcondition", words), Some("link_condition"));
+        assert_eq!(closest("v1", words), None, "too short to guess");
+        assert_eq!(closest("width", words), None);
+    }
+}

@@ -1,0 +1,242 @@
+//! Expressions: tree to typed expression.
+//!
+//! The walk is over the tree's shape only; what a name, an operator, a field, a
+//! function or a sequence means stands in the modules next to this one. `None` always
+//! means that the report has the reason.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, ExprKind, Type, Unary};
+use crate::source::Span;
+use crate::syntax::tree;
+
+use super::declared::Declared;
+use super::depth::{left_side, shallow_expr};
+use super::names::Names;
+use super::report::{Report, not_yet};
+use super::scopes::Scopes;
+use super::words::{a_type, subject};
+
+/// Where an expression stands, which decides what it may see.
+#[derive(Clone, Copy)]
+pub(super) enum Place<'a> {
+    /// The default of a parameter: constants and earlier parameters.
+    Default,
+    /// A rule: its drawn names as they were before the rewrite, and the op's parameters.
+    Rule(&'a Names),
+    /// A script: its variables and the whole mesh.
+    Script,
+}
+
+/// Typing expressions at one place.
+pub(super) struct Typing<'a> {
+    pub(super) place: Place<'a>,
+    pub(super) declared: &'a Declared,
+    /// The variables; in a rule, the op's parameters first.
+    pub(super) scopes: Scopes,
+    pub(super) report: &'a mut Report,
+}
+
+/// A typed expression.
+pub(super) fn typed(ty: Type, kind: ExprKind, span: Span) -> Expr {
+    Expr { ty, kind, span }
+}
+
+/// An int as a real; anything else as it is.
+pub(super) fn to_real(expr: Expr) -> Expr {
+    if expr.ty != Type::Int {
+        return expr;
+    }
+    let span = expr.span;
+    let kind = ExprKind::Unary(Unary::ToReal, Box::new(expr));
+    typed(Type::Real, kind, span)
+}
+
+impl Typing<'_> {
+    /// A whole expression of any type.
+    pub(super) fn whole(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        shallow_expr(expr, self.report)
+            .then(|| self.expression(expr))
+            .flatten()
+    }
+
+    /// A whole expression of the type that `whose` wants.
+    pub(super) fn whole_as(
+        &mut self,
+        expr: &tree::Expr,
+        wanted: Type,
+        whose: &str,
+    ) -> Option<Expr> {
+        let value = self.whole(expr)?;
+        self.convert(expr, value, wanted, whose)
+    }
+
+    /// An expression as part of one whose depth is known. The left side of a chain is
+    /// walked in a loop, since it may be long.
+    pub(super) fn expression(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        let mut chain = Vec::new();
+        let mut inner = expr;
+        while let Some(left) = left_side(inner) {
+            chain.push((inner, left));
+            inner = left;
+        }
+        let mut value = self.operand(inner);
+        while let Some((outer, left)) = chain.pop() {
+            value = self.link(outer, left, value);
+        }
+        value
+    }
+
+    /// One step outwards along a chain.
+    fn link(&mut self, outer: &tree::Expr, left: &tree::Expr, value: Option<Expr>) -> Option<Expr> {
+        match &outer.kind {
+            tree::ExprKind::Binary(op, _, right) => {
+                let right_value = self.expression(right);
+                let operands = [(left, value?), (&**right, right_value?)];
+                self.binary(*op, operands, outer.span)
+            }
+            tree::ExprKind::Field(_, field) => self.field((left, value?), field, outer.span),
+            _ => value,
+        }
+    }
+
+    fn operand(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        let span = expr.span;
+        match &expr.kind {
+            tree::ExprKind::Bool(value) => Some(typed(Type::Bool, ExprKind::Bool(*value), span)),
+            tree::ExprKind::Int(value) => Some(typed(Type::Int, ExprKind::Int(*value), span)),
+            tree::ExprKind::Real(value) => Some(typed(Type::Real, ExprKind::Real(*value), span)),
+            tree::ExprKind::Text(value) => {
+                Some(typed(Type::Text, ExprKind::Text(value.clone()), span))
+            }
+            tree::ExprKind::Name(name) => self.name(name),
+            tree::ExprKind::Call { function, args } => self.call(function, args, span),
+            tree::ExprKind::Must(inner) => self.misplaced_must(inner, span),
+            tree::ExprKind::Unary(op, inner) => {
+                let value = self.expression(inner)?;
+                self.unary(*op, (inner, value), span)
+            }
+            tree::ExprKind::If {
+                condition,
+                then,
+                otherwise,
+            } => self.choice(condition, [then, otherwise], span),
+            tree::ExprKind::Aggregate { .. } => self.aggregate(expr),
+            // Chains are taken apart before; the parser has spoken about what is broken.
+            tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
+                self.report.fail();
+                None
+            }
+        }
+    }
+
+    /// An expression of the type that `whose` wants.
+    pub(super) fn expression_as(
+        &mut self,
+        expr: &tree::Expr,
+        wanted: Type,
+        whose: &str,
+    ) -> Option<Expr> {
+        let value = self.expression(expr)?;
+        self.convert(expr, value, wanted, whose)
+    }
+
+    /// A value as the type that `whose` wants.
+    pub(super) fn convert(
+        &mut self,
+        expr: &tree::Expr,
+        value: Expr,
+        wanted: Type,
+        whose: &str,
+    ) -> Option<Expr> {
+        match (wanted, value.ty) {
+            (wanted, ty) if wanted == ty => Some(value),
+            (Type::Real, Type::Int) => Some(to_real(value)),
+            (wanted, ty) => {
+                let message = format!(
+                    "{whose} wants {}, but {} is {}",
+                    a_type(wanted),
+                    subject(expr),
+                    a_type(ty)
+                );
+                let error = Diagnostic::error("type-mismatch", message, expr.span)
+                    .saying(format!("this is {}", a_type(ty)));
+                self.report.add(error);
+                None
+            }
+        }
+    }
+
+    /// `if c { x } else { y }`
+    fn choice(
+        &mut self,
+        condition: &tree::Expr,
+        sides: [&tree::Block; 2],
+        span: Span,
+    ) -> Option<Expr> {
+        let condition = self.expression_as(condition, Type::Bool, "`if`");
+        let [then, otherwise] = sides.map(|side| self.block_value(side));
+        let (condition, mut then, mut otherwise) = (condition?, then?, otherwise?);
+        if [then.ty, otherwise.ty] == [Type::Int, Type::Real]
+            || [then.ty, otherwise.ty] == [Type::Real, Type::Int]
+        {
+            then = to_real(then);
+            otherwise = to_real(otherwise);
+        }
+        if then.ty != otherwise.ty {
+            let message = format!(
+                "the two sides of `if` are {} and {}",
+                a_type(then.ty),
+                a_type(otherwise.ty)
+            );
+            let error = Diagnostic::error("type-mismatch", message, span)
+                .label(then.span, format!("this is {}", a_type(then.ty)))
+                .label(otherwise.span, format!("this is {}", a_type(otherwise.ty)));
+            self.report.add(error);
+            return None;
+        }
+        let ty = then.ty;
+        let parts = [condition, then, otherwise].map(Box::new);
+        let [condition, then, otherwise] = parts;
+        Some(typed(ty, ExprKind::If(condition, then, otherwise), span))
+    }
+
+    /// The value of a block that stands in an expression.
+    fn block_value(&mut self, block: &tree::Block) -> Option<Expr> {
+        match block.statements.as_slice() {
+            [
+                tree::Action {
+                    kind: tree::ActionKind::Expr(value),
+                    ..
+                },
+            ] => self.expression(value),
+            // A nested `if` with a value reads as a statement to the parser.
+            [
+                tree::Action {
+                    kind:
+                        tree::ActionKind::If {
+                            binding: None,
+                            condition,
+                            then,
+                            otherwise: Some(otherwise),
+                        },
+                    span,
+                },
+            ] => self.choice(condition, [then, otherwise], *span),
+            [
+                tree::Action {
+                    kind: tree::ActionKind::Broken,
+                    ..
+                },
+            ] => {
+                self.report.fail();
+                None
+            }
+            _ => {
+                let what = "a block in an expression holds one value; statements in it are not \
+                            supported yet";
+                self.report.add(not_yet(what, block.span));
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Types, operators and expressions in words, for messages.
+
+use crate::diagram::Type;
+use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
+
+/// A type with its article.
+pub(super) fn a_type(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "a bool",
+        Type::Int => "an int",
+        Type::Real => "a real",
+        Type::Vec3 => "a vector",
+        Type::Text => "a text",
+        Type::Vertex => "a vertex",
+        Type::Halfedge => "a halfedge",
+        Type::Edge => "an edge",
+        Type::Face => "a face",
+    }
+}
+
+/// `a, b or c`
+pub(super) fn either<S: AsRef<str>>(words: &[S]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.as_ref().to_owned(),
+        [most @ .., last] => {
+            let most: Vec<&str> = most.iter().map(AsRef::as_ref).collect();
+            format!("{} or {}", most.join(", "), last.as_ref())
+        }
+    }
+}
+
+/// Each word in backticks, joined by commas.
+pub(super) fn quoted<S: AsRef<str>>(words: &[S]) -> String {
+    let words: Vec<String> = words.iter().map(|w| format!("`{}`", w.as_ref())).collect();
+    words.join(", ")
+}
+
+/// `1 argument`, `2 arguments`
+pub(super) fn arguments(count: usize) -> String {
+    match count {
+        0 => "no arguments".to_owned(),
+        1 => "1 argument".to_owned(),
+        _ => format!("{count} arguments"),
+    }
+}
+
+/// How an operator is written.
+pub(super) fn operator(op: BinaryOp) -> &'static str {
+    match op {
+        BinaryOp::Add => "+",
+        BinaryOp::Subtract => "-",
+        BinaryOp::Multiply => "*",
+        BinaryOp::Divide => "/",
+        BinaryOp::Div => "div",
+        BinaryOp::Mod => "mod",
+        BinaryOp::Equal => "==",
+        BinaryOp::NotEqual => "!=",
+        BinaryOp::Less => "<",
+        BinaryOp::LessEqual => "<=",
+        BinaryOp::Greater => ">",
+        BinaryOp::GreaterEqual => ">=",
+        BinaryOp::And => "and",
+        BinaryOp::Or => "or",
+    }
+}
+
+/// An expression as the subject of a sentence: its text where that is short, else "this".
+pub(super) fn subject(expr: &Expr) -> String {
+    short(expr, 3).map_or_else(|| "this".to_owned(), |text| format!("`{text}`"))
+}
+
+/// The text of a name, a call or a few fields.
+fn short(expr: &Expr, fields: usize) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Name(name) if name.index.is_none() => Some(name.ident.text.clone()),
+        ExprKind::Field(base, field) if fields > 0 => {
+            Some(format!("{}.{}", short(base, fields - 1)?, field.text))
+        }
+        ExprKind::Call { function, .. } => Some(format!("{}(…)", function.text)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_read_as_sentences() {
+        assert_eq!(either(&["a"]), "a");
+        assert_eq!(either(&["a", "b"]), "a or b");
+        assert_eq!(either(&["a", "b", "c"]), "a, b or c");
+        assert_eq!(quoted(&["x", "y'"]), "`x`, `y'`");
+    }
+}
