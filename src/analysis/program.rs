@@ -52,7 +52,13 @@ impl Analysis {
             plans.push(plan);
         }
         diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
-        Self { file, program, proved, plans, diagnostics }
+        Self {
+            file,
+            program,
+            proved,
+            plans,
+            diagnostics,
+        }
     }
 
     /// Whether nothing in the file is an error.
@@ -67,11 +73,18 @@ impl Analysis {
 
     /// The index of a script.
     pub fn script(&self, name: &str) -> Option<usize> {
-        self.program.scripts.iter().position(|script| script.name == name)
+        self.program
+            .scripts
+            .iter()
+            .position(|script| script.name == name)
     }
 }
 
 fn too_large(span: crate::source::Span, name: &str) -> Diagnostic {
-    Diagnostic::error("too-large", format!("`{name}` is too large to compile"), span)
-        .note("its diagrams need more registers than there can be: split it into smaller ops")
+    Diagnostic::error(
+        "too-large",
+        format!("`{name}` is too large to compile"),
+        span,
+    )
+    .note("its diagrams need more registers than there can be: split it into smaller ops")
 }

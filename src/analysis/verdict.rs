@@ -62,5 +62,7 @@ pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
 
 fn rules(proved: &crate::check::Proved) -> Vec<RuleVerdict> {
     let rules = proved.op().rules.iter().zip(proved.proofs());
-    rules.map(|(rule, proof)| RuleVerdict::new(rule.label.clone(), proof.facts())).collect()
+    rules
+        .map(|(rule, proof)| RuleVerdict::new(rule.label.clone(), proof.facts()))
+        .collect()
 }

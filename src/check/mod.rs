@@ -21,7 +21,9 @@
 //! [`Proved`], and only that can be compiled. Nothing here knows the machine.
 
 mod arrangement;
+mod case;
 mod chain;
+mod claims;
 mod ends_agree;
 mod facts;
 pub mod matching;
@@ -34,9 +36,11 @@ mod port;
 mod problem;
 mod proved;
 mod reach;
+mod ring_problems;
 mod stale;
 mod star_order;
 mod twin_is_involution;
+mod unknown_names;
 mod vertices_are_orbits;
 
 pub use facts::{Change, Facts, moved_fans, moved_paths};

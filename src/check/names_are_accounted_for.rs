@@ -10,6 +10,7 @@
 
 use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
 use super::stale::Stale;
+use super::unknown_names::Unknown;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId};
 use crate::source::Span;
@@ -38,83 +39,6 @@ pub(super) fn after_keyword(drawing: &Drawing) -> Span {
     Span {
         end: (span.start + "after".len() as u32).min(span.end),
         ..span
-    }
-}
-
-/// Names of `after` that neither `before` nor `new` knows.
-struct Unknown {
-    problems: Vec<Problem>,
-    /// The names that were probably meant.
-    meant: Vec<NameId>,
-}
-
-impl Unknown {
-    fn find(drawing: &Drawing) -> Self {
-        let rule = drawing.rule;
-        let mut found = Self {
-            problems: Vec::new(),
-            meant: Vec::new(),
-        };
-        for index in 0..rule.names.len() {
-            let name = NameId(index as u32);
-            let known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
-            let Some(span) = drawing.after.mention(name).filter(|_| !known) else {
-                continue;
-            };
-            let text = rule.quoted(name);
-            let kind = rule.kind(name);
-            let message = format!("{text} stands in `after`, but neither in `before` nor in `new`");
-            let mut diagnostic = Diagnostic::error("unknown-name", message, span)
-                .saying(format!("{} that nothing creates", kind.a_word()));
-            match found.meaning(drawing, name) {
-                Some(meant) => {
-                    let word = &rule.name(meant).text;
-                    diagnostic = diagnostic
-                        .label(
-                            rule.name(meant).span,
-                            format!("`{word}` has a similar name"),
-                        )
-                        .fix(format!("write `{word}`"), span, word.clone());
-                    found.meant.push(meant);
-                }
-                None if rule.name(name).named => {
-                    diagnostic = diagnostic.note(format!(
-                        "if {text} is created here, list it: `new {}`",
-                        rule.name(name).text
-                    ));
-                }
-                None => {}
-            }
-            found.problems.push(diagnostic.into());
-        }
-        found
-    }
-
-    /// The known name of the same kind that is spelt most like `name`; one that is missing
-    /// from `after` comes first.
-    fn meaning(&self, drawing: &Drawing, name: NameId) -> Option<NameId> {
-        let rule = drawing.rule;
-        let word = &rule.name(name).text;
-        let missing = |other: NameId| {
-            drawing.after.mention(other).is_none() && drawing.erased(other).is_none()
-        };
-        rule.names_of(rule.kind(name))
-            .filter(|&other| {
-                other != name && rule.name(other).named && !self.meant.contains(&other)
-            })
-            .filter(|&other| {
-                drawing.before.mention(other).is_some() || drawing.created(other).is_some()
-            })
-            .filter(|&other| missing(other))
-            .map(|other| {
-                (
-                    strsim::damerau_levenshtein(word, &rule.name(other).text),
-                    other,
-                )
-            })
-            .filter(|&(distance, _)| distance <= word.chars().count().max(3) / 3)
-            .min()
-            .map(|(_, other)| other)
     }
 }
 
@@ -262,6 +186,8 @@ impl Law<'_> {
                 .note(Stale::of_edge(drawing, &names).sentence());
             let mut remedies = self.pairings(&names, edge.edge.name);
             remedies.push(Remedy::Erase(names.clone()));
+            self.explained
+                .extend(names.iter().filter(|&&name| drawing.is_outer(name)));
             if drawing.after.mention(edge.edge.name).is_none() {
                 self.explained.push(edge.edge.name);
             }
@@ -298,12 +224,16 @@ impl Law<'_> {
             })
             .collect();
         if let [left, right] = left[..] {
-            for edge in drawing.rule.names_of(Kind::Edge).filter(|&edge| free(edge)) {
-                remedies.push(Remedy::Pair {
+            let kept = |other: NameId| other == edge && !remedies.is_empty();
+            let edges = drawing.rule.names_of(Kind::Edge);
+            let pairs = edges
+                .filter(|&edge| free(edge) && !kept(edge))
+                .map(|edge| Remedy::Pair {
                     edge,
                     halfedges: [left, right],
                 });
-            }
+            let pairs: Vec<_> = pairs.collect();
+            remedies.extend(pairs);
         }
         remedies
     }
@@ -338,10 +268,11 @@ impl Law<'_> {
             let diagnostic = match kind {
                 Kind::Fan => diagnostic
                     .note("list it in the vertex statement of the vertex that takes its spokes"),
-                _ => diagnostic.note(format!(
+                Kind::Vertex | Kind::Edge | Kind::Face => diagnostic.note(format!(
                     "draw {text} in `after`, or write `keep {0}` or `erase {0}`",
                     rule.name(name).text
                 )),
+                Kind::Halfedge | Kind::Path => diagnostic,
             };
             let remedies = match kind {
                 Kind::Vertex | Kind::Edge | Kind::Face => {

@@ -35,12 +35,20 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
             Format::Json => files.push(FileReport {
                 file: path.display().to_string(),
                 ops: verdicts,
-                diagnostics: program.analysis.diagnostics.iter().map(|diagnostic| report(diagnostic, &program.sources)).collect(),
+                diagnostics: program
+                    .analysis
+                    .diagnostics
+                    .iter()
+                    .map(|diagnostic| report(diagnostic, &program.sources))
+                    .collect(),
             }),
         }
     }
     if arguments.format == Format::Json {
-        say_json(&Report { proved: sound && unreadable.is_none(), files })?;
+        say_json(&Report {
+            proved: sound && unreadable.is_none(),
+            files,
+        })?;
     }
     match unreadable {
         Some(failure) => Err(Failure::Silent(failure.exit_code())),
@@ -56,8 +64,17 @@ fn show(file: &str, verdicts: &[Verdict]) -> String {
             rows.push(vec!["  not proved".to_string(), verdict.op.clone()]);
         }
         for rule in &verdict.rules {
-            let name = rule.rule.as_ref().map_or(verdict.op.clone(), |rule| format!("{} {rule}", verdict.op));
-            rows.push(vec!["  proved".into(), name, cases(rule), change(rule), cost(rule)]);
+            let name = rule
+                .rule
+                .as_ref()
+                .map_or(verdict.op.clone(), |rule| format!("{} {rule}", verdict.op));
+            rows.push(vec![
+                "  proved".into(),
+                name,
+                cases(rule),
+                change(rule),
+                cost(rule),
+            ]);
         }
     }
     if rows.is_empty() {
@@ -67,12 +84,27 @@ fn show(file: &str, verdicts: &[Verdict]) -> String {
 }
 
 fn cases(rule: &RuleVerdict) -> String {
-    if rule.cases == 1 { "1 case".into() } else { format!("{} cases", rule.cases) }
+    if rule.cases == 1 {
+        "1 case".into()
+    } else {
+        format!("{} cases", rule.cases)
+    }
 }
 
 fn change(rule: &RuleVerdict) -> String {
-    let signed = |count: i64| if count == 0 { "±0".to_string() } else { format!("{count:+}") };
-    format!("V {}  E {}  F {}", signed(rule.vertices), signed(rule.edges), signed(rule.faces))
+    let signed = |count: i64| {
+        if count == 0 {
+            "±0".to_string()
+        } else {
+            format!("{count:+}")
+        }
+    };
+    format!(
+        "V {}  E {}  F {}",
+        signed(rule.vertices),
+        signed(rule.edges),
+        signed(rule.faces)
+    )
 }
 
 fn cost(rule: &RuleVerdict) -> String {
@@ -140,7 +172,12 @@ fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);
         let (end_line, end_column) = source.line_column(span.end as usize);
-        Place { line, column, end_line, end_column }
+        Place {
+            line,
+            column,
+            end_line,
+            end_column,
+        }
     };
     DiagnosticReport {
         severity: match diagnostic.severity {
@@ -149,14 +186,28 @@ fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
         },
         code: diagnostic.code,
         message: diagnostic.message.clone(),
-        labels: diagnostic.labels.iter().map(|label| LabelReport { place: place(label.span), text: label.text.clone() }).collect(),
+        labels: diagnostic
+            .labels
+            .iter()
+            .map(|label| LabelReport {
+                place: place(label.span),
+                text: label.text.clone(),
+            })
+            .collect(),
         notes: diagnostic.notes.clone(),
         fixes: diagnostic
             .fixes
             .iter()
             .map(|fix| FixReport {
                 title: fix.title.clone(),
-                edits: fix.edits.iter().map(|edit| EditReport { place: place(edit.span), text: edit.text.clone() }).collect(),
+                edits: fix
+                    .edits
+                    .iter()
+                    .map(|edit| EditReport {
+                        place: place(edit.span),
+                        text: edit.text.clone(),
+                    })
+                    .collect(),
             })
             .collect(),
     }

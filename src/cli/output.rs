@@ -30,8 +30,16 @@ pub(super) fn complain(text: &str) {
 
 /// Prints diagnostics to standard error.
 pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
-    let colour = stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    let text = render(diagnostics, sources, Rendering { colour, most: MOST_DIAGNOSTICS });
+    let colour =
+        stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    let text = render(
+        diagnostics,
+        sources,
+        Rendering {
+            colour,
+            most: MOST_DIAGNOSTICS,
+        },
+    );
     let _ = write!(stderr().lock(), "{text}");
 }
 
@@ -39,15 +47,28 @@ pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
 pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
-        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+        rows.iter()
+            .filter_map(|row| row.get(column))
+            .map(|cell| cell.chars().count())
+            .max()
+            .unwrap_or(0)
     };
     let widths: Vec<_> = (0..columns).map(width).collect();
     let line = |row: &Vec<String>| {
         let cell = |(column, cell): (usize, &String)| {
             let gap = " ".repeat(widths[column] - cell.chars().count());
-            if right.get(column) == Some(&true) { format!("{gap}{cell}") } else { format!("{cell}{gap}") }
+            if right.get(column) == Some(&true) {
+                format!("{gap}{cell}")
+            } else {
+                format!("{cell}{gap}")
+            }
         };
-        let line = row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
+        let line = row
+            .iter()
+            .enumerate()
+            .map(cell)
+            .collect::<Vec<_>>()
+            .join("  ");
         line.trim_end().to_string()
     };
     rows.iter().map(line).collect::<Vec<_>>().join("\n")

@@ -20,9 +20,16 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
 }
 
 fn show(plan: &Plan) -> String {
-    let stages = plan.stages.iter().map(|stage| show_stage(&plan.name, stage));
+    let stages = plan
+        .stages
+        .iter()
+        .map(|stage| show_stage(&plan.name, stage));
     let mut text = stages.collect::<Vec<_>>().join("\n\n");
-    if plan.stages.iter().any(|stage| stage.reassign.iter().any(|row| !row.executed)) {
+    if plan
+        .stages
+        .iter()
+        .any(|stage| stage.reassign.iter().any(|row| !row.executed))
+    {
         text.push_str("\n\n· provably unchanged: not executed");
     }
     text
@@ -53,7 +60,11 @@ fn cells(row: &Row) -> Vec<String> {
     let mark = if row.executed { "   " } else { " · " };
     match &row.cell {
         Cell::Set { target, value } => vec![format!("{mark}{target}"), format!("= {value}")],
-        Cell::Test { claim, reason } => vec![format!("{mark}test {claim}"), String::new(), format!("else refuse: {reason}")],
+        Cell::Test { claim, reason } => vec![
+            format!("{mark}test {claim}"),
+            String::new(),
+            format!("else refuse: {reason}"),
+        ],
         Cell::Note(note) => vec![format!("{mark}{note}")],
     }
 }
