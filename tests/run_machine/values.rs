@@ -60,11 +60,32 @@ fn ints_that_do_not_fit_trap() {
     let cases: [(Operator, Message); 7] = [
         (two!(AddInt), Message::IntOverflow),
         (two!(MulInt), Message::IntOverflow),
-        (|to, _, right| Inst::SubInt { to, left: to, right }, Message::IntOverflow),
+        (
+            |to, _, right| Inst::SubInt {
+                to,
+                left: to,
+                right,
+            },
+            Message::IntOverflow,
+        ),
         (one!(NegInt), Message::IntOverflow),
         (one!(AbsInt), Message::IntOverflow),
-        (|to, left, _| Inst::DivInt { to, left, right: to }, Message::DivisionByZero),
-        (|to, left, _| Inst::ModInt { to, left, right: to }, Message::DivisionByZero),
+        (
+            |to, left, _| Inst::DivInt {
+                to,
+                left,
+                right: to,
+            },
+            Message::DivisionByZero,
+        ),
+        (
+            |to, left, _| Inst::ModInt {
+                to,
+                left,
+                right: to,
+            },
+            Message::DivisionByZero,
+        ),
     ];
     for (inst, message) in cases {
         let got = trap(&mut Mesh::default(), |asm| {
@@ -94,7 +115,17 @@ fn reals() {
         (two!(PowReal), 0.5, 2.0, "0.25"),
         (two!(Atan2Real), 0.0, 2.0, "0"),
         (one!(Copy), 1e300, 0.0, "1e300"),
-        (|to, left, right| Inst::Select { to, condition: left, then: right, otherwise: left }, 0.0, 1.5, "0"),
+        (
+            |to, left, right| Inst::Select {
+                to,
+                condition: left,
+                then: right,
+                otherwise: left,
+            },
+            0.0,
+            1.5,
+            "0",
+        ),
     ];
     for (inst, left, right, expected) in cases {
         let lines = printed(&mut Mesh::default(), |asm| {
@@ -159,12 +190,23 @@ fn vectors() {
         (one!(NegVec), "(-1, -2, -2)"),
         (two!(Cross), "(8, -4, 0)"),
         (|to, _, from| Inst::Normalize { to, from }, "(0, 0, 1)"),
-        (|to, left, right| Inst::MixVec { to, left, right, t: right.part(3) }, "(0.5, 1, 3)"),
+        (
+            |to, left, right| Inst::MixVec {
+                to,
+                left,
+                right,
+                t: right.part(3),
+            },
+            "(0.5, 1, 3)",
+        ),
     ];
+    // Behind `right` stands one half.
     let operands = |asm: &mut Assembler| {
-        let (left, right) = (vec3(asm, [1.0, 2.0, 2.0]), vec3(asm, [0.0, 0.0, 4.0]));
-        let half = asm.constant_real(0.5);
-        assert_eq!(copy(asm, half), right.part(3));
+        let (left, right) = (vec3(asm, [1.0, 2.0, 2.0]), asm.block(4));
+        for (offset, part) in [0.0, 0.0, 4.0, 0.5].into_iter().enumerate() {
+            let (to, from) = (right.part(offset as u16), asm.constant_real(part));
+            asm.emit(Inst::Copy { to, from });
+        }
         (left, right, asm.vec())
     };
     for (inst, expected) in cases {
@@ -178,9 +220,17 @@ fn vectors() {
     let lines = printed(&mut Mesh::default(), |asm| {
         let (left, right, to) = operands(asm);
         let half = right.part(3);
-        asm.emit(Inst::ScaleVec { to, left, right: half });
+        asm.emit(Inst::ScaleVec {
+            to,
+            left,
+            right: half,
+        });
         print(asm, vector, to);
-        asm.emit(Inst::DivVec { to, left, right: half });
+        asm.emit(Inst::DivVec {
+            to,
+            left,
+            right: half,
+        });
         print(asm, vector, to);
         asm.emit(Inst::Dot { to, left, right });
         print(asm, real, to);
