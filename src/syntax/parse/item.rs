@@ -184,14 +184,14 @@ enum Part {
 fn rules<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Vec<Alternative>> {
     let rule = just(T::Rule)
         .ignore_then(ident())
-        .then(parts(part(expression)))
+        .then(parts(part(expression), recover::begins_part_of_rule))
         .validate(|(name, parts), scene, emitter| {
             let mut rule = assembled(parts, scene.span(), emitter).0;
             rule.name = Some(name);
             rule
         });
     let part = part(expression).or(rule.map(Part::Rule)).boxed();
-    parts(part)
+    parts(part, recover::begins_part)
         .validate(|parts, scene, emitter| {
             let (alone, mut rules) = assembled(parts, scene.span(), emitter);
             if rules.is_empty() {
@@ -220,8 +220,8 @@ fn part<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Part> {
 }
 
 /// Parts in braces. A closing brace with another part behind it closes nothing.
-fn parts<'t>(part: Rule<'t, Part>) -> Rule<'t, Vec<Part>> {
-    let another = select! { kind if recover::begins_part(kind) => () };
+fn parts<'t>(part: Rule<'t, Part>, begins: fn(T) -> bool) -> Rule<'t, Vec<Part>> {
+    let another = select! { kind if begins(kind) => () };
     let stray = just(T::RightBrace).then(another).rewind();
     let end = just(T::RightBrace).and_is(stray.not());
     let broken = recover::part().map(|_| Part::Broken);
