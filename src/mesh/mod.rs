@@ -8,25 +8,34 @@
 //! The tables store what they are told. Whether they are a mesh is for `validate` to
 //! say, and how good a mesh for the levels. Operations are not here.
 
+// The tables.
 mod attribute;
-mod build;
 mod connectivity;
-mod geometry;
 mod id;
+mod slots;
+
+// What can be asked of them.
+mod component;
+mod equality;
+mod geometry;
 mod level;
 mod link;
+mod summary;
+pub mod validate;
+mod walk;
+
+// Where meshes come from and where they go.
+mod build;
 mod obj;
 mod polygons;
 pub mod shape;
-mod slots;
-pub mod validate;
-mod walk;
 
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
 };
 pub use build::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
+pub use equality::{equal_up_to_renumbering, identical, same_connectivity, same_up_to_renumbering};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use obj::{
@@ -34,5 +43,6 @@ pub use obj::{
     write_obj_to,
 };
 pub use polygons::Polygons;
+pub use summary::{Bin, Lengths, Measures, Summary};
 pub use validate::{Invalid, validate};
 pub use walk::{LoopWalk, SpokeWalk};
