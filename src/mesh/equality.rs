@@ -1,9 +1,8 @@
-//! When two meshes are the same.
+//! When two meshes are the same up to renumbering.
 //!
-//! [`identical`] compares tables. The others compare up to renumbering: whether there is
-//! a way to pair the elements of one mesh with those of the other that respects every
-//! pointer, the holes, and the positions as far as asked. Which halfedge an element
-//! stores as its own is no part of that.
+//! That is: there is a way to pair the elements of one mesh with those of the other that
+//! respects every pointer, the holes, and the positions as far as asked. Which halfedge
+//! an element stores as its own is no part of that, nor are attribute columns.
 //!
 //! A connected map is rigid: where one halfedge goes, all others follow. So for each
 //! piece of the one mesh a seed is paired with each promising halfedge of the other in
@@ -17,46 +16,6 @@ use super::component::components;
 use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
 use super::level::scatter;
-
-/// Whether the same ids live in both meshes and their tables agree bit for bit:
-/// pointers, holes, positions and columns.
-pub fn identical(a: &Mesh, b: &Mesh) -> bool {
-    let bits = |p: DVec3| p.to_array().map(f64::to_bits);
-    a.vertices().eq(b.vertices())
-        && a.halfedges().eq(b.halfedges())
-        && a.edges().eq(b.edges())
-        && a.faces().eq(b.faces())
-        && a.halfedges().all(|h| a.halfedge(h) == b.halfedge(h))
-        && a.vertices()
-            .all(|v| a.vertex_halfedge(v) == b.vertex_halfedge(v))
-        && a.vertices()
-            .all(|v| bits(a.position(v)) == bits(b.position(v)))
-        && a.edges().all(|e| a.edge_halfedge(e) == b.edge_halfedge(e))
-        && a.faces().all(|f| a.face_halfedge(f) == b.face_halfedge(f))
-        && a.faces().all(|f| a.is_hole(f) == b.is_hole(f))
-        && ElementKind::ALL
-            .into_iter()
-            .all(|kind| same_columns(a, b, kind))
-}
-
-fn same_columns(a: &Mesh, b: &Mesh, kind: ElementKind) -> bool {
-    let names = |mesh: &Mesh| {
-        let columns = mesh.columns(kind);
-        columns
-            .map(|(id, column)| (id, column.name().to_owned()))
-            .collect::<Vec<_>>()
-    };
-    let columns = names(a);
-    columns == names(b)
-        && columns.iter().all(|&(id, _)| {
-            (0..a.capacity(kind) as u32)
-                .filter(|&i| a.is_alive(kind, i))
-                .all(|i| match (a.value(id, i), b.value(id, i)) {
-                    (Some(x), Some(y)) => x.is_identical(y),
-                    _ => false,
-                })
-        })
-}
 
 /// Whether the meshes are the same up to renumbering, with equal positions.
 pub fn equal_up_to_renumbering(a: &Mesh, b: &Mesh) -> bool {
@@ -371,9 +330,9 @@ mod tests {
     fn each_comparison_sees_what_it_should() {
         let a = shape::torus(5, 7);
         let mut b = a.clone();
-        assert!(identical(&a, &b) && equal_up_to_renumbering(&a, &b));
+        assert!(equal_up_to_renumbering(&a, &b));
         b.set_position(VertexId(3), a.position(VertexId(3)) + DVec3::splat(1e-9));
-        assert!(!identical(&a, &b) && !equal_up_to_renumbering(&a, &b));
+        assert!(!equal_up_to_renumbering(&a, &b));
         assert!(same_up_to_renumbering(&a, &b, 1e-8) && !same_up_to_renumbering(&a, &b, 1e-10));
         assert!(same_connectivity(&a, &b));
         assert!(same_connectivity(&a, &shape::torus(7, 5)));

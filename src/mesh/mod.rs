@@ -12,12 +12,15 @@
 mod attribute;
 mod connectivity;
 mod id;
+mod pointers;
 mod slots;
 
 // What can be asked of them.
 mod component;
 mod equality;
 mod geometry;
+mod identical;
+mod invalid;
 mod level;
 mod link;
 mod summary;
@@ -26,6 +29,7 @@ mod walk;
 
 // Where meshes come from and where they go.
 mod build;
+mod build_error;
 mod obj;
 mod polygons;
 pub mod shape;
@@ -33,10 +37,12 @@ pub mod shape;
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
 };
-pub use build::BuildError;
+pub use build_error::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
-pub use equality::{equal_up_to_renumbering, identical, same_connectivity, same_up_to_renumbering};
+pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
+pub use identical::identical;
+pub use invalid::Invalid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use obj::{
     Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, write_obj,
@@ -44,5 +50,5 @@ pub use obj::{
 };
 pub use polygons::Polygons;
 pub use summary::{Bin, Lengths, Measures, Summary};
-pub use validate::{Invalid, validate};
+pub use validate::validate;
 pub use walk::{LoopWalk, SpokeWalk};
