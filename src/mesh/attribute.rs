@@ -109,6 +109,23 @@ attribute_types! {
     Vec3(DVec3) "vec3";
 }
 
+impl Value {
+    /// Whether the values agree bit for bit, which for floats is not quite `==`.
+    pub fn is_identical(self, other: Self) -> bool {
+        let same = |xs: &[f64], ys: &[f64]| {
+            xs.iter()
+                .map(|x| x.to_bits())
+                .eq(ys.iter().map(|y| y.to_bits()))
+        };
+        match (self, other) {
+            (Self::Float(x), Self::Float(y)) => same(&[x], &[y]),
+            (Self::Vec2(x), Self::Vec2(y)) => same(x.as_ref(), y.as_ref()),
+            (Self::Vec3(x), Self::Vec3(y)) => same(x.as_ref(), y.as_ref()),
+            (x, y) => x == y,
+        }
+    }
+}
+
 impl fmt::Display for AttributeType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())

@@ -9,7 +9,8 @@ use std::fmt;
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, VertexId};
-use super::validate::{Invalid, validate};
+use super::invalid::Invalid;
+use super::validate::validate;
 
 /// How much is asked of a mesh. Each level includes the ones before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]

@@ -8,31 +8,47 @@
 //! The tables store what they are told. Whether they are a mesh is for `validate` to
 //! say, and how good a mesh for the levels. Operations are not here.
 
+// The tables.
 mod attribute;
-mod build;
 mod connectivity;
-mod geometry;
 mod id;
+mod pointers;
+mod slots;
+
+// What can be asked of them.
+mod component;
+mod equality;
+mod geometry;
+mod identical;
+mod invalid;
 mod level;
 mod link;
+mod summary;
+pub mod validate;
+mod walk;
+
+// Where meshes come from and where they go.
+mod build;
+mod build_error;
 mod obj;
 mod polygons;
 pub mod shape;
-mod slots;
-pub mod validate;
-mod walk;
 
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
 };
-pub use build::BuildError;
+pub use build_error::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
+pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
+pub use identical::identical;
+pub use invalid::Invalid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use obj::{
     Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, write_obj,
     write_obj_to,
 };
 pub use polygons::Polygons;
-pub use validate::{Invalid, validate};
+pub use summary::{Bin, Lengths, Measures, Summary};
+pub use validate::validate;
 pub use walk::{LoopWalk, SpokeWalk};

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use crate::mesh::build::BuildError;
+use crate::mesh::build_error::BuildError;
 use crate::mesh::id::ElementKind;
 
 /// A failure to read or write a file. Lines and numbers are the file's: from 1.

@@ -1,0 +1,107 @@
+//! Why a list of polygons is no mesh, in the numbers of the list.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::id::ElementKind;
+
+/// Why a list of polygons is no mesh. Polygons and vertices go by their places in the
+/// lists, from 0.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BuildError {
+    TooLarge {
+        kind: ElementKind,
+    },
+    NotFinite {
+        vertex: u32,
+        position: DVec3,
+    },
+    TooFewCorners {
+        polygon: usize,
+        corners: usize,
+    },
+    NoSuchVertex {
+        polygon: usize,
+        vertex: u32,
+        vertices: usize,
+    },
+    RepeatedCorner {
+        polygon: usize,
+        vertex: u32,
+    },
+    /// Three polygons or more at one edge; the first three.
+    EdgeUsedThrice {
+        ends: [u32; 2],
+        polygons: [usize; 3],
+    },
+    /// Two polygons run along an edge the same way: they disagree about which side is up.
+    SameDirection {
+        from: u32,
+        to: u32,
+        polygons: [usize; 2],
+    },
+    /// The faces around a vertex form more than one fan; a polygon from each of two.
+    BowTie {
+        vertex: u32,
+        polygons: [usize; 2],
+    },
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooLarge { kind } => {
+                write!(f, "there are more {} than can be numbered", kind.plural())
+            }
+            Self::NotFinite { vertex, position } => {
+                let DVec3 { x, y, z } = position;
+                write!(f, "vertex {vertex} lies at {x} {y} {z}, which is no place")
+            }
+            Self::TooFewCorners { polygon, corners } => {
+                let s = if *corners == 1 { "" } else { "s" };
+                write!(
+                    f,
+                    "polygon {polygon} has {corners} corner{s}; a face needs 3 or more"
+                )
+            }
+            Self::NoSuchVertex {
+                polygon,
+                vertex,
+                vertices,
+            } => {
+                write!(
+                    f,
+                    "polygon {polygon} names vertex {vertex}, but there are {vertices} vertices"
+                )
+            }
+            Self::RepeatedCorner { polygon, vertex } => {
+                write!(f, "polygon {polygon} has vertex {vertex} as a corner twice")
+            }
+            Self::EdgeUsedThrice {
+                ends: [v, w],
+                polygons: [a, b, c],
+            } => write!(
+                f,
+                "polygons {a}, {b} and {c} share the edge between vertices {v} and {w}; an edge has two sides"
+            ),
+            Self::SameDirection {
+                from,
+                to,
+                polygons: [a, b],
+            } => write!(
+                f,
+                "polygons {a} and {b} both run from vertex {from} to vertex {to}; one of them is turned over"
+            ),
+            Self::BowTie {
+                vertex,
+                polygons: [a, b],
+            } => write!(
+                f,
+                "polygons {a} and {b} meet at vertex {vertex} without an edge to join their fans"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for BuildError {}

@@ -1,0 +1,206 @@
+//! A mesh in numbers: counts, topology, sizes.
+
+use serde::Serialize;
+
+use super::connectivity::Mesh;
+use super::id::ElementKind;
+use super::level::{Level, highest_level, validate_level};
+
+/// What there is to say about a mesh at a glance.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    pub vertices: usize,
+    pub halfedges: usize,
+    pub edges: usize,
+    /// Faces that are not holes.
+    pub faces: usize,
+    /// Boundary loops.
+    pub holes: usize,
+    pub isolated_vertices: usize,
+    /// The law that the mesh breaks, if it breaks one.
+    pub invalid: Option<String>,
+    pub level: Option<Level>,
+    /// What keeps the mesh from the next level.
+    pub below_next_level: Option<String>,
+    /// Missing when the mesh is invalid.
+    pub measures: Option<Measures>,
+}
+
+/// What can be measured on a valid mesh. Isolated vertices are left out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measures {
+    /// V - E + F, holes not counted.
+    pub euler_characteristic: i64,
+    pub components: usize,
+    /// The number of handles, summed over components, every hole closed by a disk.
+    pub genus: usize,
+    /// How many vertices have how many spokes, by spokes.
+    pub degrees: Vec<Bin>,
+    /// How many faces have how many sides, by sides. Holes are left out.
+    pub face_sizes: Vec<Bin>,
+    /// Missing when there are no edges.
+    pub edge_lengths: Option<Lengths>,
+    pub area: f64,
+    /// The corners of the bounding box; missing when there are no vertices.
+    pub bounds: Option<[[f64; 3]; 2]>,
+}
+
+/// One bar of a histogram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Bin {
+    pub size: usize,
+    pub count: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Lengths {
+    pub min: f64,
+    pub mean: f64,
+    pub max: f64,
+    pub standard_deviation: f64,
+    /// The standard deviation as a share of the mean; 0 if all have length 0.
+    pub spread: f64,
+}
+
+impl Summary {
+    pub fn of(mesh: &Mesh) -> Self {
+        let (level, invalid) = match highest_level(mesh) {
+            Ok(level) => (Some(level), None),
+            Err(invalid) => (None, Some(invalid.to_string())),
+        };
+        let next_level = level.and_then(|level| Level::ALL.into_iter().find(|&l| l > level));
+        let below = next_level.and_then(|next| validate_level(mesh, next).err());
+        Self {
+            vertices: mesh.vertex_count(),
+            halfedges: mesh.halfedge_count(),
+            edges: mesh.edge_count(),
+            faces: mesh.face_count(),
+            holes: mesh.hole_count(),
+            isolated_vertices: isolated_vertices(mesh),
+            invalid,
+            level,
+            below_next_level: below.map(|reason| reason.to_string()),
+            measures: level.map(|_| Measures::of(mesh)),
+        }
+    }
+}
+
+fn isolated_vertices(mesh: &Mesh) -> usize {
+    mesh.vertices()
+        .filter(|&v| mesh.vertex_halfedge(v).is_none())
+        .count()
+}
+
+impl Measures {
+    fn of(mesh: &Mesh) -> Self {
+        let surface_vertices = mesh.vertex_count() - isolated_vertices(mesh);
+        let euler_characteristic =
+            surface_vertices as i64 - mesh.edge_count() as i64 + mesh.face_count() as i64;
+        let components = mesh.component_count();
+        // Each component has V - E + F = 2 - 2g once its holes are faces.
+        let closed = euler_characteristic + mesh.hole_count() as i64;
+        let genus = components as i64 - closed / 2;
+        let degrees = mesh
+            .vertices()
+            .map(|v| mesh.degree(v))
+            .filter(|&degree| degree > 0);
+        let faces = || mesh.faces().filter(|&f| !mesh.is_hole(f));
+        Self {
+            euler_characteristic,
+            components,
+            genus: usize::try_from(genus).unwrap_or(0),
+            degrees: histogram(degrees),
+            face_sizes: histogram(faces().map(|f| mesh.face_size(f))),
+            edge_lengths: Lengths::of(mesh),
+            area: faces().map(|f| mesh.area(f)).sum(),
+            bounds: bounds(mesh),
+        }
+    }
+}
+
+fn histogram(sizes: impl Iterator<Item = usize>) -> Vec<Bin> {
+    let mut counts = std::collections::BTreeMap::new();
+    for size in sizes {
+        *counts.entry(size).or_insert(0) += 1;
+    }
+    counts
+        .into_iter()
+        .map(|(size, count)| Bin { size, count })
+        .collect()
+}
+
+fn bounds(mesh: &Mesh) -> Option<[[f64; 3]; 2]> {
+    let mut places = mesh.vertices().map(|v| mesh.position(v));
+    let first = places.next()?;
+    let (low, high) = places.fold((first, first), |(low, high), place| {
+        (low.min(place), high.max(place))
+    });
+    Some([low.to_array(), high.to_array()])
+}
+
+impl Lengths {
+    fn of(mesh: &Mesh) -> Option<Self> {
+        let count = mesh.count(ElementKind::Edge);
+        if count == 0 {
+            return None;
+        }
+        let lengths = || mesh.edges().map(|e| mesh.length(e));
+        let mean = lengths().sum::<f64>() / count as f64;
+        let variance = lengths().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count as f64;
+        let standard_deviation = variance.sqrt();
+        Some(Self {
+            min: lengths().fold(f64::INFINITY, f64::min),
+            mean,
+            max: lengths().fold(0.0, f64::max),
+            standard_deviation,
+            spread: if mean > 0.0 {
+                standard_deviation / mean
+            } else {
+                0.0
+            },
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shape;
+
+    #[test]
+    fn genus_and_components() {
+        let torus = Summary::of(&shape::torus(4, 4)).measures.unwrap();
+        assert_eq!(
+            (torus.euler_characteristic, torus.genus, torus.components),
+            (0, 1, 1)
+        );
+        let tube = Summary::of(&shape::tube(5, 2));
+        assert_eq!(tube.holes, 2);
+        let measures = tube.measures.unwrap();
+        assert_eq!((measures.euler_characteristic, measures.genus), (0, 0));
+        assert_eq!(
+            measures.degrees,
+            [Bin { size: 3, count: 10 }, Bin { size: 4, count: 5 }]
+        );
+        assert_eq!(measures.face_sizes, [Bin { size: 4, count: 10 }]);
+    }
+
+    #[test]
+    fn an_empty_mesh_and_a_broken_one() {
+        let empty = Summary::of(&Mesh::default());
+        assert_eq!(empty.level, Some(Level::Simple));
+        assert_eq!(empty.measures.unwrap().genus, 0);
+        let mut mesh = shape::cube();
+        mesh.set_next(crate::mesh::HalfedgeId(0), crate::mesh::HalfedgeId(0));
+        let broken = Summary::of(&mesh);
+        assert!(broken.invalid.is_some() && broken.measures.is_none());
+    }
+
+    #[test]
+    fn the_reason_for_the_level() {
+        let summary = Summary::of(&shape::pillow(3));
+        assert_eq!(summary.level, Some(Level::Surface));
+        let reason = summary.below_next_level.unwrap();
+        assert_eq!(reason, "face 0 and face 1 have the same corners");
+    }
+}
