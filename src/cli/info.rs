@@ -1,8 +1,75 @@
 //! `hedgerow info`
-use super::arguments::InfoArguments;
+
+use super::arguments::{Format, InfoArguments};
 use super::failure::Failure;
+use super::output::{say, say_json, table};
+use crate::mesh::{Bin, Lengths, Measures, Summary, read_obj};
+
+/// How many bars of a histogram are shown.
+const MOST_BARS: usize = 12;
 
 /// Describes a mesh.
-pub(super) fn info(_arguments: &InfoArguments) -> Result<(), Failure> {
-    Ok(())
+pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
+    let obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let summary = Summary::of(&obj.mesh);
+    match arguments.format {
+        Format::Json => say_json(&summary),
+        Format::Human => {
+            say(&show(&arguments.mesh.display().to_string(), &summary));
+            Ok(())
+        }
+    }
+}
+
+fn show(file: &str, summary: &Summary) -> String {
+    let mut rows = vec![
+        row("vertices", summary.vertices),
+        row("edges", summary.edges),
+        row("faces", summary.faces),
+        row("boundary loops", summary.holes),
+    ];
+    if summary.isolated_vertices > 0 {
+        rows.push(row("isolated vertices", summary.isolated_vertices));
+    }
+    if let Some(measures) = &summary.measures {
+        rows.extend(measured(measures));
+    }
+    rows.push(match (&summary.invalid, summary.level) {
+        (Some(law), _) => row("validity", format!("broken: {law}")),
+        (None, Some(level)) => row("validity", format!("valid, of level {}", level.name())),
+        (None, None) => row("validity", "unknown"),
+    });
+    if let Some(reason) = &summary.below_next_level {
+        rows.push(row("", format!("not higher: {reason}")));
+    }
+    format!("{file}\n{}", table(&rows, &[]))
+}
+
+fn measured(measures: &Measures) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        row("components", measures.components),
+        row("genus", measures.genus),
+        row("Euler characteristic", measures.euler_characteristic),
+        row("degrees", histogram(&measures.degrees)),
+        row("face sizes", histogram(&measures.face_sizes)),
+    ];
+    if let Some(Lengths { min, mean, max, spread, .. }) = measures.edge_lengths {
+        rows.push(row("edge lengths", format!("{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %", 100.0 * spread)));
+    }
+    rows.push(row("area", format!("{:.6}", measures.area)));
+    rows
+}
+
+fn row(name: &str, value: impl ToString) -> Vec<String> {
+    vec![format!("  {name}"), value.to_string()]
+}
+
+/// `3: 12  4: 120  5: 9`, size by size.
+fn histogram(bins: &[Bin]) -> String {
+    let mut bars: Vec<_> = bins.iter().take(MOST_BARS).map(|bin| format!("{}: {}", bin.size, bin.count)).collect();
+    if bins.len() > MOST_BARS {
+        let more: usize = bins[MOST_BARS..].iter().map(|bin| bin.count).sum();
+        bars.push(format!("more: {more}"));
+    }
+    if bars.is_empty() { "none".into() } else { bars.join("  ") }
 }
