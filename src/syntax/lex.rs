@@ -104,13 +104,10 @@ impl Lexed {
     fn number(&mut self, kind: TokenKind, span: Span, word: &str) {
         let kind = match kind {
             TokenKind::BadNumber => {
-                let digits = word.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
                 let message = format!("`{word}` is neither a number nor a name");
                 let space = "put a space or an operator before the letters";
-                let at = span.end as usize - digits.len();
-                let at = Span::new(span.file, at, at);
                 let found = Diagnostic::error("malformed-number", message, span);
-                self.diagnostics.push(found.label(at, "").note(space));
+                self.diagnostics.push(found.note(space));
                 TokenKind::Int
             }
             TokenKind::Int if word.parse::<i64>().is_err() => {

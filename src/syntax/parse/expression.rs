@@ -58,6 +58,7 @@ fn signed<'t>(sign: T, op: UnaryOp, operand: Rule<'t, Expr>) -> Rule<'t, Expr> {
             kind: ExprKind::Unary(op, Box::new(value)),
             span: scene.span(),
         })
+        .labelled(Phrase::Value)
         .boxed()
 }
 

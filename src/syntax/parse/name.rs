@@ -90,6 +90,6 @@ pub(super) fn int_here(scene: &mut Scene) -> i64 {
 pub(super) fn text<'t>() -> Rule<'t, (String, Span)> {
     select! { T::Text => () }
         .map_with(|(), scene| (read_text(slice(scene)).value, scene.span()))
-        .labelled(Phrase::Reason)
+        .labelled(Phrase::Text)
         .boxed()
 }

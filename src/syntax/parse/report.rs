@@ -67,13 +67,49 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     if let Some(place) = place {
         message = format!("{message} {place}");
     }
-    let told = Diagnostic::error("syntax-error", message, failure.span);
+    let span = match starts_anew(&failure) {
+        true => failure.span,
+        false => behind_the_last_line(failure.span, around),
+    };
+    let told = Diagnostic::error("syntax-error", message, span);
+    let told = if wanted.is_empty() {
+        told
+    } else {
+        told.saying(format!("expected {wanted}"))
+    };
     match around.unclosed {
         Some(open) if failure.wanted.has(T::RightBrace) => {
             let mark = open.kind;
             told.label(open.span, format!("this {mark} is not closed"))
         }
         _ => told,
+    }
+}
+
+/// Whether something whole could have begun here, so that nothing is missing before.
+fn starts_anew(failure: &Failure) -> bool {
+    let mut phrases = failure.wanted.phrases();
+    phrases.any(|phrase| {
+        matches!(
+            phrase,
+            Phrase::Item | Phrase::Part | Phrase::DrawingStatement | Phrase::Statement
+        )
+    })
+}
+
+/// Where to point if what was found stands on a later line than what it should have
+/// followed: behind that.
+fn behind_the_last_line(span: Span, around: &Around) -> Span {
+    let tokens = around.item;
+    let at = tokens.partition_point(|token| token.span.start < span.start);
+    let before = at.checked_sub(1).map(|at| tokens[at].span);
+    let Some(before) = before.filter(|before| before.end <= span.start) else {
+        return span;
+    };
+    let between = before.end as usize..span.start as usize;
+    match around.text.get(between) {
+        Some(between) if between.contains('\n') => before.after(),
+        _ => span,
     }
 }
 
@@ -96,15 +132,17 @@ fn end_of(around: &Around) -> String {
     }
 }
 
-/// What was wanted, in words; how a name or a value could go on only if nothing else was.
+/// What was wanted, in words; in order; how a name or a
+/// value could go on only if nothing else was.
 fn wanted(failure: &Failure) -> Vec<String> {
     let all = failure.wanted;
     let weak = |phrase: &Phrase| matches!(phrase, Phrase::Operator | Phrase::Subscript);
+    let owned = |words: &&str| (*words).to_owned();
     let strong = all.phrases().filter(|phrase| !weak(phrase));
-    let mut words: Vec<String> = strong.map(|phrase| phrase.words().to_owned()).collect();
+    let mut words: Vec<_> = strong.flat_map(Phrase::words).map(owned).collect();
     words.extend(all.tokens().map(|kind| kind.to_string()));
     if words.is_empty() {
-        words.extend(all.phrases().map(|phrase| phrase.words().to_owned()));
+        words = all.phrases().flat_map(Phrase::words).map(owned).collect();
     }
     words
 }
