@@ -1,0 +1,149 @@
+//! Values for the parameters of a script, from outside.
+
+use crate::diagram::Type;
+use crate::mesh::{ElementKind, Mesh};
+
+/// A value for a parameter.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub enum Argument {
+    Bool(bool),
+    Int(i64),
+    /// Finite, as are the parts of a vector.
+    Real(f64),
+    Vec3([f64; 3]),
+    Text(String),
+    /// An element of the mesh that the script runs on.
+    Element(ElementKind, u32),
+}
+
+impl Argument {
+    /// The value of a type that a text says: `true`, `12`, `0.5`, `1,2,3`, any text, or
+    /// the number of an element.
+    pub fn parse(text: &str, ty: Type) -> Option<Self> {
+        let text = text.trim();
+        match ty {
+            Type::Bool => text.parse().ok().map(Self::Bool),
+            Type::Int => text.parse().ok().map(Self::Int),
+            Type::Real => real(text).map(Self::Real),
+            Type::Vec3 => vector(text).map(Self::Vec3),
+            Type::Text => Some(Self::Text(text.to_owned())),
+            Type::Vertex => element(ElementKind::Vertex, text),
+            Type::Halfedge => element(ElementKind::Halfedge, text),
+            Type::Edge => element(ElementKind::Edge, text),
+            Type::Face => element(ElementKind::Face, text),
+        }
+    }
+
+    /// The type of the value.
+    pub fn ty(&self) -> Type {
+        match self {
+            Self::Bool(_) => Type::Bool,
+            Self::Int(_) => Type::Int,
+            Self::Real(_) => Type::Real,
+            Self::Vec3(_) => Type::Vec3,
+            Self::Text(_) => Type::Text,
+            Self::Element(ElementKind::Vertex, _) => Type::Vertex,
+            Self::Element(ElementKind::Halfedge, _) => Type::Halfedge,
+            Self::Element(ElementKind::Edge, _) => Type::Edge,
+            Self::Element(ElementKind::Face, _) => Type::Face,
+        }
+    }
+
+    /// Whether it is one of the mesh, if it is an element.
+    pub(super) fn exists_in(&self, mesh: &Mesh) -> bool {
+        match *self {
+            Self::Element(kind, id) => mesh.is_alive(kind, id),
+            _ => true,
+        }
+    }
+
+    /// The slots of the value; a text goes to the texts of the code.
+    pub(super) fn slots(&self, texts: &mut Vec<String>) -> Vec<u64> {
+        match self {
+            Self::Bool(value) => vec![u64::from(*value)],
+            Self::Int(value) => vec![*value as u64],
+            Self::Real(value) => vec![value.to_bits()],
+            Self::Vec3(parts) => parts.iter().map(|part| part.to_bits()).collect(),
+            Self::Text(text) => {
+                // Equal texts have equal numbers.
+                let known = texts.iter().position(|known| known == text);
+                let number = known.unwrap_or_else(|| {
+                    texts.push(text.clone());
+                    texts.len() - 1
+                });
+                vec![number as u64]
+            }
+            Self::Element(_, id) => vec![u64::from(*id)],
+        }
+    }
+}
+
+/// What a value of a type looks like, for whoever got it wrong.
+pub(super) fn example(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "`true` or `false`",
+        Type::Int => "a whole number such as `12`",
+        Type::Real => "a number such as `0.5`",
+        Type::Vec3 => "three numbers such as `1,0.5,2`",
+        Type::Text => "a text",
+        Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => "the number of an element",
+    }
+}
+
+fn real(text: &str) -> Option<f64> {
+    text.trim()
+        .parse()
+        .ok()
+        .filter(|value: &f64| value.is_finite())
+}
+
+/// With or without parentheses.
+fn vector(text: &str) -> Option<[f64; 3]> {
+    let inner = text
+        .strip_prefix('(')
+        .map_or(Some(text), |rest| rest.strip_suffix(')'))?;
+    let mut parts = inner.split(',').map(real);
+    let vector = [parts.next()??, parts.next()??, parts.next()??];
+    parts.next().is_none().then_some(vector)
+}
+
+fn element(kind: ElementKind, text: &str) -> Option<Argument> {
+    text.parse().ok().map(|id| Argument::Element(kind, id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_become_values_of_their_type() {
+        let good = [
+            ("true", Argument::Bool(true)),
+            ("-12", Argument::Int(-12)),
+            ("12", Argument::Real(12.0)),
+            ("1e-3", Argument::Real(0.001)),
+            ("1, 2,-3", Argument::Vec3([1.0, 2.0, -3.0])),
+            ("(1,2,3)", Argument::Vec3([1.0, 2.0, 3.0])),
+            ("7", Argument::Element(ElementKind::Edge, 7)),
+            ("hello", Argument::Text("hello".to_owned())),
+        ];
+        for (text, value) in good {
+            assert_eq!(Argument::parse(text, value.ty()), Some(value));
+        }
+        for (text, ty) in [
+            ("yes", Type::Bool),
+            ("1.5", Type::Int),
+            ("99999999999999999999", Type::Int),
+            ("inf", Type::Real),
+            ("NaN", Type::Real),
+            ("", Type::Real),
+            ("1,2", Type::Vec3),
+            ("1,2,3,4", Type::Vec3),
+            ("(1,2,3", Type::Vec3),
+            ("-1", Type::Face),
+        ] {
+            assert_eq!(Argument::parse(text, ty), None, "{text}");
+        }
+    }
+}

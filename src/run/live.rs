@@ -1,0 +1,251 @@
+//! Which variables hold an element that is still needed.
+//!
+//! A variable is live at a point of the script if its value there may be read later on.
+//! Where no variable that holds an element is live, the ids of erased elements can be
+//! given out again. The sets are found backwards, from what is live after a statement to
+//! what is live before it; for a loop one pass is enough, because what its body reads
+//! before setting it does not depend on what follows.
+
+use std::collections::BTreeSet;
+
+use crate::diagram::{Collection, Expr, ExprKind};
+use crate::resolve::{Print, Statement, StatementKind, Variable};
+
+/// The numbers of variables that hold elements.
+pub(super) type Live = BTreeSet<u32>;
+
+/// What is live behind a statement, by the way it is left.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Exits {
+    /// Going on.
+    pub(super) next: Live,
+    /// Leaving the innermost loop.
+    pub(super) broken: Live,
+    /// Going back to its head.
+    pub(super) continued: Live,
+}
+
+impl Exits {
+    /// The same, but that other variables are live when going on.
+    pub(super) fn going_on(&self, next: Live) -> Self {
+        Self {
+            next,
+            ..self.clone()
+        }
+    }
+
+    /// The exits of the body of a loop that these are the exits of.
+    pub(super) fn of_body(&self, head: Live) -> Self {
+        Self {
+            next: head.clone(),
+            broken: self.next.clone(),
+            continued: head,
+        }
+    }
+}
+
+/// Finds live variables.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Liveness<'p> {
+    /// All variables of the script.
+    pub(super) variables: &'p [Variable],
+}
+
+impl Liveness<'_> {
+    /// What is live before each statement of a block.
+    pub(super) fn before_each(&self, block: &[Statement], exits: &Exits) -> Vec<Live> {
+        let mut next = exits.next.clone();
+        let mut before = Vec::new();
+        for statement in block.iter().rev() {
+            next = self.before(statement, &exits.going_on(next));
+            before.push(next.clone());
+        }
+        before.reverse();
+        before
+    }
+
+    /// What is live at the head of a loop with this body: where it may go round again.
+    /// Its condition, if it has one, is evaluated there.
+    pub(super) fn at_head(
+        &self,
+        condition: Option<&Expr>,
+        body: &[Statement],
+        exits: &Exits,
+    ) -> Live {
+        let read = self.before_block(body, &Exits::default());
+        self.reading(condition, union(read, &exits.next))
+    }
+
+    fn before_block(&self, block: &[Statement], exits: &Exits) -> Live {
+        let mut next = exits.next.clone();
+        for statement in block.iter().rev() {
+            next = self.before(statement, &exits.going_on(next));
+        }
+        next
+    }
+
+    fn before(&self, statement: &Statement, exits: &Exits) -> Live {
+        match &statement.kind {
+            StatementKind::Set { variable, value } => {
+                let live = without(exits.next.clone(), *variable);
+                self.reading([value], live)
+            }
+            StatementKind::Write { target, value, .. } => {
+                self.reading([target, value], exits.next.clone())
+            }
+            StatementKind::Repeat { count, body } => {
+                self.reading([count], self.at_head(None, body, exits))
+            }
+            StatementKind::While { condition, body } => self.at_head(Some(condition), body, exits),
+            StatementKind::For {
+                variable,
+                collection,
+                filter,
+                body,
+            }
+            | StatementKind::Update {
+                variable,
+                collection,
+                filter,
+                body,
+            } => {
+                let live = self.at_head(filter.as_ref(), body, exits);
+                self.reading(base(collection), without(live, *variable))
+            }
+            StatementKind::If {
+                condition,
+                then,
+                otherwise,
+            } => {
+                let live = self.before_block(then, exits);
+                let live = union(live, &self.before_block(otherwise, exits));
+                self.reading([condition], live)
+            }
+            StatementKind::Apply { args, .. } => self.reading(args, exits.next.clone()),
+            StatementKind::IfApply {
+                args,
+                variable,
+                then,
+                otherwise,
+                ..
+            } => {
+                let mut live = self.before_block(then, exits);
+                if let Some(variable) = variable {
+                    live.remove(variable);
+                }
+                let live = union(live, &self.before_block(otherwise, exits));
+                self.reading(args, live)
+            }
+            StatementKind::Print(pieces) => {
+                let values = pieces.iter().filter_map(|piece| match piece {
+                    Print::Text(_) => None,
+                    Print::Value(value) => Some(value),
+                });
+                self.reading(values, exits.next.clone())
+            }
+            StatementKind::Assert { condition, .. } => {
+                self.reading([condition], exits.next.clone())
+            }
+            StatementKind::Break => exits.broken.clone(),
+            StatementKind::Continue => exits.continued.clone(),
+            StatementKind::Return => Live::new(),
+        }
+    }
+
+    fn reading<'e>(&self, values: impl IntoIterator<Item = &'e Expr>, mut live: Live) -> Live {
+        for value in values {
+            self.read(value, &mut live);
+        }
+        live
+    }
+
+    fn read(&self, value: &Expr, live: &mut Live) {
+        match &value.kind {
+            ExprKind::Local(variable) => {
+                let known = self.variables.get(*variable as usize);
+                if known.is_some_and(|known| known.ty.is_element()) {
+                    live.insert(*variable);
+                }
+            }
+            ExprKind::Follow(_, base)
+            | ExprKind::Read(_, base)
+            | ExprKind::Component(_, base)
+            | ExprKind::Unary(_, base) => self.read(base, live),
+            ExprKind::Vector(parts) => parts.iter().for_each(|part| self.read(part, live)),
+            ExprKind::Binary(_, left, right) => {
+                self.read(left, live);
+                self.read(right, live);
+            }
+            ExprKind::Call(_, args) => args.iter().for_each(|arg| self.read(arg, live)),
+            ExprKind::If(condition, then, otherwise) => {
+                self.read(condition, live);
+                self.read(then, live);
+                self.read(otherwise, live);
+            }
+            ExprKind::Fold(fold) => {
+                // Its own variable means nothing outside.
+                let inner = self.reading(fold.filter.iter().chain([&fold.body]), Live::new());
+                live.extend(without(inner, fold.variable));
+                if let Some(base) = base(&fold.collection) {
+                    self.read(base, live);
+                }
+            }
+            ExprKind::Bool(_)
+            | ExprKind::Int(_)
+            | ExprKind::Real(_)
+            | ExprKind::Text(_)
+            | ExprKind::Element(_) => {}
+        }
+    }
+}
+
+fn union(mut live: Live, more: &Live) -> Live {
+    live.extend(more);
+    live
+}
+
+fn without(mut live: Live, variable: u32) -> Live {
+    live.remove(&variable);
+    live
+}
+
+/// The element a collection lies around.
+fn base(collection: &Collection) -> Option<&Expr> {
+    match collection {
+        Collection::Vertices
+        | Collection::Halfedges
+        | Collection::Edges
+        | Collection::Faces
+        | Collection::Holes => None,
+        Collection::VertexHalfedges(base)
+        | Collection::VertexEdges(base)
+        | Collection::VertexFaces(base)
+        | Collection::VertexNeighbors(base)
+        | Collection::FaceHalfedges(base)
+        | Collection::FaceVertices(base)
+        | Collection::FaceEdges(base)
+        | Collection::EdgeVertices(base)
+        | Collection::EdgeFaces(base) => Some(base),
+    }
+}
+
+/// Whether a statement may call an operation.
+pub(super) fn calls(statement: &Statement) -> bool {
+    match &statement.kind {
+        StatementKind::Apply { .. } | StatementKind::IfApply { .. } => true,
+        StatementKind::Repeat { body, .. }
+        | StatementKind::While { body, .. }
+        | StatementKind::For { body, .. }
+        | StatementKind::Update { body, .. } => body.iter().any(calls),
+        StatementKind::If {
+            then, otherwise, ..
+        } => then.iter().chain(otherwise).any(calls),
+        StatementKind::Set { .. }
+        | StatementKind::Write { .. }
+        | StatementKind::Print(_)
+        | StatementKind::Assert { .. }
+        | StatementKind::Break
+        | StatementKind::Continue
+        | StatementKind::Return => false,
+    }
+}

@@ -1,0 +1,305 @@
+//! The statements of a script to register code.
+
+use super::live::{Exits, Liveness, calls};
+use crate::compile::{Scope, lower, lower_into, width};
+use crate::diagram::{Access, Expr, NameId, Type};
+use crate::resolve::{Print, Script, Statement, StatementKind};
+use crate::rewrite::{Assembler, Inst, Label, Reg};
+use crate::source::Span;
+
+/// Writes the code of a script.
+pub(super) struct Lowering<'p> {
+    pub(super) asm: Assembler,
+    pub(super) names: Names,
+    liveness: Liveness<'p>,
+    /// The loops around the statement, the innermost last.
+    pub(super) loops: Vec<Loop>,
+    /// Where the running `update` keeps its writes back.
+    pub(super) held: Option<u16>,
+    /// The operations that are called, each with its first call.
+    pub(super) called: Vec<(usize, Span)>,
+    /// The numbers of the places of assertions, in order.
+    pub(super) assertions: Vec<u32>,
+}
+
+/// Where a loop goes on, and where it ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Loop {
+    pub(super) again: Label,
+    pub(super) end: Label,
+}
+
+/// The registers of variables, and the places in the source.
+#[derive(Debug, Default)]
+pub(super) struct Names {
+    registers: Vec<Reg>,
+    pub(super) places: Vec<Span>,
+}
+
+impl Scope for Names {
+    /// Nothing is drawn in a script.
+    fn element(&self, _name: NameId) -> Reg {
+        Reg(0)
+    }
+
+    fn local(&self, variable: u32) -> Reg {
+        let known = self.registers.get(variable as usize);
+        known.copied().unwrap_or(Reg(0))
+    }
+
+    fn declare(&mut self, variable: u32, reg: Reg) {
+        if let Some(known) = self.registers.get_mut(variable as usize) {
+            *known = reg;
+        }
+    }
+
+    fn place(&mut self, span: Span) -> u32 {
+        self.places.push(span);
+        self.places.len() as u32 - 1
+    }
+}
+
+impl<'p> Lowering<'p> {
+    /// Gives every variable its registers: the parameters first, then for each of them a
+    /// bool that says whether it is given, then the others.
+    pub(super) fn new(script: &'p Script) -> Self {
+        let mut asm = Assembler::new();
+        let mut names = Names::default();
+        let (params, others) = script.variables.split_at(script.params.len());
+        let params = params.iter().map(|param| asm.block(width(param.ty)));
+        names.registers.extend(params);
+        let given: Vec<Reg> = script.params.iter().map(|_| asm.reg()).collect();
+        let others = others.iter().map(|other| asm.block(width(other.ty)));
+        names.registers.extend(others);
+        let mut lowering = Self {
+            asm,
+            names,
+            liveness: Liveness {
+                variables: &script.variables,
+            },
+            loops: Vec::new(),
+            held: None,
+            called: Vec::new(),
+            assertions: Vec::new(),
+        };
+        for (variable, (param, condition)) in (0..).zip(script.params.iter().zip(given)) {
+            if let Some(default) = &param.default {
+                let to = lowering.asm.label();
+                lowering.asm.emit(Inst::JumpIf { condition, to });
+                lowering.set(variable, default);
+                lowering.asm.bind(to);
+            }
+        }
+        lowering
+    }
+
+    /// The whole script.
+    pub(super) fn body(&mut self, script: &Script) {
+        self.block(&script.body, Some(&Exits::default()));
+    }
+
+    /// A block; without its exits inside of a loop over elements, where no id may be
+    /// given out again.
+    pub(super) fn block(&mut self, block: &[Statement], exits: Option<&Exits>) {
+        let Some(exits) = exits else {
+            for statement in block {
+                self.statement(statement, None);
+            }
+            return;
+        };
+        let before = self.liveness.before_each(block, exits);
+        for (at, statement) in block.iter().enumerate() {
+            if before[at].is_empty() && calls(statement) {
+                self.asm.emit(Inst::Recycle);
+            }
+            let next = before.get(at + 1).unwrap_or(&exits.next);
+            let exits = exits.going_on(next.clone());
+            self.statement(statement, Some(&exits));
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement, exits: Option<&Exits>) {
+        let mark = self.asm.mark();
+        let span = statement.span;
+        match &statement.kind {
+            StatementKind::Set { variable, value } => self.set(*variable, value),
+            StatementKind::Write {
+                target,
+                attribute: Access::Position,
+                value,
+            } => self.write(target, value, span),
+            StatementKind::Repeat { count, body } => self.repeat(count, body, span, exits),
+            StatementKind::While { condition, body } => {
+                self.repeat_while(condition, body, span, exits);
+            }
+            StatementKind::For { .. } => self.visit(statement),
+            StatementKind::Update { .. } => self.update(statement),
+            StatementKind::If {
+                condition,
+                then,
+                otherwise,
+            } => {
+                let condition = self.value(condition);
+                self.choose(condition, [then, otherwise], exits);
+            }
+            StatementKind::Apply { op, args, must } => {
+                let (applied, _) = self.apply(*op, args, span);
+                if *must {
+                    self.insist(*op, applied, span);
+                }
+            }
+            StatementKind::IfApply {
+                op,
+                args,
+                variable,
+                then,
+                otherwise,
+            } => {
+                let (applied, from) = self.apply(*op, args, span);
+                if let Some(variable) = variable {
+                    // Where the op refused, nobody reads it.
+                    let to = self.names.local(*variable);
+                    self.asm.emit(Inst::Copy { to, from });
+                }
+                self.choose(applied, [then, otherwise], exits);
+            }
+            StatementKind::Print(pieces) => self.print(pieces),
+            StatementKind::Assert { condition, reason } => self.assert(condition, reason, span),
+            StatementKind::Break => self.jump(|around| around.end),
+            StatementKind::Continue => self.jump(|around| around.again),
+            StatementKind::Return => {
+                if let Some(buffer) = self.held {
+                    self.asm.emit(Inst::ReleasePositions { buffer });
+                }
+                self.asm.emit(Inst::Return { result: None });
+            }
+        }
+        self.asm.release(mark);
+    }
+
+    /// The exits of the body of a loop that has these exits.
+    pub(super) fn exits_of_body(
+        &self,
+        condition: Option<&Expr>,
+        body: &[Statement],
+        exits: Option<&Exits>,
+    ) -> Option<Exits> {
+        let exits = exits?;
+        let head = self.liveness.at_head(condition, body, exits);
+        Some(exits.of_body(head))
+    }
+
+    pub(super) fn value(&mut self, value: &Expr) -> Reg {
+        lower(&mut self.asm, &mut self.names, value)
+    }
+
+    pub(super) fn value_into(&mut self, value: &Expr, to: Reg) {
+        lower_into(&mut self.asm, &mut self.names, value, to);
+    }
+
+    pub(super) fn trap_at(&mut self, span: Span, inst: Inst) {
+        let place = self.names.place(span);
+        self.asm.trap_at(place, inst);
+    }
+
+    fn set(&mut self, variable: u32, value: &Expr) {
+        let mark = self.asm.mark();
+        // Not at once: the value may read the variable.
+        let from = self.value(value);
+        let to = self.names.local(variable);
+        self.asm.emit(match value.ty {
+            Type::Vec3 => Inst::CopyVec { to, from },
+            _ => Inst::Copy { to, from },
+        });
+        self.asm.release(mark);
+    }
+
+    fn write(&mut self, target: &Expr, value: &Expr, span: Span) {
+        let vertex = self.value(target);
+        let value = self.value(value);
+        let inst = match self.held {
+            Some(buffer) => Inst::HoldPosition {
+                buffer,
+                vertex,
+                value,
+            },
+            None => Inst::StorePosition { vertex, value },
+        };
+        self.trap_at(span, inst);
+    }
+
+    fn choose(&mut self, condition: Reg, blocks: [&[Statement]; 2], exits: Option<&Exits>) {
+        let (second, end) = (self.asm.label(), self.asm.label());
+        let [then, otherwise] = blocks;
+        self.asm.emit(Inst::JumpUnless {
+            condition,
+            to: second,
+        });
+        self.block(then, exits);
+        if !otherwise.is_empty() {
+            self.asm.emit(Inst::Jump { to: end });
+        }
+        self.asm.bind(second);
+        self.block(otherwise, exits);
+        self.asm.bind(end);
+    }
+
+    fn jump(&mut self, place: impl Fn(&Loop) -> Label) {
+        // Outside of loops a resolved script has no such statement.
+        if let Some(to) = self.loops.last().map(place) {
+            self.asm.emit(Inst::Jump { to });
+        }
+    }
+
+    fn assert(&mut self, condition: &Expr, reason: &str, span: Span) {
+        let condition = self.value(condition);
+        let to = self.asm.label();
+        self.asm.emit(Inst::JumpIf { condition, to });
+        let text = self.asm.text(reason);
+        let place = self.names.place(span);
+        self.assertions.push(place);
+        self.asm.trap_at(place, Inst::Fail { text });
+        self.asm.bind(to);
+    }
+
+    fn print(&mut self, pieces: &[Print]) {
+        for (at, piece) in pieces.iter().enumerate() {
+            if at > 0 {
+                self.print_text(" ");
+            }
+            match piece {
+                Print::Text(text) => self.print_text(text),
+                Print::Value(value) => {
+                    let mark = self.asm.mark();
+                    let from = self.value(value);
+                    self.asm.emit(print_value(value.ty, from));
+                    self.asm.release(mark);
+                }
+            }
+        }
+        self.asm.emit(Inst::PrintEnd);
+    }
+
+    fn print_text(&mut self, text: &str) {
+        let text = self.asm.text(text);
+        self.asm.emit(Inst::PrintText { text });
+    }
+}
+
+fn print_value(ty: Type, from: Reg) -> Inst {
+    use crate::mesh::ElementKind::{Edge, Face, Halfedge, Vertex};
+    match ty {
+        Type::Bool => Inst::PrintBool { from },
+        Type::Int => Inst::PrintInt { from },
+        Type::Real => Inst::PrintReal { from },
+        Type::Vec3 => Inst::PrintVec { from },
+        Type::Text => Inst::PrintTextOf { from },
+        Type::Vertex => Inst::PrintElement { kind: Vertex, from },
+        Type::Halfedge => Inst::PrintElement {
+            kind: Halfedge,
+            from,
+        },
+        Type::Edge => Inst::PrintElement { kind: Edge, from },
+        Type::Face => Inst::PrintElement { kind: Face, from },
+    }
+}

@@ -1,0 +1,211 @@
+//! A script with all it needs to run.
+
+use super::Argument;
+use super::argument::example;
+use super::lower::Lowering;
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Param, Type};
+use crate::mesh::Mesh;
+use crate::resolve::{Program, Script};
+use crate::rewrite::{Code, Plan, TooLarge};
+use crate::source::Span;
+
+/// A script, ready to run.
+#[derive(Clone, Debug)]
+pub struct Prepared<'p> {
+    pub(super) script: &'p Script,
+    pub(super) plans: &'p [Option<Plan>],
+    pub(super) code: Code,
+    /// Where in the source the code can trap, by number.
+    pub(super) places: Vec<Span>,
+    /// The numbers of those places where the script asserts something, in order.
+    pub(super) assertions: Vec<u32>,
+    /// The operations it may call, in the order of the program.
+    pub(super) called: Vec<usize>,
+}
+
+/// Prepares a script of a program, by its number. The plans are those of the program's
+/// operations, in order; `None` stands for one that is not proved.
+///
+/// # Errors
+/// The script calls an operation that is not proved, or it is too large.
+pub fn prepare<'p>(
+    program: &'p Program,
+    script: usize,
+    plans: &'p [Option<Plan>],
+) -> Result<Prepared<'p>, Vec<Diagnostic>> {
+    let Some(script) = program.scripts.get(script) else {
+        let message = "there is no such script";
+        return Err(vec![Diagnostic::error(
+            "unknown-script",
+            message,
+            Span::default(),
+        )]);
+    };
+    let mut lowering = Lowering::new(script);
+    lowering.body(script);
+    let mut called = lowering.called;
+    called.sort_by_key(|&(op, _)| op);
+    let unproved = called
+        .iter()
+        .filter(|&&(op, _)| plans.get(op).is_none_or(Option::is_none));
+    let unproved: Vec<_> = unproved
+        .map(|&(op, call)| not_proved(program, op, call))
+        .collect();
+    if !unproved.is_empty() {
+        return Err(unproved);
+    }
+    let last = called.last().map_or(0, |&(op, _)| op);
+    let code = lowering
+        .asm
+        .finish()
+        .and_then(|code| match u16::try_from(last) {
+            Ok(_) => Ok(code),
+            Err(_) => Err(TooLarge),
+        });
+    Ok(Prepared {
+        script,
+        plans,
+        code: code.map_err(|too_large| vec![does_not_fit(script, too_large)])?,
+        places: lowering.names.places,
+        assertions: lowering.assertions,
+        called: called.into_iter().map(|(op, _)| op).collect(),
+    })
+}
+
+fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
+    let code = "unproved-op";
+    match program.ops.get(op) {
+        Some(op) => {
+            let message = format!("`{}` is not proved, so it cannot run", op.name);
+            Diagnostic::error(code, message, call)
+                .saying("called here")
+                .label(op.span, "this operation")
+        }
+        None => Diagnostic::error(code, "there is no such operation", call),
+    }
+}
+
+fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
+    let message = format!("`{}` is {too_large}", script.name);
+    Diagnostic::error("script-too-large", message, script.span)
+}
+
+impl Prepared<'_> {
+    /// The code of the script, to look at.
+    pub fn code(&self) -> &Code {
+        &self.code
+    }
+
+    /// Reads the arguments, each a name and a text, by the types of the parameters.
+    ///
+    /// # Errors
+    /// One diagnostic for each argument that has no parameter, or is not of its type, and
+    /// for each parameter without a value.
+    pub fn arguments(
+        &self,
+        texts: &[(String, String)],
+    ) -> Result<Vec<(String, Argument)>, Vec<Diagnostic>> {
+        let mut arguments = Vec::new();
+        let mut errors = Vec::new();
+        for (name, text) in texts {
+            match self.param(name) {
+                None => errors.push(self.no_such_parameter(name)),
+                Some(param) => match Argument::parse(text, param.ty) {
+                    Some(value) => arguments.push((name.clone(), value)),
+                    None => errors.push(wrong_text(param, text)),
+                },
+            }
+        }
+        let given = texts.iter().map(|(name, _)| name.as_str());
+        errors.extend(self.badly_given(given));
+        match errors.is_empty() {
+            true => Ok(arguments),
+            false => Err(errors),
+        }
+    }
+
+    /// The slots at the start of the window: the values of the parameters, and for each
+    /// whether it is given. Texts are added to those of the code.
+    pub(super) fn slots(
+        &self,
+        mesh: &Mesh,
+        arguments: &[(String, Argument)],
+        texts: &mut Vec<String>,
+    ) -> Result<Vec<u64>, Diagnostic> {
+        for (name, value) in arguments {
+            let Some(param) = self.param(name) else {
+                return Err(self.no_such_parameter(name));
+            };
+            if param.ty != value.ty() {
+                return Err(wrong_type(param, value.ty()));
+            }
+            if !value.exists_in(mesh) {
+                let message = format!("`{name}` is no {} of the mesh", param.ty.word());
+                return Err(Diagnostic::error("wrong-argument", message, param.span));
+            }
+        }
+        let names = arguments.iter().map(|(name, _)| name.as_str());
+        if let Some(error) = self.badly_given(names).into_iter().next() {
+            return Err(error);
+        }
+        let mut slots = Vec::new();
+        let mut given = Vec::new();
+        for param in &self.script.params {
+            let argument = arguments.iter().find(|(name, _)| *name == param.name);
+            given.push(u64::from(argument.is_some()));
+            let nothing = vec![0; usize::from(crate::compile::width(param.ty))];
+            slots.extend(argument.map_or(nothing, |(_, value)| value.slots(texts)));
+        }
+        slots.extend(given);
+        Ok(slots)
+    }
+
+    fn param(&self, name: &str) -> Option<&Param> {
+        self.script.params.iter().find(|param| param.name == name)
+    }
+
+    /// Parameters given twice, or not at all though they have no default.
+    fn badly_given<'n>(&self, names: impl Iterator<Item = &'n str> + Clone) -> Vec<Diagnostic> {
+        let mut errors = Vec::new();
+        for param in &self.script.params {
+            let times = names.clone().filter(|name| *name == param.name).count();
+            let problem = match times {
+                0 if param.default.is_none() => ("missing-argument", "has no value"),
+                0 | 1 => continue,
+                _ => ("repeated-argument", "is given more than once"),
+            };
+            let message = format!("`{}` of `{}` {}", param.name, self.script.name, problem.1);
+            let error = Diagnostic::error(problem.0, message, param.span);
+            errors.push(error.note(format!("it wants {}", example(param.ty))));
+        }
+        errors
+    }
+
+    fn no_such_parameter(&self, name: &str) -> Diagnostic {
+        let params = self.script.params.iter();
+        let known: Vec<_> = params.map(|param| format!("`{}`", param.name)).collect();
+        let message = format!("`{}` has no parameter `{name}`", self.script.name);
+        let note = match known.is_empty() {
+            true => "it has no parameters".to_owned(),
+            false => format!("it has {}", known.join(", ")),
+        };
+        Diagnostic::error("unknown-argument", message, self.script.span).note(note)
+    }
+}
+
+fn wrong_text(param: &Param, text: &str) -> Diagnostic {
+    let message = format!("`{}` cannot be `{text}`", param.name);
+    Diagnostic::error("wrong-argument", message, param.span)
+        .note(format!("it wants {}", example(param.ty)))
+}
+
+fn wrong_type(param: &Param, got: Type) -> Diagnostic {
+    let message = format!(
+        "`{}` is of type `{}`, but the value given is of type `{}`",
+        param.name,
+        param.ty.word(),
+        got.word()
+    );
+    Diagnostic::error("wrong-argument", message, param.span)
+}

@@ -1,0 +1,168 @@
+//! Running a prepared script, and what came of it.
+
+use super::{Argument, Prepared};
+use crate::diagnostic::Diagnostic;
+use crate::mesh::Mesh;
+use crate::rewrite::{Count, Machine, Message, Plan, Site, Trap, Watch};
+use crate::source::Span;
+
+/// What a script did.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// For each operation it may call, in the order of the program.
+    pub ops: Vec<OpReport>,
+}
+
+/// What became of the calls of an operation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OpReport {
+    /// Its name.
+    pub name: String,
+    /// How many were applied.
+    pub applied: u64,
+    /// How many were refused, by reason: those that occurred, in the order in which the
+    /// operation tests them.
+    pub refused: Vec<(String, u64)>,
+}
+
+/// A script that did not come to its end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Why and where; the calls that led there are labels.
+    pub diagnostic: Diagnostic,
+    /// What it did up to there.
+    pub report: Report,
+}
+
+/// Runs a script on a mesh. Printed lines go to the watcher.
+///
+/// # Errors
+/// The arguments do not fit the parameters, and nothing has been done; or the script
+/// failed at some point, and has done what it did so far.
+pub fn run(
+    prepared: &Prepared,
+    mesh: &mut Mesh,
+    arguments: &[(String, Argument)],
+    watch: &mut dyn Watch,
+) -> Result<Report, Box<Failure>> {
+    let mut code = prepared.code.clone();
+    let slots = prepared.slots(mesh, arguments, &mut code.texts);
+    let slots = slots.map_err(|diagnostic| {
+        Box::new(Failure {
+            diagnostic,
+            report: Report::default(),
+        })
+    })?;
+    let mut machine = Machine::new(prepared.plans);
+    let outcome = machine.run(mesh, &code, &slots, watch);
+    let report = report(prepared, machine.counts());
+    match outcome {
+        Ok(_) => Ok(report),
+        Err(trap) => Err(Box::new(Failure {
+            diagnostic: diagnostic(prepared, trap),
+            report,
+        })),
+    }
+}
+
+fn report(prepared: &Prepared, counts: &[Count]) -> Report {
+    let called = prepared.called.iter();
+    let ops = called.filter_map(|&op| {
+        let plan = prepared.plans.get(op)?.as_ref()?;
+        Some(op_report(plan, counts.get(op)?))
+    });
+    Report { ops: ops.collect() }
+}
+
+fn op_report(plan: &Plan, count: &Count) -> OpReport {
+    let mut refused: Vec<(String, u64)> = Vec::new();
+    for (refusal, &times) in plan.refusals.iter().zip(&count.refused) {
+        match refused
+            .iter_mut()
+            .find(|(known, _)| *known == refusal.reason)
+        {
+            Some((_, sum)) => *sum += times,
+            None => refused.push((refusal.reason.clone(), times)),
+        }
+    }
+    refused.retain(|&(_, times)| times > 0);
+    OpReport {
+        name: plan.name.clone(),
+        applied: count.applied,
+        refused,
+    }
+}
+
+/// The diagnostic of a trap: it points at the innermost place that is known.
+fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
+    let known: Vec<(&Site, Span)> = trap
+        .trace
+        .iter()
+        .filter_map(|site| Some((site, span(prepared, site)?)))
+        .collect();
+    let (first, calls) = match known.split_first() {
+        Some(((_, span), calls)) => (*span, calls),
+        None => (prepared.script.span, known.as_slice()),
+    };
+    let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
+    for (_, span) in calls {
+        diagnostic = diagnostic.label(*span, "called here");
+    }
+    let unknown = |site: &&Site| site.op.is_some() && span(prepared, site).is_none();
+    match trap
+        .trace
+        .iter()
+        .find(unknown)
+        .and_then(|site| name(prepared, site))
+    {
+        Some(name) => diagnostic.note(format!("it happened inside of `{name}`")),
+        None => diagnostic,
+    }
+}
+
+fn plan<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p Plan> {
+    prepared.plans.get(usize::from(site.op?))?.as_ref()
+}
+
+fn name<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p str> {
+    plan(prepared, site).map(|plan| plan.name.as_str())
+}
+
+fn span(prepared: &Prepared, site: &Site) -> Option<Span> {
+    let places = match site.op {
+        Some(_) => &plan(prepared, site)?.places,
+        None => &prepared.places,
+    };
+    places.get(site.place? as usize).copied()
+}
+
+/// The stable name of a failure.
+fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
+    match &trap.message {
+        Message::Gone(_) => "element-gone",
+        Message::Missing(_) => "no-element",
+        Message::DivisionByZero => "division-by-zero",
+        Message::IntOverflow => "int-overflow",
+        Message::NotFinite => "not-finite",
+        Message::NoRoom(_) => "no-room",
+        Message::Endless => "broken-mesh",
+        Message::Said(_) => match asserted(prepared, trap) {
+            true => "assertion-failed",
+            false => "aggregate-of-nothing",
+        },
+        Message::Refused { .. } => "op-refused",
+        Message::Unproved => "unproved-op",
+        Message::Interrupted => "interrupted",
+        Message::WildPointer(_) | Message::OutOfRange | Message::TooDeep | Message::Malformed => {
+            "machine-error"
+        }
+    }
+}
+
+fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
+    let place = match trap.trace.as_slice() {
+        [Site { op: None, place }] => *place,
+        _ => None,
+    };
+    place.is_some_and(|place| prepared.assertions.binary_search(&place).is_ok())
+}

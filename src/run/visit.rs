@@ -1,0 +1,191 @@
+//! Loops in the code of a script.
+
+use super::live::Exits;
+use super::lower::{Loop, Lowering};
+use crate::compile::{Scope, each, elements};
+use crate::diagram::{Collection, Expr, Type};
+use crate::resolve::{Statement, StatementKind};
+use crate::rewrite::{Assembler, Elements, Inst, Label, Reg};
+use crate::source::Span;
+
+impl Lowering<'_> {
+    /// `repeat`: no turn if the count is negative.
+    pub(super) fn repeat(
+        &mut self,
+        count: &Expr,
+        body: &[Statement],
+        span: Span,
+        exits: Option<&Exits>,
+    ) {
+        let (total, done, more) = (self.asm.reg(), self.asm.reg(), self.asm.reg());
+        let (zero, one) = (self.asm.constant_int(0), self.asm.constant_int(1));
+        let (head, again, end) = (self.asm.label(), self.asm.label(), self.asm.label());
+        self.value_into(count, total);
+        self.asm.emit(Inst::Copy {
+            to: done,
+            from: zero,
+        });
+        self.asm.bind(head);
+        self.asm.emit(Inst::LessInt {
+            to: more,
+            left: done,
+            right: total,
+        });
+        self.asm.emit(Inst::JumpUnless {
+            condition: more,
+            to: end,
+        });
+        self.turn(span, done, total);
+        let exits = self.exits_of_body(None, body, exits);
+        self.turns(Loop { again, end }, body, exits.as_ref());
+        self.asm.bind(again);
+        self.asm.emit(Inst::AddInt {
+            to: done,
+            left: done,
+            right: one,
+        });
+        self.asm.emit(Inst::Jump { to: head });
+        self.asm.bind(end);
+    }
+
+    /// `while`
+    pub(super) fn repeat_while(
+        &mut self,
+        condition: &Expr,
+        body: &[Statement],
+        span: Span,
+        exits: Option<&Exits>,
+    ) {
+        let (again, end) = (self.asm.label(), self.asm.label());
+        let [zero, one, unknown] = [0, 1, -1].map(|n| self.asm.constant_int(n));
+        let done = self.asm.reg();
+        self.asm.emit(Inst::Copy {
+            to: done,
+            from: zero,
+        });
+        self.asm.bind(again);
+        let mark = self.asm.mark();
+        let test = self.value(condition);
+        self.asm.emit(Inst::JumpUnless {
+            condition: test,
+            to: end,
+        });
+        self.asm.release(mark);
+        self.turn(span, done, unknown);
+        self.asm.emit(Inst::AddInt {
+            to: done,
+            left: done,
+            right: one,
+        });
+        let exits = self.exits_of_body(Some(condition), body, exits);
+        self.turns(Loop { again, end }, body, exits.as_ref());
+        self.asm.emit(Inst::Jump { to: again });
+        self.asm.bind(end);
+    }
+
+    /// `for x in xs where c { … }`
+    pub(super) fn visit(&mut self, statement: &Statement) {
+        let (StatementKind::For {
+            variable,
+            collection,
+            filter,
+            body,
+        }
+        | StatementKind::Update {
+            variable,
+            collection,
+            filter,
+            body,
+        }) = &statement.kind
+        else {
+            return;
+        };
+        let span = statement.span;
+        let buffer = self.asm.buffer();
+        self.list(collection, buffer, span);
+        let (again, end) = (self.asm.label(), self.asm.label());
+        let (index, total) = (self.asm.reg(), self.asm.reg());
+        let zero = self.asm.constant_int(0);
+        let element = self.names.local(*variable);
+        self.asm.emit(Inst::BufferLength { buffer, to: total });
+        self.asm.emit(Inst::Copy {
+            to: index,
+            from: zero,
+        });
+        self.asm.bind(again);
+        self.asm.emit(Inst::BufferNext {
+            buffer,
+            index,
+            to: element,
+            otherwise: end,
+        });
+        self.turn(span, index, total);
+        self.asm.emit(Inst::JumpUnlessLiving {
+            of: kind(collection),
+            element,
+            to: again,
+        });
+        if let Some(filter) = filter {
+            let mark = self.asm.mark();
+            let condition = self.value(filter);
+            self.asm.emit(Inst::JumpUnless {
+                condition,
+                to: again,
+            });
+            self.asm.release(mark);
+        }
+        self.turns(Loop { again, end }, body, None);
+        self.asm.emit(Inst::Jump { to: again });
+        self.asm.bind(end);
+    }
+
+    /// `update`: a loop whose writes are kept back. One inside of another keeps them back
+    /// to the end of the outer one.
+    pub(super) fn update(&mut self, statement: &Statement) {
+        if self.held.is_some() {
+            return self.visit(statement);
+        }
+        let buffer = self.asm.buffer();
+        self.asm.emit(Inst::BufferClear { buffer });
+        self.held = Some(buffer);
+        self.visit(statement);
+        self.held = None;
+        self.asm.emit(Inst::ReleasePositions { buffer });
+    }
+
+    /// Puts the elements that a loop visits into a buffer.
+    fn list(&mut self, collection: &Collection, buffer: u16, span: Span) {
+        self.asm.emit(Inst::BufferClear { buffer });
+        if let Some(of) = elements(collection) {
+            return self.asm.emit(Inst::BufferLiving { of, buffer });
+        }
+        let mark = self.asm.mark();
+        let push = &mut |asm: &mut Assembler, _: &mut dyn Scope, from: Reg, _: Label| {
+            asm.emit(Inst::BufferPush { buffer, from });
+        };
+        each(&mut self.asm, &mut self.names, collection, span, push);
+        self.asm.release(mark);
+    }
+
+    fn turn(&mut self, span: Span, done: Reg, total: Reg) {
+        let depth = u16::try_from(self.loops.len()).unwrap_or(u16::MAX);
+        self.trap_at(span, Inst::Turn { depth, done, total });
+    }
+
+    fn turns(&mut self, around: Loop, body: &[Statement], exits: Option<&Exits>) {
+        self.loops.push(around);
+        self.block(body, exits);
+        self.loops.pop();
+    }
+}
+
+/// What the elements must still be when their turn comes.
+fn kind(collection: &Collection) -> Elements {
+    match (collection, collection.element()) {
+        (Collection::Holes, _) => Elements::Holes,
+        (_, Type::Vertex) => Elements::Vertices,
+        (_, Type::Halfedge) => Elements::Halfedges,
+        (_, Type::Edge) => Elements::Edges,
+        (_, _) => Elements::Faces,
+    }
+}
