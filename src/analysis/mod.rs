@@ -1,1 +1,10 @@
-//! analysis
+//! Everything an editor or a command may ask of a program; plain data out.
+//!
+//! [`Analysis`] takes a text all the way: tree, program, proofs, plans, and every
+//! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
+
+mod program;
+mod verdict;
+
+pub use program::Analysis;
+pub use verdict::{RuleVerdict, Verdict, verdicts};

@@ -1,6 +1,46 @@
-//! The command line.
+//! The command line: translation of commands into questions, and of answers into text.
+//!
+//! The only place, with the language server to come, that touches files and streams.
+//! Results go to standard output, everything said about them to standard error. Exit
+//! codes: 0 all is well; 1 something is not proved, or a script failed; 2 bad usage or a file
+//! that cannot be read or written; 3 the operation was refused.
 
-/// Runs the command line.
-pub fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+mod arguments;
+mod check;
+mod failure;
+mod info;
+mod output;
+mod plan;
+mod program;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+use failure::Failure;
+
+/// Runs the command line of this process.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version are no failures; a closed pipe is nobody's.
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+        }
+    };
+    let done = match arguments.command {
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Plan(arguments) => plan::plan(&arguments),
+        Command::Info(arguments) => info::info(&arguments),
+        _ => Ok(()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.tell();
+            failure.exit_code()
+        }
+    }
 }

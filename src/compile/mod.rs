@@ -1,1 +1,16 @@
-//! compile
+//! A proved operation to a plan, and typed expressions to register code.
+//!
+//! [`compile`] takes what only the checker makes, so an unproved operation cannot run. It
+//! lays out the four phases (collect, allocate, reassign, erase) twice: as code for the
+//! machine, and as a table to read. The table is exhaustive; the code leaves out what
+//! provably does not change.
+
+mod collect;
+mod expression;
+mod operation;
+mod reason;
+mod reassign;
+mod registers;
+
+pub use expression::{Scope, each, element_kind, elements, lower, lower_into, width};
+pub use operation::compile;

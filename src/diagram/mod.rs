@@ -4,9 +4,11 @@
 //! is a [`Ref`] with its place. Paths and fans without a name have got one of their own.
 //! Whether the drawing makes sense is the business of [`check`](crate::check).
 
+mod drawing;
 mod expression;
 mod op;
 
+pub use drawing::{Drawing, View};
 pub use expression::{
     Access, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
 };

@@ -357,29 +357,29 @@ impl Mesh {
 
 /// Iteration, in the order of the ids.
 impl Mesh {
-    pub fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
+    pub fn vertices(&self) -> impl Iterator<Item = VertexId> + Clone + '_ {
         living(&self.vertices, |h| *h != HalfedgeId::DEAD).map(VertexId)
     }
 
-    pub fn halfedges(&self) -> impl Iterator<Item = HalfedgeId> + '_ {
+    pub fn halfedges(&self) -> impl Iterator<Item = HalfedgeId> + Clone + '_ {
         living(&self.halfedges, HalfedgeRecord::lives).map(HalfedgeId)
     }
 
-    pub fn edges(&self) -> impl Iterator<Item = EdgeId> + '_ {
+    pub fn edges(&self) -> impl Iterator<Item = EdgeId> + Clone + '_ {
         living(&self.edges, |h| *h != HalfedgeId::DEAD).map(EdgeId)
     }
 
     /// All faces, holes included.
-    pub fn faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+    pub fn faces(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {
         living(&self.faces, |f| f.halfedge != HalfedgeId::DEAD).map(FaceId)
     }
 
-    pub fn holes(&self) -> impl Iterator<Item = FaceId> + '_ {
+    pub fn holes(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {
         self.faces().filter(|&f| self.is_hole(f))
     }
 }
 
-fn living<T>(table: &[T], lives: impl Fn(&T) -> bool) -> impl Iterator<Item = u32> {
+fn living<T>(table: &[T], lives: impl Fn(&T) -> bool + Clone) -> impl Iterator<Item = u32> + Clone {
     // Ids fit in u32 because no slot is added past the id space.
     table
         .iter()

@@ -68,14 +68,16 @@ macro_rules! element_id {
             }
         }
 
+        impl From<$id> for Element {
+            fn from(id: $id) -> Self {
+                Self { kind: $id::KIND, index: id.0 }
+            }
+        }
+
         /// `vertex 3`, or `no vertex`.
         impl fmt::Display for $id {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                if self.is_none() {
-                    write!(f, "no {}", Self::KIND)
-                } else {
-                    write!(f, "{} {}", Self::KIND, self.0)
-                }
+                Element::from(*self).fmt(f)
             }
         }
 
@@ -115,3 +117,26 @@ impl HalfedgeId {
 
 /// The number of ids a kind can have: all of `u32` but the two set aside.
 pub(super) const ID_SPACE: usize = u32::MAX as usize - 1;
+
+/// An element of any kind, for messages.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Element {
+    pub kind: ElementKind,
+    pub index: u32,
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.index == u32::MAX {
+            write!(f, "no {}", self.kind)
+        } else {
+            write!(f, "{} {}", self.kind, self.index)
+        }
+    }
+}
+
+impl fmt::Debug for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

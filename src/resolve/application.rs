@@ -253,8 +253,11 @@ impl Scripting<'_> {
                 None => param.name.clone(),
             })
             .collect();
-        let error = Diagnostic::error("wrong-count", message, span)
-            .note(format!("it is `{}({})`", op.name, params.join(", ")));
+        let error = Diagnostic::error("wrong-count", message, span).note(format!(
+            "it is `{}({})`",
+            op.name,
+            params.join(", ")
+        ));
         self.typing.report.add(error);
         None
     }

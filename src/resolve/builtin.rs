@@ -103,7 +103,10 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
     ("angle", &[f(&[X, X], REAL, Builtin::Angle)]),
     (
         "abs",
-        &[f(&[I], INT, Builtin::AbsInt), f(&[R], REAL, Builtin::AbsReal)],
+        &[
+            f(&[I], INT, Builtin::AbsInt),
+            f(&[R], REAL, Builtin::AbsReal),
+        ],
     ),
     (
         "min",

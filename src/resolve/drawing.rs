@@ -152,8 +152,7 @@ impl<'a> Drawing<'a> {
                 Arrow::Halfedge(name) | Arrow::Path(Some(name)) => self.refer(name)?,
                 Arrow::Path(None) => {
                     if let Some(first) = unnamed.replace(item.span) {
-                        let message =
-                            format!("the loop of `{word}` has two paths without a name");
+                        let message = format!("the loop of `{word}` has two paths without a name");
                         let error = Diagnostic::error("two-unnamed-paths", message, item.span)
                             .label(first, "the first is here")
                             .note("give one of them a name: `=P=>`");
@@ -199,8 +198,7 @@ impl<'a> Drawing<'a> {
 
     fn open_loop(&mut self, face: &str, first: Ref, end: Ref) {
         let [begins, ends] = [first, end].map(|r| self.names.get(r.name).text.as_str());
-        let message =
-            format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
+        let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
             .label(first.span, "it begins here")
             .fix(format!("end at `{begins}`"), end.span, begins);
@@ -212,7 +210,11 @@ impl<'a> Drawing<'a> {
         let message = format!("the loop of `{face}` does not end; it begins at `{begins}`");
         let error = Diagnostic::error("open-loop", message, span.after())
             .label(first.span, "it begins here")
-            .fix(format!("end at `{begins}`"), span.after(), format!(" {begins}"));
+            .fix(
+                format!("end at `{begins}`"),
+                span.after(),
+                format!(" {begins}"),
+            );
         self.report.add(error);
     }
 

@@ -208,9 +208,7 @@ impl Typing<'_> {
     /// `must f(x)` where a value is wanted.
     pub(super) fn misplaced_must(&mut self, inner: &tree::Expr, span: Span) -> Option<Expr> {
         match &inner.kind {
-            tree::ExprKind::Call { function, .. }
-                if self.declared.op(&function.text).is_some() =>
-            {
+            tree::ExprKind::Call { function, .. } if self.declared.op(&function.text).is_some() => {
                 self.op_in_expression(&function.text, span);
             }
             tree::ExprKind::Broken => self.report.fail(),

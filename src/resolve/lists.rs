@@ -78,8 +78,8 @@ impl<'a> Reader<'a> {
             return true;
         };
         let message = format!("`{}` is listed twice in `{list}`", name.ident.text);
-        let error = Diagnostic::error("listed-twice", message, name.span)
-            .label(*first, "listed first");
+        let error =
+            Diagnostic::error("listed-twice", message, name.span).label(*first, "listed first");
         self.report.add(error);
         false
     }
@@ -195,19 +195,21 @@ pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
     let count = |side: &Side| side.loops.len() + side.edges.len() + side.stars.len();
     let stated = count(after);
     let loops = before.loops.iter().filter(|l| l.face.name == kept.name);
-    after.loops.extend(loops.take(1).map(|l| Loop {
-        kind: l.kind,
-        face: kept,
-        items: l
-            .items
-            .iter()
-            .map(|item| LoopItem {
-                from: here(item.from),
-                item: here(item.item),
-            })
-            .collect(),
-        end: here(l.end),
-        span,
+    after.loops.extend(loops.take(1).map(|l| {
+        Loop {
+            kind: l.kind,
+            face: kept,
+            items: l
+                .items
+                .iter()
+                .map(|item| LoopItem {
+                    from: here(item.from),
+                    item: here(item.item),
+                })
+                .collect(),
+            end: here(l.end),
+            span,
+        }
     }));
     let edges = before.edges.iter().filter(|e| e.edge.name == kept.name);
     after.edges.extend(edges.take(1).map(|edge| Edge {
@@ -216,18 +218,20 @@ pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
         span,
     }));
     let stars = before.stars.iter().filter(|s| s.vertex.name == kept.name);
-    after.stars.extend(stars.take(1).map(|star| Star {
-        vertex: kept,
-        spokes: star
-            .spokes
-            .iter()
-            .map(|spoke| match spoke {
-                Spoke::Halfedge(r) => Spoke::Halfedge(here(*r)),
-                Spoke::Fan(r) => Spoke::Fan(here(*r)),
-                Spoke::Rest(_) => Spoke::Rest(span),
-            })
-            .collect(),
-        span,
+    after.stars.extend(stars.take(1).map(|star| {
+        Star {
+            vertex: kept,
+            spokes: star
+                .spokes
+                .iter()
+                .map(|spoke| match spoke {
+                    Spoke::Halfedge(r) => Spoke::Halfedge(here(*r)),
+                    Spoke::Fan(r) => Spoke::Fan(here(*r)),
+                    Spoke::Rest(_) => Spoke::Rest(span),
+                })
+                .collect(),
+            span,
+        }
     }));
     count(after) > stated
 }

@@ -19,28 +19,28 @@ mod report;
 mod suggestion;
 mod words;
 
-mod op;
-mod parameter;
+mod condition;
+mod drawing;
 mod family;
+mod lists;
 mod mention;
 mod names;
+mod op;
+mod parameter;
 mod rule;
-mod drawing;
-mod lists;
-mod condition;
 
-mod typing;
-mod scopes;
+mod builtin;
+mod field;
+mod function;
 mod lookup;
 mod operator;
-mod field;
-mod builtin;
-mod function;
+mod scopes;
 mod sequence;
+mod typing;
 
+mod application;
 mod script;
 mod statement;
-mod application;
 
 pub use file::{Resolved, resolve};
 pub use program::{

@@ -69,7 +69,9 @@ pub(super) fn resolve_op(
     let names: Vec<Names> = names.collect();
     let result = match &op.result {
         None => Returned::Nothing,
-        Some(name) => result_type(name, &names, report).map_or(Returned::Unknown, Returned::Element),
+        Some(name) => {
+            result_type(name, &names, report).map_or(Returned::Unknown, Returned::Element)
+        }
     };
     let mut rules = Vec::new();
     if let Some(family) = first_family(op) {

@@ -51,9 +51,7 @@ pub(super) fn resolve_rule(
     let assignments = assignments(after, &names, &lists.erased, &mut typing);
 
     let result = match (&context.op.result, context.result) {
-        (Some(name), Returned::Element(_)) => {
-            returned(name, rule, &names, &lists.erased, report)
-        }
+        (Some(name), Returned::Element(_)) => returned(name, rule, &names, &lists.erased, report),
         // Of a result that is no element the op has complained.
         _ => None,
     };

@@ -80,7 +80,10 @@ impl Scopes {
     /// The variable of this name that the innermost block itself has declared.
     pub(super) fn find_here(&self, name: &str) -> Option<&Local> {
         let (number, local) = self.find(name)?;
-        let here = self.open.last().is_some_and(|block| block.contains(&number));
+        let here = self
+            .open
+            .last()
+            .is_some_and(|block| block.contains(&number));
         here.then_some(local)
     }
 

@@ -95,12 +95,7 @@ impl Typing<'_> {
     }
 
     /// All elements of one kind: for scripts only.
-    fn whole_mesh(
-        &mut self,
-        word: &str,
-        collection: Collection,
-        span: Span,
-    ) -> Option<Collection> {
+    fn whole_mesh(&mut self, word: &str, collection: Collection, span: Span) -> Option<Collection> {
         let message = match self.place {
             Place::Script => return Some(collection),
             Place::Rule(_) => format!(

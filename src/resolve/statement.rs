@@ -224,9 +224,7 @@ impl Scripting<'_> {
     /// An expression that stands alone: the call of an op, or a mistake.
     pub(super) fn alone(&mut self, expr: &tree::Expr) -> Option<StatementKind> {
         match &expr.kind {
-            tree::ExprKind::Call { function, args } if function.text == "print" => {
-                self.print(args)
-            }
+            tree::ExprKind::Call { function, args } if function.text == "print" => self.print(args),
             tree::ExprKind::Call { function, args }
                 if !self.typing.declared.is_called(&function.text)
                     || self.typing.declared.op(&function.text).is_some() =>
@@ -264,12 +262,10 @@ impl Scripting<'_> {
     /// Whether a statement may stand in `update`, which keeps the mesh's connectivity.
     pub(super) fn may_update(&mut self, action: &Action) -> bool {
         let span = match &action.kind {
-            ActionKind::Let { value, .. } | ActionKind::Assign { value, .. } => {
-                match &value.kind {
-                    tree::ExprKind::Must(_) => value.span,
-                    _ => return true,
-                }
-            }
+            ActionKind::Let { value, .. } | ActionKind::Assign { value, .. } => match &value.kind {
+                tree::ExprKind::Must(_) => value.span,
+                _ => return true,
+            },
             ActionKind::If {
                 binding, condition, ..
             } => {

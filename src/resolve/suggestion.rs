@@ -35,9 +35,11 @@ pub(super) fn suggest<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
     match closest(word, candidates) {
-        Some(meant) => diagnostic
-            .saying(format!("did you mean `{meant}`?"))
-            .fix(format!("write `{meant}`"), span, meant),
+        Some(meant) => diagnostic.saying(format!("did you mean `{meant}`?")).fix(
+            format!("write `{meant}`"),
+            span,
+            meant,
+        ),
         None => diagnostic,
     }
 }

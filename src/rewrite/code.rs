@@ -52,6 +52,30 @@ pub enum Walk {
     Star,
 }
 
+/// The elements a loop over the whole mesh visits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Elements {
+    Vertices,
+    Halfedges,
+    Edges,
+    /// Faces that are not holes.
+    Faces,
+    Holes,
+}
+
+impl Elements {
+    /// Their kind.
+    pub fn kind(self) -> ElementKind {
+        match self {
+            Elements::Vertices => ElementKind::Vertex,
+            Elements::Halfedges => ElementKind::Halfedge,
+            Elements::Edges => ElementKind::Edge,
+            Elements::Faces | Elements::Holes => ElementKind::Face,
+        }
+    }
+}
+
 /// A flat program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Code {
@@ -63,6 +87,17 @@ pub struct Code {
     pub buffers: u16,
     /// Why each trapping instruction could fail, by its index: see [`Traps`].
     pub traps: Traps,
+    /// The constant texts, by number; no two are equal.
+    pub texts: Vec<String>,
+}
+
+impl Code {
+    /// The number of the place in the source of an instruction that can trap.
+    pub fn place(&self, inst: usize) -> Option<u32> {
+        let at = u32::try_from(inst).ok()?;
+        let found = self.traps.binary_search_by_key(&at, |&(inst, _)| inst);
+        found.ok().map(|trap| self.traps[trap].1)
+    }
 }
 
 /// For each instruction that can fail at run time the number of its place in the source:
@@ -125,12 +160,13 @@ pub enum Inst {
         left: Reg,
         right: Reg,
     },
-    /// Two ints, bools or elements.
+    /// Two ints, bools, elements or texts.
     Equal {
         to: Reg,
         left: Reg,
         right: Reg,
     },
+    /// Traps, as all arithmetic of ints does, when the result does not fit.
     AddInt {
         to: Reg,
         left: Reg,
@@ -339,6 +375,19 @@ pub enum Inst {
         kind: ElementKind,
         to: Reg,
     },
+    /// Moves `element` on to the first living one from there on, itself included; jumps
+    /// if there is none.
+    NextLiving {
+        of: Elements,
+        element: Reg,
+        otherwise: Label,
+    },
+    /// Jumps if an element is erased, or a face no longer of its sort. Never traps.
+    JumpUnlessLiving {
+        of: Elements,
+        element: Reg,
+        to: Label,
+    },
     /// Whether an element exists. Never traps.
     Alive {
         kind: ElementKind,
@@ -472,7 +521,8 @@ pub enum Inst {
         until: Reg,
         whole: bool,
     },
-    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts.
+    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts;
+    /// where it is also the `stop`, the walk goes once around. It ends when it is back.
     Meets {
         walk: Walk,
         to: Reg,
@@ -504,6 +554,18 @@ pub enum Inst {
         buffer: u16,
         to: Reg,
         index: Reg,
+    },
+    /// `to = buffer[index]`, and `index` moves on by one; jumps when nothing is left.
+    BufferNext {
+        buffer: u16,
+        index: Reg,
+        to: Reg,
+        otherwise: Label,
+    },
+    /// Appends all living elements, in order of their ids.
+    BufferLiving {
+        of: Elements,
+        buffer: u16,
     },
 
     // Writes.
@@ -538,6 +600,18 @@ pub enum Inst {
         vertex: Reg,
         value: Reg,
     },
+    /// Keeps a position back in a buffer. Traps if it is not finite or the vertex is
+    /// gone.
+    HoldPosition {
+        buffer: u16,
+        vertex: Reg,
+        value: Reg,
+    },
+    /// Writes the positions kept back in a buffer, in order, and clears it. Vertices
+    /// erased in the meantime are passed over.
+    ReleasePositions {
+        buffer: u16,
+    },
     /// Writes one pointer of every halfedge in a buffer.
     StoreAll {
         field: HalfedgeField,
@@ -570,9 +644,15 @@ pub enum Inst {
         done: Reg,
         total: Reg,
     },
+    /// One turn of an aggregate over the whole mesh. The watcher may interrupt.
+    Tick,
     /// Prints a constant text.
     PrintText {
         text: u32,
+    },
+    /// Prints the text whose number is in the register.
+    PrintTextOf {
+        from: Reg,
     },
     PrintBool {
         from: Reg,
@@ -595,4 +675,27 @@ pub enum Inst {
     Fail {
         text: u32,
     },
+}
+
+impl Inst {
+    /// The instruction it may jump to.
+    pub fn target_mut(&mut self) -> Option<&mut Label> {
+        match self {
+            Inst::Jump { to }
+            | Inst::JumpIf { to, .. }
+            | Inst::JumpUnless { to, .. }
+            | Inst::JumpUnequal { to, .. }
+            | Inst::JumpEqual { to, .. } => Some(to),
+            Inst::JumpUnlessLiving { to, .. } => Some(to),
+            Inst::NextLiving { otherwise, .. } | Inst::BufferNext { otherwise, .. } => {
+                Some(otherwise)
+            }
+            Inst::ExpectEqual { otherwise, .. }
+            | Inst::ExpectDistinct { otherwise, .. }
+            | Inst::Expect { otherwise, .. }
+            | Inst::ExpectFinite { otherwise, .. }
+            | Inst::ExpectRoom { otherwise, .. } => Some(otherwise),
+            _ => None,
+        }
+    }
 }

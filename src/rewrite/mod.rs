@@ -1,11 +1,34 @@
 //! The register code, the plan of an operation, and the machine that runs both.
 //!
 //! A proved operation and a script lower to the same flat [`Code`]: typed registers,
-//! explicit loads and stores on the mesh's arrays, jumps, no closures. The
-//! [`Machine`](machine) runs it on a mesh; native code can be made from it later.
+//! explicit loads and stores on the mesh's arrays, jumps, no closures. An [`Assembler`]
+//! writes it; a [`Machine`] runs it on a mesh; native code can be made from it later.
 
 mod code;
 mod plan;
 
-pub use code::{Code, ElementField, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
+mod assembler;
+
+mod machine;
+
+mod call;
+mod dispatch;
+mod window;
+
+mod access;
+mod arithmetic;
+mod print;
+
+mod trap;
+mod watch;
+
+pub use assembler::{Assembler, Mark, TooLarge};
+pub use call::Outcome;
+pub use code::{Code, ElementField, Elements, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
+pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
+pub use print::{ElementText, RealText, VectorText};
+pub use trap::{Message, Site, Trap};
+pub use watch::{Unwatched, Watch};
+
+use call::Call;

@@ -2,6 +2,7 @@
 
 use super::Code;
 use crate::mesh::ElementKind;
+use crate::source::Span;
 
 /// A compiled operation.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,8 @@ pub struct Plan {
     pub result: Option<ElementKind>,
     /// The code: match, allocate, reassign, erase; whole or not at all.
     pub code: Code,
+    /// Where in the source the code can trap, by the numbers in [`Code::traps`].
+    pub places: Vec<Span>,
     /// Why it can refuse, by number.
     pub refusals: Vec<Refusal>,
     /// Each alternative in four phases, to read.

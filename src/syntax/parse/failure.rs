@@ -145,14 +145,23 @@ pub(super) struct Failure {
 }
 
 impl Failure {
-    /// A mistake with a sentence of its own.
-    pub(super) fn mistake(mistake: Mistake, span: Span) -> Self {
+    /// Something unexpected, of which nothing more is known.
+    pub(super) fn at(span: Span) -> Self {
         Self {
             span,
             found: None,
             wanted: Wanted::default(),
             context: None,
-            mistake: Some(mistake),
+            mistake: None,
+        }
+    }
+
+    /// A mistake with a sentence of its own.
+    pub(super) fn mistake(mistake: Mistake, span: Span) -> Self {
+        let mistake = Some(mistake);
+        Self {
+            mistake,
+            ..Self::at(span)
         }
     }
 }
@@ -178,12 +187,11 @@ impl<'t> LabelError<'t, Tokens<'t>, DefaultExpected<'t, TokenKind>> for Failure 
                 wanted.tokens |= 1 << *kind as u32;
             }
         }
+        let found = found.map(|kind| *kind);
         Self {
-            span,
-            found: found.map(|kind| *kind),
+            found,
             wanted,
-            context: None,
-            mistake: None,
+            ..Self::at(span)
         }
     }
 }
@@ -198,12 +206,11 @@ impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
         for phrase in expected {
             wanted.add(Wanted::phrase(phrase));
         }
+        let found = found.map(|kind| *kind);
         Self {
-            span,
-            found: found.map(|kind| *kind),
+            found,
             wanted,
-            context: None,
-            mistake: None,
+            ..Self::at(span)
         }
     }
 

@@ -4,7 +4,7 @@ use super::cut::cut;
 use super::depth::{DEEPEST, too_deep};
 use super::input::{self, Rule, Source};
 use super::item::item;
-use super::report::{Around, report};
+use super::report::{Around, report, unclosed};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 use crate::syntax::lex::{Comment, CommentKind, Lexed, lex};
@@ -116,10 +116,14 @@ impl Reading<'_, '_> {
             .grammar
             .parse_with_state(input, &mut source)
             .into_output_errors();
+        if failures.is_empty() {
+            return item.unwrap_or(Item::Broken(whole));
+        }
         let around = Around {
             text: self.text,
             item: inside,
             next: self.tokens.get(range.end).copied(),
+            unclosed: unclosed(inside),
         };
         let told = failures.into_iter().map(|failure| report(failure, &around));
         self.diagnostics.extend(told);

@@ -5,6 +5,7 @@
 //! by the brace that closes what surrounds it; every token is skipped at most once in each
 //! level of braces.
 
+use super::failure::Failure;
 use super::input::{Extra, Rule, Tokens};
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
@@ -91,7 +92,8 @@ pub(super) fn rest<'t>() -> Rule<'t, Span> {
 
 type Stop = for<'t, 'p> fn(&mut Input<'t, 'p>, T, usize) -> bool;
 
-/// Skips one token, and then up to where `stop` holds. The last argument of `stop` counts
+/// Skips one token, and then up to where `stop` holds; fails where there is no token, so
+/// that no repetition stands still. The last argument of `stop` counts
 /// the braces that were opened on the way; a skip ends behind the last one that closes.
 fn skip<'t>(stop: Stop) -> Rule<'t, Span> {
     skipping(stop, true)
@@ -104,6 +106,9 @@ fn skip_from_first<'t>(stop: Stop) -> Rule<'t, Span> {
 fn skipping<'t>(stop: Stop, first_goes: bool) -> Rule<'t, Span> {
     custom(move |input: &mut Input<'t, '_>| {
         let start = input.cursor();
+        if first_goes && input.peek().is_none() {
+            return Err(Failure::at(input.span_since(&start)));
+        }
         let mut level = 0;
         let mut free = first_goes;
         while let Some(kind) = input.peek() {

@@ -13,6 +13,8 @@ pub(super) struct Around<'t> {
     pub item: &'t [Token],
     /// The token behind the item, if any.
     pub next: Option<Token>,
+    /// The last brace of the item that nothing closes.
+    pub unclosed: Option<Token>,
 }
 
 /// Tells a failure in words.
@@ -66,7 +68,7 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
         message = format!("{message} {place}");
     }
     let told = Diagnostic::error("syntax-error", message, failure.span);
-    match unclosed(around.item) {
+    match around.unclosed {
         Some(open) if failure.wanted.has(T::RightBrace) => {
             let mark = open.kind;
             told.label(open.span, format!("this {mark} is not closed"))
@@ -135,8 +137,8 @@ fn place(context: Span, around: &Around) -> Option<String> {
     })
 }
 
-/// The last bracket of an item that nothing closes.
-fn unclosed(tokens: &[Token]) -> Option<Token> {
+/// The last brace of an item that nothing closes.
+pub(super) fn unclosed(tokens: &[Token]) -> Option<Token> {
     let mut open: Vec<Token> = Vec::new();
     for &token in tokens {
         match token.kind {

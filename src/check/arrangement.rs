@@ -1,0 +1,202 @@
+//! Arrangements: the ways in which the arcs of a vertex can join its chains.
+//!
+//! The mesh before is valid, so the arcs at a vertex with `k` chains join them into one
+//! cycle: at most `(k-1)!` ways. A vertex statement leaves those that agree with it, and says
+//! which arc, and which first spoke of a path, lies in which fan.
+
+use super::chain::Corner;
+use super::port::Port;
+use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
+
+/// What a piece of a star belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lies {
+    /// In a named fan.
+    Fan(NameId),
+    /// In no named fan: it stays with its vertex.
+    Rest,
+    /// The piece is known to hold no spoke.
+    Empty,
+}
+
+/// What lies outside the drawing between two chains of a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Arc {
+    /// The exit it leaves from.
+    pub from: Port,
+    /// The entry it leads to, clockwise.
+    pub to: Port,
+    /// The vertex it lies at before.
+    pub vertex: NameId,
+    /// Where its spokes belong.
+    pub lies: Lies,
+}
+
+/// One way in which the arcs of a vertex can run.
+///
+/// An arc from `Out(P)` to `In(P)` of a path that may be empty also stands for the empty path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Arrangement {
+    /// The arcs.
+    pub arcs: Vec<Arc>,
+    /// For each path that starts at the vertex, where its first spoke belongs.
+    pub first_spokes: Vec<(NameId, Lies)>,
+}
+
+/// How many arrangements of one vertex are looked at; more chains than this allows are
+/// given up on.
+const MOST: usize = 40_320;
+
+/// The arrangements of a vertex that agree with its statement, or `None` if there are too
+/// many to look at.
+pub(super) fn arrangements(drawing: &Drawing, corner: &Corner) -> Option<Vec<Arrangement>> {
+    let count = corner.chains.len();
+    if corner.chains.iter().any(|chain| chain.closed) {
+        let order: Vec<_> = (0..count).collect();
+        let alone = count == 1;
+        return Some(
+            alone
+                .then(|| read(drawing, corner, &order))
+                .flatten()
+                .into_iter()
+                .collect(),
+        );
+    }
+    let ways = (1..count).try_fold(1_usize, |ways, factor| ways.checked_mul(factor))?;
+    if ways > MOST {
+        return None;
+    }
+    let mut found = Vec::new();
+    let mut order: Vec<_> = (0..count).collect();
+    permute(&mut order, 1, &mut |order| {
+        found.extend(read(drawing, corner, order))
+    });
+    Some(found)
+}
+
+/// Calls back with each order of the elements from `fixed` on.
+fn permute(order: &mut [usize], fixed: usize, tell: &mut impl FnMut(&[usize])) {
+    if fixed >= order.len() {
+        return tell(order);
+    }
+    for pick in fixed..order.len() {
+        order.swap(fixed, pick);
+        permute(order, fixed + 1, tell);
+        order.swap(fixed, pick);
+    }
+}
+
+/// A piece of an orbit, clockwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Piece {
+    Spoke(NameId),
+    /// The first spoke of a path, by its index among the first spokes; with whether the
+    /// path is empty in this order.
+    First(usize, bool),
+    /// An arc, by its index.
+    Arc(usize),
+}
+
+/// The arrangement in which the chains follow each other in `order`, unless it contradicts
+/// the vertex statement.
+fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangement> {
+    let mut way = Arrangement {
+        arcs: Vec::new(),
+        first_spokes: Vec::new(),
+    };
+    let mut pieces = Vec::new();
+    for (at, &index) in order.iter().enumerate() {
+        let chain = &corner.chains[index];
+        let next = &corner.chains[order[(at + 1) % order.len()]];
+        for &port in &chain.ports {
+            let Port::Out(item) = port else { continue };
+            if drawing.rule.kind(item) == Kind::Path {
+                let exits = !chain.closed && port == chain.exit();
+                let empty = exits && next.entry() == Port::In(item) && drawing.may_be_empty(item);
+                way.first_spokes
+                    .push((item, if empty { Lies::Empty } else { Lies::Rest }));
+                pieces.push(Piece::First(way.first_spokes.len() - 1, empty));
+            } else {
+                pieces.push(Piece::Spoke(item));
+            }
+        }
+        if !chain.closed {
+            let arc = Arc {
+                from: chain.exit(),
+                to: next.entry(),
+                vertex: corner.vertex,
+                lies: Lies::Rest,
+            };
+            way.arcs.push(arc);
+            pieces.push(Piece::Arc(way.arcs.len() - 1));
+        }
+    }
+    if let Some(star) = drawing.before.star(corner.vertex) {
+        agree(star, &pieces, &mut way)?;
+    }
+    Some(way)
+}
+
+/// Puts each piece in its fan, or says that the order contradicts the statement.
+fn agree(star: &Star, pieces: &[Piece], way: &mut Arrangement) -> Option<()> {
+    // The statement reads counterclockwise, pieces run clockwise.
+    let stated: Vec<_> = star.spokes.iter().rev().collect();
+    let count = pieces.len();
+    let place = |lies: Lies, piece: Piece, way: &mut Arrangement| -> Option<()> {
+        match piece {
+            Piece::Spoke(_) => return None,
+            Piece::Arc(arc) => way.arcs[arc].lies = lies,
+            Piece::First(first, empty) => match lies {
+                Lies::Empty if !empty => return None,
+                _ => way.first_spokes[first].1 = if empty { Lies::Empty } else { lies },
+            },
+        }
+        Some(())
+    };
+    let anchor = stated
+        .iter()
+        .position(|spoke| matches!(spoke, Spoke::Halfedge(_)));
+    let Some(anchor) = anchor else {
+        // One fan, and nothing else.
+        let lies = stated.first().map_or(Lies::Empty, |spoke| belongs(spoke));
+        return pieces.iter().try_for_each(|&piece| place(lies, piece, way));
+    };
+    let Spoke::Halfedge(first) = stated[anchor] else {
+        return None;
+    };
+    let start = pieces
+        .iter()
+        .position(|&piece| piece == Piece::Spoke(first.name))?;
+    let mut at = 0; // how many pieces have been read, from the anchor on
+    let mut step = 0;
+    while step < stated.len() {
+        let Spoke::Halfedge(name) = stated[(anchor + step) % stated.len()] else {
+            return None;
+        };
+        if at >= count || pieces[(start + at) % count] != Piece::Spoke(name.name) {
+            return None;
+        }
+        at += 1;
+        step += 1;
+        // What follows up to the next listed spoke is in the fan stated here, or empty.
+        let fan = stated[(anchor + step) % stated.len()];
+        let lies = if step < stated.len() && !matches!(fan, Spoke::Halfedge(_)) {
+            step += 1;
+            belongs(fan)
+        } else {
+            Lies::Empty
+        };
+        while at < count && !matches!(pieces[(start + at) % count], Piece::Spoke(_)) {
+            place(lies, pieces[(start + at) % count], way)?;
+            at += 1;
+        }
+    }
+    (at == count).then_some(())
+}
+
+fn belongs(spoke: &Spoke) -> Lies {
+    match spoke {
+        Spoke::Fan(fan) => Lies::Fan(fan.name),
+        Spoke::Halfedge(_) | Spoke::Rest(_) => Lies::Rest,
+    }
+}

@@ -1,0 +1,249 @@
+//! Law 6: ends agree.
+//!
+//! If `x | y` is an edge, each starts where the other ends. A spoke starts at its vertex. A
+//! halfedge named in `before` never hides in a fan: if its vertex has a vertex statement, it
+//! is listed there. A halfedge of `before` stands in a loop, or is the twin of one that does.
+//! A new loop is a `face` or a `hole`. Two fans, or two paths, that touch in `before` have no
+//! border that anybody could find.
+
+use super::problem::Problem;
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, Ref, Side, Spoke, View};
+
+/// Tests the law.
+pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
+    let mut law = Law {
+        drawing,
+        problems: Vec::new(),
+    };
+    law.halfedges_are_placed();
+    law.edges_join_their_ends(&drawing.rule.before, &drawing.before, "before");
+    law.edges_join_their_ends(&drawing.rule.after, &drawing.after, "after");
+    law.spokes_start_at_their_vertex();
+    law.no_named_halfedge_hides_in_a_fan();
+    law.runs_have_borders();
+    law.new_loops_are_faces_or_holes();
+    law.problems
+}
+
+struct Law<'a> {
+    drawing: &'a Drawing<'a>,
+    problems: Vec<Problem>,
+}
+
+impl Law<'_> {
+    fn tell(&mut self, diagnostic: Diagnostic) {
+        self.problems.push(diagnostic.into());
+    }
+
+    fn halfedges_are_placed(&mut self) {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        for name in rule.names_of(Kind::Halfedge) {
+            let Some(span) = drawing.before.mention(name) else {
+                continue;
+            };
+            let placed = |half| drawing.before.loop_of_item(half).is_some();
+            if placed(name) || drawing.before.twin(name).is_some_and(placed) {
+                continue;
+            }
+            let text = rule.quoted(name);
+            let message =
+                format!("{text} stands in no loop of `before`, and is no twin of one that does");
+            let word = &rule.name(name).text;
+            self.tell(
+                Diagnostic::error("unplaced-halfedge", message, span)
+                    .note(format!("draw its loop, for example `face f: v0 -{word}-> v1 =P=> v0`, or its twin in a loop and `edge e: {word}' | {word}`")),
+            );
+        }
+    }
+
+    fn edges_join_their_ends(&mut self, side: &Side, view: &View, word: &str) {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        for edge in &side.edges {
+            let [left, right] = edge.halfedges;
+            for (ends, starts) in [(left, right), (right, left)] {
+                let end = view.target_mention(ends.name);
+                let start = view.origin_mention(starts.name);
+                let (Some(end), Some(start)) = (end, start) else {
+                    continue;
+                };
+                if end.name == start.name {
+                    continue;
+                }
+                let message = format!(
+                    "{} and {} cannot be twins in `{word}`: {} ends at {}, but {} starts at {}",
+                    rule.quoted(left.name),
+                    rule.quoted(right.name),
+                    rule.quoted(ends.name),
+                    rule.quoted(end.name),
+                    rule.quoted(starts.name),
+                    rule.quoted(start.name),
+                );
+                self.tell(
+                    Diagnostic::error("ends-disagree", message, edge.span)
+                        .saying("paired here")
+                        .label(end.span, format!("{} ends here", rule.quoted(ends.name)))
+                        .label(
+                            start.span,
+                            format!("{} starts here", rule.quoted(starts.name)),
+                        ),
+                );
+                break;
+            }
+        }
+    }
+
+    fn spokes_start_at_their_vertex(&mut self) {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        for (side, view, word) in [
+            (&rule.before, &drawing.before, "before"),
+            (&rule.after, &drawing.after, "after"),
+        ] {
+            let mut listed: Vec<Option<Ref>> = vec![None; rule.names.len()];
+            for star in &side.stars {
+                for spoke in &star.spokes {
+                    let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = *spoke else {
+                        continue;
+                    };
+                    let text = rule.quoted(spoke.name);
+                    if let Some(first) = listed[spoke.name.index()] {
+                        let message =
+                            format!("{text} is listed twice in the vertex statements of `{word}`");
+                        self.tell(
+                            Diagnostic::error("spoke-twice", message, spoke.span)
+                                .saying("here again")
+                                .label(first.span, "here"),
+                        );
+                        continue;
+                    }
+                    listed[spoke.name.index()] = Some(spoke);
+                    // Where the loops, or the twin in a loop, say the halfedge starts.
+                    let says = view
+                        .origin_mention(spoke.name)
+                        .or_else(|| view.target_mention(view.twin(spoke.name)?));
+                    let Some(says) = says.filter(|says| says.name != star.vertex.name) else {
+                        continue;
+                    };
+                    let vertex = rule.quoted(star.vertex.name);
+                    let message = format!(
+                        "{text} is listed as a spoke of {vertex}, but starts at {}",
+                        rule.quoted(says.name)
+                    );
+                    self.tell(
+                        Diagnostic::error("ends-disagree", message, spoke.span)
+                            .saying(format!("listed at {vertex} here"))
+                            .label(
+                                says.span,
+                                format!("starts at {} here", rule.quoted(says.name)),
+                            ),
+                    );
+                }
+            }
+        }
+    }
+
+    fn no_named_halfedge_hides_in_a_fan(&mut self) {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        for star in &rule.before.stars {
+            for name in rule.names_of(Kind::Halfedge) {
+                let here = drawing.origin_before(name) == Some(star.vertex.name);
+                if !here || drawing.before.star_of_spoke(name).is_some() {
+                    continue;
+                }
+                let text = rule.quoted(name);
+                let vertex = rule.quoted(star.vertex.name);
+                let message =
+                    format!("{text} starts at {vertex}, but the vertex statement does not list it");
+                let drawn = drawing
+                    .before
+                    .mention(name)
+                    .expect("it has an origin before");
+                let mut diagnostic = Diagnostic::error("hidden-spoke", message, star.span)
+                    .saying(format!("{text} is missing among the spokes"))
+                    .label(drawn, "drawn here")
+                    .note("a named halfedge never lies in a fan: moving the fan would relabel it twice");
+                if let Some((after, word)) = self.place_of_spoke(star.spokes.as_slice(), name) {
+                    diagnostic = diagnostic.fix(
+                        format!("list {text} behind `{word}`"),
+                        after.span.after(),
+                        format!(" {}", rule.name(name).text),
+                    );
+                }
+                self.tell(diagnostic);
+            }
+        }
+    }
+
+    /// The listed spoke behind which `name` surely comes, counterclockwise: `x` with
+    /// `x.prev.twin` drawn as `name`.
+    fn place_of_spoke(&self, spokes: &[Spoke], name: NameId) -> Option<(Ref, String)> {
+        let view = &self.drawing.before;
+        spokes.iter().find_map(|spoke| match spoke {
+            Spoke::Halfedge(listed) if view.twin(view.item_before(listed.name)?) == Some(name) => {
+                Some((*listed, self.drawing.rule.name(listed.name).text.clone()))
+            }
+            _ => None,
+        })
+    }
+
+    fn runs_have_borders(&mut self) {
+        let rule = self.drawing.rule;
+        for orbit in &rule.before.loops {
+            let count = orbit.items.len();
+            for (at, item) in orbit.items.iter().enumerate() {
+                let next = orbit.items[(at + 1) % count].item;
+                let paths = [item.item, next]
+                    .iter()
+                    .all(|item| rule.kind(item.name) == Kind::Path);
+                if paths && count > 1 {
+                    let message = format!(
+                        "nothing says where {} ends and {} begins",
+                        rule.quoted(item.item.name),
+                        rule.quoted(next.name)
+                    );
+                    self.tell(
+                        Diagnostic::error("adjacent-runs", message, next.span)
+                            .label(item.item.span, "")
+                            .note("put a halfedge between two paths of `before`"),
+                    );
+                }
+            }
+        }
+        for star in &rule.before.stars {
+            let count = star.spokes.len();
+            let is_fan = |at: usize| !matches!(star.spokes[at % count], Spoke::Halfedge(_));
+            if count > 1 && (0..count).any(|at| is_fan(at) && is_fan(at + 1)) {
+                let vertex = rule.quoted(star.vertex.name);
+                let message =
+                    format!("nothing says where one fan of {vertex} ends and the next begins");
+                self.tell(
+                    Diagnostic::error("adjacent-runs", message, star.span)
+                        .note("put a spoke between two fans of `before`"),
+                );
+            }
+        }
+    }
+
+    fn new_loops_are_faces_or_holes(&mut self) {
+        let rule = self.drawing.rule;
+        for orbit in &rule.after.loops {
+            if orbit.kind == LoopKind::Any && self.drawing.created(orbit.face.name).is_some() {
+                let text = rule.quoted(orbit.face.name);
+                let message = format!("the new {text} must be a face or a hole");
+                let keyword = crate::source::Span {
+                    end: orbit.span.start + 4,
+                    ..orbit.span
+                };
+                self.tell(
+                    Diagnostic::error("new-loop-kind", message, keyword)
+                        .saying("`loop` means either")
+                        .note("write `face` or `hole`"),
+                );
+            }
+        }
+    }
+}

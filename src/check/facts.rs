@@ -1,0 +1,115 @@
+//! What a proof establishes besides validity: the change of the counts, and the cost.
+
+use super::matching::{Claim, Step};
+use crate::diagram::{Drawing, Kind, NameId, Rule};
+
+/// What was established of a rule.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Facts {
+    /// How many ways the mesh around the drawing can lie, all of them looked at.
+    pub cases: usize,
+    /// How the numbers of elements change.
+    pub change: Change,
+    /// What the time grows with, in words; nothing if it is constant.
+    pub grows_with: Vec<String>,
+}
+
+/// How the numbers of elements change. Faces count holes too.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Change {
+    /// Vertices.
+    pub vertices: i64,
+    /// Edges.
+    pub edges: i64,
+    /// Faces and holes.
+    pub faces: i64,
+}
+
+impl Change {
+    /// The change of V - E + F.
+    pub fn euler(self) -> i64 {
+        self.vertices - self.edges + self.faces
+    }
+
+    fn of(rule: &Rule) -> Self {
+        let count = |kind: Kind| {
+            let of = |names: &[crate::diagram::Ref]| {
+                names
+                    .iter()
+                    .filter(|mention| rule.kind(mention.name) == kind)
+                    .count() as i64
+            };
+            of(&rule.created) - of(&rule.erased)
+        };
+        Self {
+            vertices: count(Kind::Vertex),
+            edges: count(Kind::Edge),
+            faces: count(Kind::Face),
+        }
+    }
+}
+
+impl Facts {
+    /// Reads the facts of a proved rule off its drawing and its matching.
+    pub(super) fn of(drawing: &Drawing, matching: &[Step], cases: usize) -> Self {
+        Self {
+            cases,
+            change: Change::of(drawing.rule),
+            grows_with: grows_with(drawing, matching),
+        }
+    }
+}
+
+fn grows_with(drawing: &Drawing, matching: &[Step]) -> Vec<String> {
+    let rule = drawing.rule;
+    let mut grows = Vec::new();
+    let attempts = matching.iter().filter_map(|step| match step {
+        Step::Attempt { element, .. } => Some(*element),
+        _ => None,
+    });
+    for element in attempts {
+        match rule.kind(element) {
+            Kind::Vertex => grows.push(format!("the degree of {}", rule.quoted(element))),
+            Kind::Face => grows.push(format!("the size of {}", rule.quoted(element))),
+            _ => {}
+        }
+    }
+    for step in matching {
+        if let Step::Test(Claim::InOrder {
+            along_loop,
+            halfedges,
+        }) = step
+        {
+            let orbit = if *along_loop {
+                let face = drawing.before.face(halfedges[0]);
+                face.map(|face| format!("the size of {}", rule.quoted(face)))
+            } else {
+                let vertex = drawing.origin_before(halfedges[0]);
+                vertex.map(|vertex| format!("the degree of {}", rule.quoted(vertex)))
+            };
+            grows.extend(orbit);
+        }
+    }
+    grows.extend(moved_paths(drawing).map(|path| format!("the length of {}", rule.quoted(path))));
+    grows.extend(moved_fans(drawing).map(|fan| format!("the size of {}", rule.quoted(fan))));
+    let mut seen = Vec::new();
+    grows.retain(|item| {
+        !seen.contains(item) && {
+            seen.push(item.clone());
+            true
+        }
+    });
+    grows
+}
+
+/// Paths whose loop changes, so that `face` is rewritten along them.
+pub fn moved_paths<'a>(drawing: &'a Drawing) -> impl Iterator<Item = NameId> + 'a {
+    let paths = drawing.rule.names_of(Kind::Path);
+    paths.filter(|&path| drawing.before.face(path) != drawing.after.face(path))
+}
+
+/// Fans whose vertex changes, so that `vertex` is rewritten along them.
+pub fn moved_fans<'a>(drawing: &'a Drawing) -> impl Iterator<Item = NameId> + 'a {
+    let fans = drawing.rule.names_of(Kind::Fan);
+    fans.filter(|&fan| drawing.before.star_of_spoke(fan) != drawing.after.star_of_spoke(fan))
+}

@@ -1,0 +1,167 @@
+//! Fixes that are sure: a remedy is offered only after the laws have been tried on the
+//! rule with the remedy in it.
+
+use super::problem::{Problem, Remedy, enumerate};
+use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagram::{Drawing, Edge, Kind, Ref, Rule, Spoke};
+use crate::source::Span;
+
+/// Adds to each problem the fix that removes it and brings no new one, if just one does.
+pub(super) fn add_fixes(
+    rule: &Rule,
+    problems: Vec<Problem>,
+    laws: impl Fn(&Rule) -> Vec<Problem>,
+) -> Vec<Diagnostic> {
+    let before: Vec<_> = problems
+        .iter()
+        .map(|problem| problem.diagnostic.clone())
+        .collect();
+    let good = |remedy: &Remedy, at: usize| {
+        let mended = remedy.apply(rule)?;
+        let left = laws(&mended);
+        let known = |problem: &Problem| {
+            before.iter().enumerate().any(|(index, old)| {
+                index != at
+                    && old.code == problem.diagnostic.code
+                    && old.message == problem.diagnostic.message
+            })
+        };
+        // Problems of a later law may come to light once the names are in order; that does
+        // not make the fix wrong, but no longer surely right.
+        left.iter().all(known).then(|| remedy.fix(rule))
+    };
+    let mut diagnostics = Vec::new();
+    for (at, problem) in problems.into_iter().enumerate() {
+        let mut diagnostic = problem.diagnostic;
+        let mut fixes = problem
+            .remedies
+            .iter()
+            .filter_map(|remedy| good(remedy, at))
+            .flatten();
+        if let (Some(fix), None) = (fixes.next(), fixes.next()) {
+            diagnostic.fixes.push(fix);
+        }
+        diagnostics.push(diagnostic);
+    }
+    diagnostics
+}
+
+impl Remedy {
+    /// The rule with this remedy in it, if it can be.
+    fn apply(&self, rule: &Rule) -> Option<Rule> {
+        let mut mended = rule.clone();
+        let span = rule.after.span;
+        match self {
+            Remedy::Erase(names) => {
+                mended
+                    .erased
+                    .extend(names.iter().map(|&name| Ref { name, span }));
+            }
+            Remedy::Keep(name) => {
+                let before = Drawing::new(rule).before;
+                match rule.kind(*name) {
+                    Kind::Edge => mended
+                        .after
+                        .edges
+                        .push(before.edge_statement(*name)?.clone()),
+                    Kind::Face => mended.after.loops.push(before.loop_of_face(*name)?.clone()),
+                    Kind::Vertex => mended.after.stars.extend(before.star(*name).cloned()),
+                    Kind::Halfedge | Kind::Path | Kind::Fan => return None,
+                }
+                mended.after.kept.push(Ref { name: *name, span });
+            }
+            Remedy::Pair { edge, halfedges } => {
+                let mention = |name| Ref { name, span };
+                let halfedges = halfedges.map(mention);
+                mended.after.edges.push(Edge {
+                    edge: mention(*edge),
+                    halfedges,
+                    span,
+                });
+            }
+        }
+        Some(mended)
+    }
+
+    /// The remedy as an edit of the text.
+    fn fix(&self, rule: &Rule) -> Option<Fix> {
+        let words = |names: &[crate::diagram::NameId]| {
+            names
+                .iter()
+                .map(|&name| rule.name(name).text.as_str())
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
+        let (statement, edit) = match self {
+            Remedy::Erase(names) => {
+                let list = words(names);
+                match rule.erased.iter().max_by_key(|erased| erased.span.end) {
+                    Some(last) => {
+                        let title = format!("erase {}", enumerate(rule, names));
+                        let edits = vec![Edit {
+                            span: last.span.after(),
+                            text: format!(" {list}"),
+                        }];
+                        return Some(Fix { title, edits });
+                    }
+                    None => (format!("erase {list}"), end_of_after(rule)?),
+                }
+            }
+            Remedy::Keep(name) if rule.kind(*name) == Kind::Edge => {
+                let view = Drawing::new(rule).before;
+                let statement = view.edge_statement(*name)?;
+                let [left, right] = statement.halfedges.map(|half| &rule.name(half.name).text);
+                (
+                    format!("edge {}: {left} | {right}", rule.name(*name).text),
+                    end_of_after(rule)?,
+                )
+            }
+            Remedy::Keep(name) => (
+                format!("keep {}", rule.name(*name).text),
+                end_of_after(rule)?,
+            ),
+            Remedy::Pair { edge, halfedges } => {
+                let [left, right] = halfedges.map(|half| &rule.name(half).text);
+                (
+                    format!("edge {}: {left} | {right}", rule.name(*edge).text),
+                    end_of_after(rule)?,
+                )
+            }
+        };
+        let text = format!("\n    {statement}");
+        Some(Fix {
+            title: format!("insert `{statement}`"),
+            edits: vec![Edit { span: edit, text }],
+        })
+    }
+}
+
+/// Where one more statement can be written: behind the last one of `after`.
+fn end_of_after(rule: &Rule) -> Option<Span> {
+    let side = Drawing::new(rule).after.end_of_statements();
+    let lists = rule
+        .created
+        .iter()
+        .chain(&rule.erased)
+        .map(|mention| mention.span.after());
+    let stars = rule
+        .after
+        .stars
+        .iter()
+        .flat_map(|star| &star.spokes)
+        .filter_map(|spoke| match spoke {
+            Spoke::Rest(span) => Some(span.after()),
+            Spoke::Halfedge(name) | Spoke::Fan(name) => Some(name.span.after()),
+        });
+    let assignments = rule
+        .assignments
+        .iter()
+        .map(|assignment| assignment.span.after());
+    let inside = |span: &Span| span.start <= rule.after.span.end;
+    side.into_iter()
+        .chain(lists)
+        .chain(stars)
+        .chain(assignments)
+        .filter(inside)
+        .max_by_key(|span| span.end)
+}

@@ -1,0 +1,56 @@
+//! A broken law: the diagnostic, and what a repair has to know about it.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{NameId, Rule};
+
+/// A broken law.
+#[derive(Clone, Debug)]
+pub(super) struct Problem {
+    /// What to tell.
+    pub diagnostic: Diagnostic,
+    /// What might mend it, to be tried in [`mend`](super::mend).
+    pub remedies: Vec<Remedy>,
+}
+
+/// Something that might mend a problem.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Remedy {
+    /// `erase` these names.
+    Erase(Vec<NameId>),
+    /// `keep` this edge, face or vertex.
+    Keep(NameId),
+    /// `edge e: x | y`
+    Pair {
+        edge: NameId,
+        halfedges: [NameId; 2],
+    },
+}
+
+impl From<Diagnostic> for Problem {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self {
+            diagnostic,
+            remedies: Vec::new(),
+        }
+    }
+}
+
+/// Names in backticks as an enumeration: "`a`, `b` and `c`".
+pub(super) fn enumerate(rule: &Rule, names: &[NameId]) -> String {
+    join(names.iter().map(|&name| rule.quoted(name)))
+}
+
+/// Words as an enumeration: "x, y and z".
+pub(super) fn join(words: impl IntoIterator<Item = String>) -> String {
+    let words: Vec<_> = words.into_iter().collect();
+    match words.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [init @ .., last] => format!("{} and {last}", init.join(", ")),
+    }
+}
+
+/// "is" or "are".
+pub(super) fn is_or_are(count: usize) -> &'static str {
+    if count == 1 { "is" } else { "are" }
+}

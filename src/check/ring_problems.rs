@@ -1,0 +1,301 @@
+//! What is wrong with the rings of spokes of a case, in words.
+
+use super::arrangement::{Arc, Lies};
+use super::case::{Case, Step};
+use super::chain::vertex_after;
+use super::port::Port;
+use super::problem::{Problem, join};
+use super::star_order::{Token, agrees};
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Kind, NameId};
+use crate::source::Span;
+
+impl Case<'_> {
+    /// Spokes outside of the drawing that would still name an erased vertex.
+    pub(super) fn stale_spokes(&self) -> Vec<Problem> {
+        let rule = self.drawing.rule;
+        let mut told = Vec::new();
+        let mut problems = Vec::new();
+        let arcs = self.cycles.iter().flatten().filter_map(|step| match step {
+            Step::Arc(arc) => Some((self.label(arc.lies, arc.vertex)?, arc.lies)),
+            Step::Port(Port::Out(path)) if rule.kind(*path) == Kind::Path => {
+                let lies = self.first_spokes.iter().find(|(name, _)| name == path)?.1;
+                Some((self.first_spoke_label(*path)?, lies))
+            }
+            Step::Port(_) => None,
+        });
+        for (vertex, lies) in arcs {
+            let Some(erased) = self.drawing.erased(vertex) else {
+                continue;
+            };
+            if told.contains(&vertex) {
+                continue;
+            }
+            told.push(vertex);
+            let text = rule.quoted(vertex);
+            let word = &rule.name(vertex).text;
+            let message = format!(
+                "a spoke of {text} outside of the drawing would still start at {text}, which is erased"
+            );
+            let drawn = self.drawing.before.star(vertex).map_or_else(
+                || self.drawing.before.mention(vertex),
+                |star| Some(star.span),
+            );
+            let mut diagnostic =
+                Diagnostic::error("stale-vertex", message, erased).saying("erased here");
+            if let Some(drawn) = drawn {
+                diagnostic =
+                    diagnostic.label(drawn, format!("{text} may have more spokes than are drawn"));
+            }
+            let spokes = rule
+                .names_of(Kind::Halfedge)
+                .filter(|&half| self.drawing.origin_before(half) == Some(vertex))
+                .map(|half| rule.name(half).text.clone())
+                .collect::<Vec<_>>()
+                .join(" ");
+            let advice = match lies {
+                Lies::Fan(fan) => format!(
+                    "list {} in the vertex statement of the vertex that takes its spokes",
+                    rule.quoted(fan)
+                ),
+                _ if self.drawing.before.star(vertex).is_some() => {
+                    format!(
+                        "name the fan `*` in the statement of {text}, and list it in `after` where its spokes go"
+                    )
+                }
+                _ => format!(
+                    "carry its spokes off: draw `vertex {word}: {spokes} *S` in `before` (counterclockwise), and list `*S` in the vertex statement that takes them"
+                ),
+            };
+            problems.push(diagnostic.note(advice).into());
+        }
+        problems
+    }
+
+    /// An arc whose end the drawing takes away.
+    pub(super) fn cut_arc(&self, arc: Arc) -> Problem {
+        let rule = self.drawing.rule;
+        let text = rule.quoted(arc.vertex);
+        let gone = [arc.from, arc.to]
+            .into_iter()
+            .find(|port| self.drawing.erased(port.item()).is_some());
+        let port = gone.unwrap_or(arc.from);
+        let item = rule.quoted(port.item());
+        let span = self
+            .drawing
+            .before
+            .mention(port.item())
+            .unwrap_or(rule.before.span);
+        let message = format!(
+            "what lies around {text} outside of the drawing would lose its neighbour {item}"
+        );
+        Diagnostic::error("dangling-outside", message, span).into()
+    }
+
+    /// What a step of a cycle is, in words, and where it says so.
+    fn words(&self, step: Step, vertex: NameId) -> (String, Option<Span>) {
+        let rule = self.drawing.rule;
+        let text = rule.quoted(vertex);
+        match step {
+            Step::Port(port @ Port::Out(item)) => {
+                let span = self
+                    .drawing
+                    .after
+                    .origin_mention(item)
+                    .map(|mention| mention.span);
+                let span = span.or_else(|| self.drawing.after.mention(item));
+                let what = match rule.kind(item) {
+                    Kind::Path if vertex_after(self.drawing, port) != Some(vertex) => {
+                        format!(
+                            "the first halfedge of {} starts at {text}",
+                            rule.quoted(item)
+                        )
+                    }
+                    _ => format!("{} starts at {text}", rule.quoted(item)),
+                };
+                (what, span)
+            }
+            Step::Port(Port::In(item)) => {
+                let span = self
+                    .drawing
+                    .after
+                    .target_mention(item)
+                    .map(|mention| mention.span);
+                (
+                    format!("{} ends at {text}", rule.quoted(item)),
+                    span.or_else(|| self.drawing.after.mention(item)),
+                )
+            }
+            Step::Arc(arc) => match arc.lies {
+                Lies::Fan(fan) => (
+                    format!("the fan {} starts at {text}", rule.quoted(fan)),
+                    self.drawing.after.mention(fan),
+                ),
+                _ => (
+                    format!("the spokes of {text} outside of the drawing still start at {text}"),
+                    self.drawing.before.mention(arc.vertex),
+                ),
+            },
+        }
+    }
+
+    /// One ring that carries two names.
+    pub(super) fn two_labels(&self, first: (NameId, Step), second: (NameId, Step)) -> Problem {
+        let rule = self.drawing.rule;
+        let (one, one_span) = self.words(first.1, first.0);
+        let (two, two_span) = self.words(second.1, second.0);
+        let message = format!(
+            "one ring of spokes would belong to both {} and {}",
+            rule.quoted(first.0),
+            rule.quoted(second.0)
+        );
+        let span = two_span.or(one_span).unwrap_or(rule.after.span);
+        let mut diagnostic = Diagnostic::error("two-vertices-one-ring", message, span).saying(two);
+        match one_span.filter(|&one_span| one_span != span) {
+            Some(one_span) => diagnostic = diagnostic.label(one_span, one),
+            None => diagnostic = diagnostic.note(one),
+        }
+        diagnostic
+            .note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one cycle, so they start at one vertex")
+            .into()
+    }
+
+    /// A vertex without a ring.
+    pub(super) fn without_spokes(&self, vertex: NameId) -> Problem {
+        let text = self.drawing.rule.quoted(vertex);
+        let created = self.drawing.created(vertex);
+        let message = format!("no spoke would start at {text}");
+        let span = created
+            .or_else(|| self.drawing.after.mention(vertex))
+            .unwrap_or(self.drawing.rule.after.span);
+        let diagnostic = Diagnostic::error("vertex-without-spokes", message, span);
+        match created {
+            Some(_) => diagnostic.note("draw it in the loops of `after`").into(),
+            None => diagnostic
+                .note(format!(
+                    "all its spokes go elsewhere: `erase {}`",
+                    self.drawing.rule.name(vertex).text
+                ))
+                .into(),
+        }
+    }
+
+    /// Two rings that carry one name.
+    pub(super) fn split(&self, vertex: NameId, first: usize, second: usize) -> Problem {
+        let rule = self.drawing.rule;
+        let text = rule.quoted(vertex);
+        let ring = |cycle: &[Step]| {
+            let drawn: Vec<_> = cycle
+                .iter()
+                .filter_map(|step| match step {
+                    Step::Port(Port::Out(item)) => Some(rule.quoted(*item)),
+                    _ => None,
+                })
+                .collect();
+            let arcs = cycle
+                .iter()
+                .any(|step| matches!(step, Step::Arc(arc) if arc.lies != Lies::Empty));
+            let outside = arcs.then(|| "spokes outside of the drawing".to_string());
+            join(drawn.into_iter().chain(outside))
+        };
+        let message = format!("{text} would split in two");
+        let span = self
+            .drawing
+            .after
+            .mention(vertex)
+            .unwrap_or(rule.after.span);
+        let place = |cycle: &[Step]| {
+            cycle.iter().find_map(|&step| match step {
+                Step::Port(Port::Out(item)) => self
+                    .drawing
+                    .after
+                    .origin_mention(item)
+                    .map(|mention| mention.span),
+                _ => None,
+            })
+        };
+        let (one, two) = (&self.cycles[first], &self.cycles[second]);
+        let mut diagnostic =
+            Diagnostic::error("vertex-splits", message, place(two).unwrap_or(span))
+                .saying(format!("one ring of spokes: {}", ring(two)));
+        if let Some(place) = place(one) {
+            diagnostic = diagnostic.label(place, format!("another: {}", ring(one)));
+        } else {
+            diagnostic = diagnostic.note(format!("another ring: {}", ring(one)));
+        }
+        diagnostic
+            .note(format!("going clockwise around {text}, from a halfedge to `twin.next`, must meet all its spokes in one cycle"))
+            .into()
+    }
+
+    /// Whether the vertex statement of `after` is the cycle, in order.
+    pub(super) fn star_disagrees(&self, vertex: NameId, cycle: &[Step]) -> Option<Problem> {
+        let star = self.drawing.after.star(vertex)?;
+        let rule = self.drawing.rule;
+        let mut tokens = Vec::new();
+        for step in cycle {
+            let token = match step {
+                Step::Port(Port::In(_)) => continue,
+                Step::Port(Port::Out(item)) if rule.kind(*item) == Kind::Halfedge => {
+                    Token::Spoke(*item)
+                }
+                Step::Port(Port::Out(path)) => {
+                    match self
+                        .first_spokes
+                        .iter()
+                        .find(|(name, _)| name == path)
+                        .map(|(_, lies)| *lies)
+                    {
+                        Some(Lies::Fan(fan)) => Token::Fan(fan),
+                        Some(Lies::Empty) => continue,
+                        Some(Lies::Rest) | None => Token::Rest,
+                    }
+                }
+                Step::Arc(arc) => match arc.lies {
+                    Lies::Fan(fan) => Token::Fan(fan),
+                    Lies::Rest => Token::Rest,
+                    Lies::Empty => continue,
+                },
+            };
+            if tokens.last() != Some(&token) {
+                tokens.push(token);
+            }
+        }
+        while tokens.len() > 1 && tokens.first() == tokens.last() {
+            tokens.pop();
+        }
+        tokens.reverse(); // statements read counterclockwise
+        if agrees(&star.spokes, &tokens) {
+            return None;
+        }
+        let ring = tokens.iter().map(|token| match token {
+            Token::Spoke(name) => rule.name(*name).text.clone(),
+            Token::Fan(name) => format!("*{}", rule.name(*name).text),
+            Token::Rest => "*".into(),
+        });
+        let ring = ring.collect::<Vec<_>>().join(" ");
+        let text = rule.quoted(vertex);
+        let statement = format!("vertex {}: {ring}", rule.name(vertex).text);
+        let message = format!("the vertex statement of {text} is not its ring of spokes");
+        let span = if self
+            .drawing
+            .after
+            .side()
+            .kept
+            .iter()
+            .any(|kept| kept.name == vertex)
+        {
+            self.drawing.after.mention(vertex).unwrap_or(star.span)
+        } else {
+            star.span
+        };
+        Some(
+            Diagnostic::error("star-order", message, span)
+                .saying(format!(
+                    "counterclockwise, the loops and edges of `after` give: {ring}"
+                ))
+                .fix(format!("write `{statement}`"), span, statement)
+                .into(),
+        )
+    }
+}

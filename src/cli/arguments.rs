@@ -1,0 +1,107 @@
+//! What can be said on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// A language in which operations on halfedge meshes are drawn, before and after.
+#[derive(Debug, Parser)]
+#[command(name = "hedgerow", version, about, after_help = EXIT_CODES)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 all is well; 1 something is not proved, or a script failed;
+2 bad usage, or a file that cannot be read or written; 3 the operation was refused.";
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Prove the operations of files, or say why they break a mesh
+    Check(CheckArguments),
+    /// Run a script on a mesh
+    Run(RunArguments),
+    /// Apply one operation at one place of a mesh
+    Apply(ApplyArguments),
+    /// Show an operation as pointer assignments, in four phases
+    Plan(PlanArguments),
+    /// Describe a mesh
+    Info(InfoArguments),
+}
+
+/// What the answer looks like.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// Text for people
+    #[default]
+    Human,
+    /// JSON for programs
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CheckArguments {
+    /// Programs (.hedge)
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// What the answer looks like
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    /// A program, and the script in it if there are several
+    #[arg(value_name = "FILE[::SCRIPT]")]
+    pub script: String,
+    /// The mesh to run it on (.obj)
+    pub mesh: PathBuf,
+    /// Where to write the result (.obj)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// A parameter of the script; a vector is written x,y,z
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// What the answer looks like
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ApplyArguments {
+    /// A program and an operation in it
+    #[arg(value_name = "FILE::OP")]
+    pub op: String,
+    /// The mesh (.obj)
+    pub mesh: PathBuf,
+    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N, with the file's 1-based
+    /// numbers; by name if the operation has several, as in a=halfedge:1-2
+    #[arg(long = "at", value_name = "[NAME=]PLACE", required = true)]
+    pub at: Vec<String>,
+    /// A value; a vector is written x,y,z
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Where to write the result (.obj)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// What the answer looks like
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct PlanArguments {
+    /// A program and an operation in it
+    #[arg(value_name = "FILE::OP")]
+    pub op: String,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct InfoArguments {
+    /// The mesh (.obj)
+    pub mesh: PathBuf,
+    /// What the answer looks like
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}

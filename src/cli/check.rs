@@ -1,0 +1,214 @@
+//! `hedgerow check`
+
+use serde::Serialize;
+
+use super::arguments::{CheckArguments, Format};
+use super::failure::Failure;
+use super::output::{complain_of, say, say_json, table};
+use super::program;
+use crate::analysis::{RuleVerdict, Verdict, verdicts};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::source::{Sources, Span};
+
+/// Proves the operations of files, or says why they break a mesh.
+pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
+    let mut sound = true;
+    let mut unreadable = None;
+    let mut files = Vec::new();
+    for path in &arguments.files {
+        let program = match program::read(path) {
+            Ok(program) => program,
+            Err(failure) => {
+                // The other files are still worth a look.
+                failure.tell();
+                unreadable = Some(failure);
+                continue;
+            }
+        };
+        sound &= program.analysis.is_sound();
+        let verdicts = verdicts(&program.analysis);
+        match arguments.format {
+            Format::Human => {
+                complain_of(&program.analysis.diagnostics, &program.sources);
+                say(&show(&path.display().to_string(), &verdicts));
+            }
+            Format::Json => files.push(FileReport {
+                file: path.display().to_string(),
+                ops: verdicts,
+                diagnostics: program
+                    .analysis
+                    .diagnostics
+                    .iter()
+                    .map(|diagnostic| report(diagnostic, &program.sources))
+                    .collect(),
+            }),
+        }
+    }
+    if arguments.format == Format::Json {
+        say_json(&Report {
+            proved: sound && unreadable.is_none(),
+            files,
+        })?;
+    }
+    match unreadable {
+        Some(failure) => Err(Failure::Silent(failure.exit_code())),
+        None if sound => Ok(()),
+        None => Err(Failure::NotProved),
+    }
+}
+
+fn show(file: &str, verdicts: &[Verdict]) -> String {
+    let mut rows = Vec::new();
+    for verdict in verdicts {
+        if !verdict.proved {
+            rows.push(vec!["  not proved".to_string(), verdict.op.clone()]);
+        }
+        for rule in &verdict.rules {
+            let name = rule
+                .rule
+                .as_ref()
+                .map_or(verdict.op.clone(), |rule| format!("{} {rule}", verdict.op));
+            rows.push(vec![
+                "  proved".into(),
+                name,
+                cases(rule),
+                change(rule),
+                cost(rule),
+            ]);
+        }
+    }
+    if rows.is_empty() {
+        return format!("{file}: no operations");
+    }
+    format!("{file}\n{}", table(&rows, &[]))
+}
+
+fn cases(rule: &RuleVerdict) -> String {
+    if rule.cases == 1 {
+        "1 case".into()
+    } else {
+        format!("{} cases", rule.cases)
+    }
+}
+
+fn change(rule: &RuleVerdict) -> String {
+    let signed = |count: i64| {
+        if count == 0 {
+            "±0".to_string()
+        } else {
+            format!("{count:+}")
+        }
+    };
+    format!(
+        "V {}  E {}  F {}",
+        signed(rule.vertices),
+        signed(rule.edges),
+        signed(rule.faces)
+    )
+}
+
+fn cost(rule: &RuleVerdict) -> String {
+    if rule.constant_time {
+        "constant time".into()
+    } else {
+        format!("grows with {}", rule.grows_with.join(", "))
+    }
+}
+
+#[derive(Serialize)]
+struct Report {
+    proved: bool,
+    files: Vec<FileReport>,
+}
+
+#[derive(Serialize)]
+struct FileReport {
+    file: String,
+    ops: Vec<Verdict>,
+    diagnostics: Vec<DiagnosticReport>,
+}
+
+/// A diagnostic as data; lines and columns are 1-based, columns count characters.
+#[derive(Serialize)]
+struct DiagnosticReport {
+    severity: &'static str,
+    code: &'static str,
+    message: String,
+    labels: Vec<LabelReport>,
+    notes: Vec<String>,
+    fixes: Vec<FixReport>,
+}
+
+#[derive(Serialize)]
+struct LabelReport {
+    #[serde(flatten)]
+    place: Place,
+    text: String,
+}
+
+#[derive(Serialize)]
+struct FixReport {
+    title: String,
+    edits: Vec<EditReport>,
+}
+
+#[derive(Serialize)]
+struct EditReport {
+    #[serde(flatten)]
+    place: Place,
+    text: String,
+}
+
+#[derive(Serialize)]
+struct Place {
+    line: usize,
+    column: usize,
+    end_line: usize,
+    end_column: usize,
+}
+
+fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
+    let place = |span: Span| {
+        let source = sources.get(span.file);
+        let (line, column) = source.line_column(span.start as usize);
+        let (end_line, end_column) = source.line_column(span.end as usize);
+        Place {
+            line,
+            column,
+            end_line,
+            end_column,
+        }
+    };
+    DiagnosticReport {
+        severity: match diagnostic.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        },
+        code: diagnostic.code,
+        message: diagnostic.message.clone(),
+        labels: diagnostic
+            .labels
+            .iter()
+            .map(|label| LabelReport {
+                place: place(label.span),
+                text: label.text.clone(),
+            })
+            .collect(),
+        notes: diagnostic.notes.clone(),
+        fixes: diagnostic
+            .fixes
+            .iter()
+            .map(|fix| FixReport {
+                title: fix.title.clone(),
+                edits: fix
+                    .edits
+                    .iter()
+                    .map(|edit| EditReport {
+                        place: place(edit.span),
+                        text: edit.text.clone(),
+                    })
+                    .collect(),
+            })
+            .collect(),
+    }
+}

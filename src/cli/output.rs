@@ -1,0 +1,75 @@
+//! Standard output and standard error. A reader that has gone away is no failure.
+
+use std::io::{IsTerminal, Write, stderr, stdout};
+
+use serde::Serialize;
+
+use super::failure::Failure;
+use crate::diagnostic::{Diagnostic, Rendering, render};
+use crate::source::Sources;
+
+/// How many diagnostics are printed at most.
+const MOST_DIAGNOSTICS: usize = 50;
+
+/// Prints a text to standard output, with a line end.
+pub(super) fn say(text: &str) {
+    let _ = writeln!(stdout().lock(), "{text}");
+}
+
+/// Prints data as JSON to standard output.
+pub(super) fn say_json(data: &impl Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
+    say(&text);
+    Ok(())
+}
+
+/// Prints a text to standard error, with a line end.
+pub(super) fn complain(text: &str) {
+    let _ = writeln!(stderr().lock(), "{text}");
+}
+
+/// Prints diagnostics to standard error.
+pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
+    let colour =
+        stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    let text = render(
+        diagnostics,
+        sources,
+        Rendering {
+            colour,
+            most: MOST_DIAGNOSTICS,
+        },
+    );
+    let _ = write!(stderr().lock(), "{text}");
+}
+
+/// Columns of text, each as wide as its widest cell; numbers to the right.
+pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter()
+            .filter_map(|row| row.get(column))
+            .map(|cell| cell.chars().count())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths: Vec<_> = (0..columns).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cell = |(column, cell): (usize, &String)| {
+            let gap = " ".repeat(widths[column] - cell.chars().count());
+            if right.get(column) == Some(&true) {
+                format!("{gap}{cell}")
+            } else {
+                format!("{cell}{gap}")
+            }
+        };
+        let line = row
+            .iter()
+            .enumerate()
+            .map(cell)
+            .collect::<Vec<_>>()
+            .join("  ");
+        line.trim_end().to_string()
+    };
+    rows.iter().map(line).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,70 @@
+//! `hedgerow plan`
+
+use super::arguments::PlanArguments;
+use super::failure::Failure;
+use super::output::{complain_of, say, table};
+use super::program;
+use crate::rewrite::{Cell, Plan, Row, Stage};
+
+/// Shows an operation as pointer assignments, in four phases.
+pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
+    let (path, name) = program::part(&arguments.op);
+    let program = program::read(path)?;
+    let op = program::find_op(&program, name)?;
+    let Some(plan) = &program.analysis.plans[op] else {
+        complain_of(&program.analysis.diagnostics, &program.sources);
+        return Err(Failure::NotProved);
+    };
+    say(&show(plan));
+    Ok(())
+}
+
+fn show(plan: &Plan) -> String {
+    let stages = plan
+        .stages
+        .iter()
+        .map(|stage| show_stage(&plan.name, stage));
+    let mut text = stages.collect::<Vec<_>>().join("\n\n");
+    if plan
+        .stages
+        .iter()
+        .any(|stage| stage.reassign.iter().any(|row| !row.executed))
+    {
+        text.push_str("\n\n· provably unchanged: not executed");
+    }
+    text
+}
+
+fn show_stage(name: &str, stage: &Stage) -> String {
+    let title = match &stage.rule {
+        Some(rule) => format!("{name}, rule {rule}"),
+        None => name.to_string(),
+    };
+    let phases = [
+        ("1. collect", &stage.collect),
+        ("2. allocate", &stage.allocate),
+        ("3. reassign", &stage.reassign),
+        ("4. erase", &stage.erase),
+    ];
+    let phases = phases.map(|(phase, rows)| {
+        if rows.is_empty() {
+            return format!("{phase}\n   nothing");
+        }
+        let rows: Vec<_> = rows.iter().map(cells).collect();
+        format!("{phase}\n{}", table(&rows, &[]))
+    });
+    format!("{title}\n\n{}", phases.join("\n\n"))
+}
+
+fn cells(row: &Row) -> Vec<String> {
+    let mark = if row.executed { "   " } else { " · " };
+    match &row.cell {
+        Cell::Set { target, value } => vec![format!("{mark}{target}"), format!("= {value}")],
+        Cell::Test { claim, reason } => vec![
+            format!("{mark}test {claim}"),
+            String::new(),
+            format!("else refuse: {reason}"),
+        ],
+        Cell::Note(note) => vec![format!("{mark}{note}")],
+    }
+}

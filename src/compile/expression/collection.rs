@@ -1,0 +1,208 @@
+//! Loops over the elements of a collection, for code that does not change the mesh.
+//!
+//! All of the mesh is visited by index. Elements around one element are first collected
+//! into a buffer: that walk is bounded, so a broken mesh cannot make it endless. On a
+//! mesh that is no surface or not simple an element may come more than once, as often
+//! as the walk meets it.
+
+use super::Scope;
+use super::value::lower;
+use crate::diagram::{Collection, Expr};
+use crate::rewrite::{Assembler, ElementField, Elements, HalfedgeField, Inst, Label, Reg, Walk};
+use crate::source::Span;
+
+/// What is lowered for the element in the register; jumping to the label goes on with
+/// the next one.
+pub type Turn<'a> = dyn FnMut(&mut Assembler, &mut dyn Scope, Reg, Label) + 'a;
+
+/// The elements of the whole mesh that a collection stands for; `None` for one around an
+/// element.
+pub fn elements(collection: &Collection) -> Option<Elements> {
+    match collection {
+        Collection::Vertices => Some(Elements::Vertices),
+        Collection::Halfedges => Some(Elements::Halfedges),
+        Collection::Edges => Some(Elements::Edges),
+        Collection::Faces => Some(Elements::Faces),
+        Collection::Holes => Some(Elements::Holes),
+        _ => None,
+    }
+}
+
+/// Appends a loop over a collection. `turn` is lowered once.
+pub fn each(
+    asm: &mut Assembler,
+    scope: &mut dyn Scope,
+    collection: &Collection,
+    span: Span,
+    turn: &mut Turn,
+) {
+    match elements(collection) {
+        Some(of) => each_of_mesh(asm, scope, of, span, turn),
+        None => each_around(asm, scope, collection, span, turn),
+    }
+}
+
+fn each_of_mesh(
+    asm: &mut Assembler,
+    scope: &mut dyn Scope,
+    of: Elements,
+    span: Span,
+    turn: &mut Turn,
+) {
+    let (head, next, done) = (asm.label(), asm.label(), asm.label());
+    let (zero, one) = (asm.constant_int(0), asm.constant_int(1));
+    let element = asm.reg();
+    let place = scope.place(span);
+    asm.emit(Inst::Copy {
+        to: element,
+        from: zero,
+    });
+    asm.bind(head);
+    asm.emit(Inst::NextLiving {
+        of,
+        element,
+        otherwise: done,
+    });
+    asm.trap_at(place, Inst::Tick);
+    turn(asm, scope, element, next);
+    asm.bind(next);
+    asm.emit(Inst::AddInt {
+        to: element,
+        left: element,
+        right: one,
+    });
+    asm.emit(Inst::Jump { to: head });
+    asm.bind(done);
+}
+
+/// What is made of each halfedge that the walk meets.
+#[derive(Clone, Copy)]
+enum Wanted {
+    Itself,
+    Target,
+    Pointer(HalfedgeField),
+    /// Its face, if that is no hole.
+    Face,
+}
+
+fn each_around(
+    asm: &mut Assembler,
+    scope: &mut dyn Scope,
+    collection: &Collection,
+    span: Span,
+    turn: &mut Turn,
+) {
+    let place = scope.place(span);
+    let buffer = asm.buffer();
+    asm.emit(Inst::BufferClear { buffer });
+    let Some(wanted) = collect(asm, scope, collection, place, buffer) else {
+        return;
+    };
+    let (head, done) = (asm.label(), asm.label());
+    let (index, halfedge) = (asm.reg(), asm.reg());
+    let from = asm.constant_int(0);
+    asm.emit(Inst::Copy { to: index, from });
+    asm.bind(head);
+    asm.emit(Inst::BufferNext {
+        buffer,
+        index,
+        to: halfedge,
+        otherwise: done,
+    });
+    let element = make(asm, place, wanted, halfedge, head);
+    turn(asm, scope, element, head);
+    asm.emit(Inst::Jump { to: head });
+    asm.bind(done);
+}
+
+/// Fills the buffer with halfedges. `None` for a collection of the whole mesh.
+fn collect(
+    asm: &mut Assembler,
+    scope: &mut dyn Scope,
+    collection: &Collection,
+    place: u32,
+    buffer: u16,
+) -> Option<Wanted> {
+    use ElementField::{Edge, Face, Vertex};
+    let (of, base, wanted): (_, &Expr, _) = match collection {
+        Collection::VertexHalfedges(v) => (Vertex, v, Wanted::Itself),
+        Collection::VertexEdges(v) => (Vertex, v, Wanted::Pointer(HalfedgeField::Edge)),
+        Collection::VertexFaces(v) => (Vertex, v, Wanted::Face),
+        Collection::VertexNeighbors(v) => (Vertex, v, Wanted::Target),
+        Collection::FaceHalfedges(f) => (Face, f, Wanted::Itself),
+        Collection::FaceVertices(f) => (Face, f, Wanted::Pointer(HalfedgeField::Vertex)),
+        Collection::FaceEdges(f) => (Face, f, Wanted::Pointer(HalfedgeField::Edge)),
+        Collection::EdgeVertices(e) => (Edge, e, Wanted::Pointer(HalfedgeField::Vertex)),
+        Collection::EdgeFaces(e) => (Edge, e, Wanted::Face),
+        _ => return None,
+    };
+    let mark = asm.mark();
+    let element = lower(asm, scope, base);
+    let from = asm.reg();
+    let first = Inst::LoadHalfedge {
+        of,
+        to: from,
+        element,
+    };
+    asm.trap_at(place, first);
+    match of {
+        Vertex | Face => {
+            // An isolated vertex has nothing around it.
+            let (none, end) = (asm.none(), asm.label());
+            asm.emit(Inst::JumpEqual {
+                left: from,
+                right: none,
+                to: end,
+            });
+            let walk = match of {
+                Vertex => Walk::Star,
+                _ => Walk::Loop,
+            };
+            let collect = Inst::Collect {
+                walk,
+                buffer,
+                from,
+                until: from,
+                whole: true,
+            };
+            asm.trap_at(place, collect);
+            asm.bind(end);
+        }
+        Edge => {
+            asm.emit(Inst::BufferPush { buffer, from });
+            load(asm, place, HalfedgeField::Twin, from, from);
+            asm.emit(Inst::BufferPush { buffer, from });
+        }
+    }
+    asm.release(mark);
+    Some(wanted)
+}
+
+fn make(asm: &mut Assembler, place: u32, wanted: Wanted, halfedge: Reg, next: Label) -> Reg {
+    match wanted {
+        Wanted::Itself => {}
+        Wanted::Pointer(field) => load(asm, place, field, halfedge, halfedge),
+        Wanted::Target => {
+            load(asm, place, HalfedgeField::Twin, halfedge, halfedge);
+            load(asm, place, HalfedgeField::Vertex, halfedge, halfedge);
+        }
+        Wanted::Face => {
+            load(asm, place, HalfedgeField::Face, halfedge, halfedge);
+            asm.emit(Inst::JumpUnlessLiving {
+                of: Elements::Faces,
+                element: halfedge,
+                to: next,
+            });
+        }
+    }
+    halfedge
+}
+
+fn load(asm: &mut Assembler, place: u32, field: HalfedgeField, to: Reg, halfedge: Reg) {
+    let inst = Inst::Load {
+        field,
+        to,
+        halfedge,
+    };
+    asm.trap_at(place, inst);
+}

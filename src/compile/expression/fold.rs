@@ -1,0 +1,174 @@
+//! Aggregates: `mean(length(e) for e in edges where boundary(e))`.
+
+use super::collection::each;
+use super::value::{copy, lower};
+use super::{Scope, width};
+use crate::diagram::{Expr, ExprKind, Fold, FoldFunction, Type};
+use crate::rewrite::{Assembler, Inst, Label, Reg};
+
+/// Appends a loop that puts the aggregate into `to`.
+pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: Reg) {
+    let done = asm.label();
+    let seen = asm.reg();
+    let sum = Sum {
+        ty: of.ty,
+        to,
+        seen,
+    };
+    sum.start(asm, fold.function);
+    let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
+        let mark = asm.mark();
+        scope.declare(fold.variable, element);
+        if let Some(filter) = &fold.filter {
+            skip_unless(asm, scope, filter, next);
+        }
+        match fold.function {
+            FoldFunction::Count => {
+                skip_unless(asm, scope, &fold.body, next);
+                sum.add_one(asm, to);
+            }
+            FoldFunction::Any => {
+                skip_unless(asm, scope, &fold.body, next);
+                settle(asm, to, true, done);
+            }
+            FoldFunction::All => {
+                let condition = lower(asm, scope, &fold.body);
+                asm.emit(Inst::JumpIf {
+                    condition,
+                    to: next,
+                });
+                settle(asm, to, false, done);
+            }
+            FoldFunction::Sum | FoldFunction::Mean => {
+                let value = sum.value(asm, scope, &fold.body);
+                let place = scope.place(fold.body.span);
+                asm.trap_at(place, sum.add(value));
+                sum.add_one(asm, seen);
+            }
+            FoldFunction::Min | FoldFunction::Max => {
+                let value = sum.value(asm, scope, &fold.body);
+                sum.take_better(asm, fold.function, value, next);
+            }
+        }
+        asm.release(mark);
+    };
+    each(asm, scope, &fold.collection, of.span, turn);
+    asm.bind(done);
+    let place = scope.place(of.span);
+    sum.end(asm, place, fold.function);
+}
+
+fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {
+    if condition.kind != ExprKind::Bool(true) {
+        let condition = lower(asm, scope, condition);
+        asm.emit(Inst::JumpUnless {
+            condition,
+            to: next,
+        });
+    }
+}
+
+/// The answer is known before the end.
+fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
+    let from = asm.constant_bool(answer);
+    asm.emit(Inst::Copy { to, from });
+    asm.emit(Inst::Jump { to: done });
+}
+
+/// What has been made of the values so far: in `to`, of type `ty`; and in `seen` how
+/// many there were.
+#[derive(Clone, Copy)]
+struct Sum {
+    ty: Type,
+    to: Reg,
+    seen: Reg,
+}
+
+impl Sum {
+    fn start(self, asm: &mut Assembler, function: FoldFunction) {
+        // The bits of zero are the same for an int, a real and a bool.
+        let start = asm.constant_bits(u64::from(function == FoldFunction::All));
+        for part in 0..width(self.ty) {
+            asm.emit(Inst::Copy {
+                to: self.to.part(part),
+                from: start,
+            });
+        }
+        let from = asm.constant_int(0);
+        asm.emit(Inst::Copy {
+            to: self.seen,
+            from,
+        });
+    }
+
+    /// The body, as a value of the aggregate's type.
+    fn value(self, asm: &mut Assembler, scope: &mut dyn Scope, body: &Expr) -> Reg {
+        let from = lower(asm, scope, body);
+        if body.ty == Type::Int && self.ty == Type::Real {
+            let to = asm.reg();
+            asm.emit(Inst::IntToReal { to, from });
+            return to;
+        }
+        from
+    }
+
+    fn add(self, right: Reg) -> Inst {
+        let (to, left) = (self.to, self.to);
+        match self.ty {
+            Type::Vec3 => Inst::AddVec { to, left, right },
+            Type::Int => Inst::AddInt { to, left, right },
+            _ => Inst::AddReal { to, left, right },
+        }
+    }
+
+    fn add_one(self, asm: &mut Assembler, to: Reg) {
+        let (left, right) = (to, asm.constant_int(1));
+        asm.emit(Inst::AddInt { to, left, right });
+    }
+
+    /// Keeps the better of two; the first is taken as it is.
+    fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
+        let compare = asm.label();
+        let (to, left) = (self.to, self.to);
+        asm.emit(Inst::JumpIf {
+            condition: self.seen,
+            to: compare,
+        });
+        copy(asm, self.ty, to, right);
+        self.add_one(asm, self.seen);
+        asm.emit(Inst::Jump { to: next });
+        asm.bind(compare);
+        asm.emit(match (function, self.ty) {
+            (FoldFunction::Min, Type::Int) => Inst::MinInt { to, left, right },
+            (FoldFunction::Min, _) => Inst::MinReal { to, left, right },
+            (_, Type::Int) => Inst::MaxInt { to, left, right },
+            (_, _) => Inst::MaxReal { to, left, right },
+        });
+    }
+
+    fn end(self, asm: &mut Assembler, place: u32, function: FoldFunction) {
+        let text = match function {
+            FoldFunction::Mean => "the mean of nothing",
+            FoldFunction::Min => "the least of nothing",
+            FoldFunction::Max => "the greatest of nothing",
+            _ => return,
+        };
+        let some = asm.label();
+        asm.emit(Inst::JumpIf {
+            condition: self.seen,
+            to: some,
+        });
+        let text = asm.text(text);
+        asm.trap_at(place, Inst::Fail { text });
+        asm.bind(some);
+        if function == FoldFunction::Mean {
+            let (to, left, right) = (self.to, self.to, self.seen);
+            let from = right;
+            asm.emit(Inst::IntToReal { to: right, from });
+            asm.emit(match self.ty {
+                Type::Vec3 => Inst::DivVec { to, left, right },
+                _ => Inst::DivReal { to, left, right },
+            });
+        }
+    }
+}

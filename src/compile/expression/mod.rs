@@ -1,0 +1,20 @@
+//! Typed expressions to register code.
+//!
+//! Where names and variables live is the [`Scope`]'s business, so that the same lowering
+//! serves the diagrams of operations and scripts. An expression writes nothing but
+//! registers and buffers of its own: whoever lowers it can still refuse, or trap, with
+//! the mesh as it was.
+//!
+//! It is assumed that types are right: an ill-typed expression gives code that computes
+//! nonsense, though nothing worse.
+
+mod builtin;
+mod collection;
+mod fold;
+mod operator;
+mod scope;
+mod value;
+
+pub use collection::{each, elements};
+pub use scope::{Scope, element_kind, width};
+pub use value::{lower, lower_into};

@@ -1,0 +1,37 @@
+//! What the lowering of an expression asks of its surroundings.
+
+use crate::diagram::{NameId, Type};
+use crate::mesh::ElementKind;
+use crate::rewrite::Reg;
+use crate::source::Span;
+
+/// Where an expression finds what it names.
+pub trait Scope {
+    /// The register of a drawn element.
+    fn element(&self, name: NameId) -> Reg;
+    /// The first register of a parameter or variable.
+    fn local(&self, variable: u32) -> Reg;
+    /// Gives a register to the variable of an aggregate.
+    fn declare(&mut self, variable: u32, reg: Reg);
+    /// A number for a place in the source, for what may trap there.
+    fn place(&mut self, span: Span) -> u32;
+}
+
+/// How many registers a value takes.
+pub fn width(ty: Type) -> u16 {
+    match ty {
+        Type::Vec3 => 3,
+        _ => 1,
+    }
+}
+
+/// The kind of element that a type stands for.
+pub fn element_kind(ty: Type) -> Option<ElementKind> {
+    match ty {
+        Type::Vertex => Some(ElementKind::Vertex),
+        Type::Halfedge => Some(ElementKind::Halfedge),
+        Type::Edge => Some(ElementKind::Edge),
+        Type::Face => Some(ElementKind::Face),
+        Type::Bool | Type::Int | Type::Real | Type::Vec3 | Type::Text => None,
+    }
+}

@@ -1,0 +1,182 @@
+//! An operation: its alternatives, tried in order.
+
+use super::collect::Collect;
+use super::reassign::Reassign;
+use super::registers::Registers;
+use super::{element_kind, width};
+use crate::check::{Proof, Proved};
+use crate::diagram::{Drawing, Kind, Rule};
+use crate::mesh::ElementKind;
+use crate::rewrite::{
+    Assembler, Cell, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
+};
+use crate::source::{Sources, Span};
+
+/// Compiles a proved operation.
+///
+/// `sources` gives the words of its expressions for the table.
+///
+/// # Errors
+/// [`TooLarge`] when the diagrams need more registers than there can be.
+pub fn compile(proved: &Proved, sources: &Sources) -> Result<Plan, TooLarge> {
+    let op = proved.op();
+    let mut output = Output::new(sources);
+    let widths: Vec<_> = op.params.iter().map(|param| width(param.ty)).collect();
+    let params: Vec<_> = widths
+        .iter()
+        .map(|&width| output.asm.block(width))
+        .collect();
+    let mut stages = Vec::new();
+    for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
+        let next_rule = output.asm.label();
+        let mark = output.asm.mark();
+        stages.push(alternative(&mut output, rule, proof, &params, next_rule));
+        output.asm.release(mark);
+        output.asm.bind(next_rule);
+    }
+    output.asm.emit(Inst::Refuse);
+    Ok(Plan {
+        name: op.name.clone(),
+        params: widths,
+        result: op.result.and_then(element_kind),
+        code: output.asm.finish()?,
+        places: output.places,
+        refusals: output.refusals,
+        stages,
+    })
+}
+
+fn alternative(
+    output: &mut Output,
+    rule: &Rule,
+    proof: &Proof,
+    params: &[Reg],
+    fail: Label,
+) -> Stage {
+    let drawing = Drawing::new(rule);
+    let registers = Registers::new(&mut output.asm, &drawing, params);
+    let mut stage = Stage {
+        rule: rule.label.clone(),
+        ..Stage::default()
+    };
+    let collected = Collect {
+        output,
+        drawing: &drawing,
+        registers,
+        fail,
+        rows: &mut stage.collect,
+    }
+    .emit(proof.matching());
+    allocate(output, &drawing, &collected.registers, &mut stage.allocate);
+    Reassign {
+        output,
+        drawing: &drawing,
+        collected: &collected,
+        rows: &mut stage.reassign,
+    }
+    .emit();
+    erase(output, &drawing, &collected.registers, &mut stage.erase);
+    let result = rule
+        .result
+        .map(|result| collected.registers.element(result.name));
+    output.asm.emit(Inst::Return { result });
+    stage
+}
+
+fn allocate(output: &mut Output, drawing: &Drawing, registers: &Registers, rows: &mut Vec<Row>) {
+    for created in &drawing.rule.created {
+        let to = registers.element(created.name);
+        let kind = drawing.rule.kind(created.name);
+        output.asm.emit(match kind {
+            Kind::Vertex => Inst::NewVertex { to },
+            Kind::Halfedge => Inst::NewHalfedge { to },
+            Kind::Edge => Inst::NewEdge { to },
+            _ => Inst::NewFace { to },
+        });
+        let target = drawing.rule.name(created.name).text.clone();
+        rows.push(Row::set(target, format!("new {}", kind.word()), true));
+    }
+}
+
+fn erase(output: &mut Output, drawing: &Drawing, registers: &Registers, rows: &mut Vec<Row>) {
+    for erased in &drawing.rule.erased {
+        let Some(kind) = kind_of_element(drawing.rule.kind(erased.name)) else {
+            continue;
+        };
+        output.asm.emit(Inst::Erase {
+            kind,
+            element: registers.element(erased.name),
+        });
+        let word = &drawing.rule.name(erased.name).text;
+        rows.push(Row {
+            cell: Cell::Note(format!("erase {word}")),
+            executed: true,
+        });
+    }
+}
+
+/// The kind of element a name stands for; none for paths and fans.
+pub(super) fn kind_of_element(kind: Kind) -> Option<ElementKind> {
+    match kind {
+        Kind::Vertex => Some(ElementKind::Vertex),
+        Kind::Halfedge => Some(ElementKind::Halfedge),
+        Kind::Edge => Some(ElementKind::Edge),
+        Kind::Face => Some(ElementKind::Face),
+        Kind::Path | Kind::Fan => None,
+    }
+}
+
+/// What all alternatives of an operation are written into.
+pub(super) struct Output<'a> {
+    pub asm: Assembler,
+    pub sources: &'a Sources,
+    places: Vec<Span>,
+    refusals: Vec<Refusal>,
+}
+
+impl<'a> Output<'a> {
+    fn new(sources: &'a Sources) -> Self {
+        Self {
+            asm: Assembler::new(),
+            sources,
+            places: Vec::new(),
+            refusals: Vec::new(),
+        }
+    }
+
+    /// The number of a place in the source.
+    pub fn place(&mut self, span: Span) -> u32 {
+        self.places.push(span);
+        self.places.len() as u32 - 1
+    }
+
+    /// The number of a refusal; the same for equal ones.
+    pub fn refusal(&mut self, reason: String, phase: Phase) -> u16 {
+        let refusal = Refusal { reason, phase };
+        let known = self.refusals.iter().position(|known| *known == refusal);
+        let number = known.unwrap_or_else(|| {
+            self.refusals.push(refusal);
+            self.refusals.len() - 1
+        });
+        u16::try_from(number).unwrap_or(u16::MAX)
+    }
+
+    /// The words of a place in the source, on one line.
+    pub fn words(&self, span: Span) -> String {
+        self.sources
+            .slice(span)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+    }
+}
+
+impl Row {
+    /// `target = value`
+    pub(super) fn set(target: String, value: String, executed: bool) -> Self {
+        Self {
+            cell: Cell::Set { target, value },
+            executed,
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Claims and refusals in words.
+
+use crate::check::matching::{Bound, Claim, Source};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId};
+
+/// A bound name, without backticks.
+pub(super) fn bound(drawing: &Drawing, bound: Bound) -> String {
+    match bound {
+        Bound::Element(name) => drawing.rule.name(name).text.clone(),
+        Bound::First(path) => format!("first({})", drawing.rule.name(path).text),
+        Bound::Last(path) => format!("last({})", drawing.rule.name(path).text),
+    }
+}
+
+/// A pointer as one writes it: `a.next`.
+pub(super) fn source(drawing: &Drawing, source: Source) -> String {
+    let (from, pointer) = match source {
+        Source::Next(from) => (from, "next"),
+        Source::Prev(from) => (from, "prev"),
+        Source::Twin(from) => (from, "twin"),
+        Source::Origin(from) => (from, "vertex"),
+        Source::Target(from) => (from, "next.vertex"),
+        Source::Edge(from) => (from, "edge"),
+        Source::Face(from) => (from, "face"),
+        Source::Counterclockwise(from) => (from, "prev.twin"),
+        Source::Clockwise(from) => (from, "twin.next"),
+        Source::FaceHalfedge(face) => (Bound::Element(face), "halfedge"),
+    };
+    format!("{}.{pointer}", bound(drawing, from))
+}
+
+/// What a claim says, as the table prints it.
+pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
+    let word = |name: NameId| drawing.rule.name(name).text.clone();
+    match claim {
+        Claim::Leads(from, to) => format!("{} is {}", source(drawing, *from), bound(drawing, *to)),
+        Claim::Distinct(left, right) => format!("{} is not {}", word(*left), word(*right)),
+        Claim::Kind(face, LoopKind::Hole) => format!("{} is a hole", word(*face)),
+        Claim::Kind(face, _) => format!("{} is not a hole", word(*face)),
+        Claim::InOrder { halfedges, .. } => {
+            format!("{} follow each other", halfedges.map(word).join(", "))
+        }
+        Claim::NotAllEmpty(paths) => {
+            let paths: Vec<_> = paths.iter().map(|&path| word(path)).collect();
+            format!("{} not empty", paths.join(" or "))
+        }
+    }
+}
+
+/// Why a claim fails, as a refusal says it.
+pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
+    let rule = drawing.rule;
+    let tick = |text: String| format!("`{text}`");
+    match claim {
+        Claim::Leads(from, to) => {
+            if let (Source::Next(Bound::Element(half)), Bound::Element(_)) = (from, to)
+                && let Some(corners) = corners_of_full_loop(drawing, *half)
+            {
+                let face = drawing.before.face(*half).expect("it lies in a loop");
+                return match corners {
+                    3 => format!("{} is not a triangle", rule.quoted(face)),
+                    4 => format!("{} is not a quad", rule.quoted(face)),
+                    _ => format!("{} does not have {corners} corners", rule.quoted(face)),
+                };
+            }
+            let element = bound(drawing, *to);
+            match *from {
+                Source::Origin(half) => format!(
+                    "{} does not start at {}",
+                    tick(bound(drawing, half)),
+                    tick(element)
+                ),
+                Source::Target(half) => format!(
+                    "{} does not end at {}",
+                    tick(bound(drawing, half)),
+                    tick(element)
+                ),
+                Source::Face(half) => format!(
+                    "{} does not lie in {}",
+                    tick(bound(drawing, half)),
+                    tick(element)
+                ),
+                _ => format!("{} is not {}", tick(source(drawing, *from)), tick(element)),
+            }
+        }
+        Claim::Distinct(left, right) => {
+            let kind = rule.kind(*left).word();
+            format!(
+                "{} and {} are one {kind}",
+                rule.quoted(*left),
+                rule.quoted(*right)
+            )
+        }
+        Claim::Kind(face, LoopKind::Hole) => format!("{} is not a hole", rule.quoted(*face)),
+        Claim::Kind(face, _) => format!("{} is a hole", rule.quoted(*face)),
+        Claim::InOrder { halfedges, .. } => {
+            let [a, b, c] = halfedges.map(|half| rule.quoted(half));
+            format!("{a}, {b} and {c} follow each other in another order")
+        }
+        Claim::NotAllEmpty(paths) => {
+            let face = paths.first().and_then(|&path| drawing.after.face(path));
+            let face = face.map_or_else(|| "a face".to_string(), |face| rule.quoted(face));
+            format!("{face} would be left without halfedges")
+        }
+    }
+}
+
+/// The number of corners of a halfedge's loop, if all of it is drawn.
+fn corners_of_full_loop(drawing: &Drawing, half: NameId) -> Option<usize> {
+    let items = &drawing.before.loop_of_item(half)?.items;
+    let full = items
+        .iter()
+        .all(|item| drawing.rule.kind(item.item.name) == Kind::Halfedge);
+    full.then_some(items.len())
+}

@@ -1,0 +1,420 @@
+//! Phase 3, reassign: every pointer of every named element.
+
+use super::collect::Collected;
+use super::operation::Output;
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref, Spoke};
+use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row};
+
+/// Writes phase 3.
+pub(super) struct Reassign<'o, 's, 'd, 'r> {
+    pub output: &'o mut Output<'s>,
+    pub drawing: &'d Drawing<'d>,
+    pub collected: &'d Collected,
+    pub rows: &'r mut Vec<Row>,
+}
+
+impl Reassign<'_, '_, '_, '_> {
+    /// The code of the whole phase. All that is stored has been loaded before the first
+    /// store: the selects in between read registers only.
+    pub fn emit(mut self) {
+        let rule = self.drawing.rule;
+        for orbit in &rule.after.loops {
+            self.orbit(orbit);
+        }
+        for edge in &rule.after.edges {
+            self.edge(edge);
+        }
+        self.outer_origins();
+        self.fans();
+        self.vertices();
+        self.assignments();
+    }
+
+    fn word(&self, name: NameId) -> &str {
+        &self.drawing.rule.name(name).text
+    }
+
+    fn element(&self, name: NameId) -> Reg {
+        self.collected.registers.element(name)
+    }
+
+    fn is_path(&self, item: NameId) -> bool {
+        self.drawing.rule.kind(item) == Kind::Path
+    }
+
+    fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
+        self.rows.push(Row::set(target, value, inst.is_some()));
+        if let Some(inst) = inst {
+            self.output.asm.emit(inst);
+        }
+    }
+
+    /// A row `x.pointer = value`; executed unless nothing changes.
+    fn pointer(&mut self, field: HalfedgeField, halfedge: NameId, value: NameId, changed: bool) {
+        let pointer = match field {
+            HalfedgeField::Next => "next",
+            HalfedgeField::Prev => "prev",
+            HalfedgeField::Twin => "twin",
+            HalfedgeField::Vertex => "vertex",
+            HalfedgeField::Edge => "edge",
+            HalfedgeField::Face => "face",
+        };
+        let target = format!("{}.{pointer}", self.word(halfedge));
+        let text = self.word(value).to_string();
+        let (halfedge, value) = (self.element(halfedge), self.element(value));
+        self.set(
+            target,
+            text,
+            changed.then_some(Inst::Store {
+                field,
+                halfedge,
+                value,
+            }),
+        );
+    }
+
+    /// The register of the first halfedge from the item at `at` on: its own, or if it is
+    /// an empty path, that of what follows.
+    fn head(&mut self, items: &[NameId], at: usize) -> Reg {
+        self.end_of(items, at, 1, |this, item| match this.is_path(item) {
+            true => this.collected.registers.first(item),
+            false => this.element(item),
+        })
+    }
+
+    /// The register of the last halfedge up to the item at `at`.
+    fn tail(&mut self, items: &[NameId], at: usize) -> Reg {
+        self.end_of(items, at, items.len() - 1, |this, item| {
+            match this.is_path(item) {
+                true => this.collected.registers.last(item),
+                false => this.element(item),
+            }
+        })
+    }
+
+    fn end_of(
+        &mut self,
+        items: &[NameId],
+        at: usize,
+        step: usize,
+        end: impl Fn(&Self, NameId) -> Reg,
+    ) -> Reg {
+        let count = items.len();
+        let places = (0..count).map(|turn| items[(at + turn * step) % count]);
+        let mut ends: Vec<(Reg, Option<Reg>)> = Vec::new();
+        for item in places {
+            let empty = self.collected.empty[item.index()];
+            ends.push((end(self, item), empty));
+            if empty.is_none() {
+                break;
+            }
+        }
+        let (mut reg, _) = ends.pop().expect("a loop has items");
+        while let Some((then, empty)) = ends.pop() {
+            let condition = empty.expect("only paths that may be empty lead on");
+            let to = self.output.asm.reg();
+            self.output.asm.emit(Inst::Select {
+                to,
+                condition,
+                then: reg,
+                otherwise: then,
+            });
+            reg = to;
+        }
+        reg
+    }
+
+    fn orbit(&mut self, orbit: &Loop) {
+        let drawing = self.drawing;
+        let face = orbit.face.name;
+        let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+        let count = items.len();
+        let ends: Vec<_> = (0..count)
+            .map(|at| (self.head(&items, at), self.tail(&items, at)))
+            .collect();
+        for (at, item) in orbit.items.iter().enumerate() {
+            let (name, next) = (item.item.name, items[(at + 1) % count]);
+            let same = drawing.before.item_after(name) == Some(next);
+            self.link(name, next, ends[at].1, ends[(at + 1) % count].0, !same);
+            if self.is_path(name) {
+                self.path_face(name, face);
+                continue;
+            }
+            let origin = item.from.name;
+            self.pointer(
+                HalfedgeField::Vertex,
+                name,
+                origin,
+                drawing.before.loop_origin(name) != Some(origin),
+            );
+            self.pointer(
+                HalfedgeField::Face,
+                name,
+                face,
+                drawing.before.face(name) != Some(face),
+            );
+        }
+        self.face_halfedge(orbit, ends[0].0);
+        self.face_kind(orbit);
+    }
+
+    /// `next` of what ends one item, `prev` of what begins the next.
+    fn link(&mut self, item: NameId, next: NameId, tail: Reg, head: Reg, changed: bool) {
+        let last = if self.is_path(item) {
+            format!("last({})", self.word(item))
+        } else {
+            self.word(item).into()
+        };
+        let first = if self.is_path(next) {
+            format!("first({})", self.word(next))
+        } else {
+            self.word(next).into()
+        };
+        let (field, other) = (HalfedgeField::Next, HalfedgeField::Prev);
+        let store = changed.then_some(Inst::Store {
+            field,
+            halfedge: tail,
+            value: head,
+        });
+        self.set(format!("{last}.next"), first.clone(), store);
+        let store = changed.then_some(Inst::Store {
+            field: other,
+            halfedge: head,
+            value: tail,
+        });
+        self.set(format!("{first}.prev"), last, store);
+    }
+
+    fn path_face(&mut self, path: NameId, face: NameId) {
+        let target = format!("face along {}", self.word(path));
+        let value = self.element(face);
+        let store = self.collected.runs[path.index()].map(|buffer| Inst::StoreAll {
+            field: HalfedgeField::Face,
+            buffer,
+            value,
+        });
+        self.set(target, self.word(face).into(), store);
+    }
+
+    /// A face keeps its halfedge as long as nothing has left its loop.
+    fn face_halfedge(&mut self, orbit: &Loop, head: Reg) {
+        let drawing = self.drawing;
+        let face = orbit.face.name;
+        let keeps = drawing.before.loop_of_face(face).is_some_and(|before| {
+            before
+                .items
+                .iter()
+                .all(|item| drawing.after.face(item.item.name) == Some(face))
+        });
+        let first = orbit.items[0].item.name;
+        let value = if self.is_path(first) {
+            format!("first({})", self.word(first))
+        } else {
+            self.word(first).into()
+        };
+        let store = Inst::StoreHalfedge {
+            of: ElementField::Face,
+            element: self.element(face),
+            value: head,
+        };
+        self.set(
+            format!("{}.halfedge", self.word(face)),
+            value,
+            (!keeps).then_some(store),
+        );
+    }
+
+    fn face_kind(&mut self, orbit: &Loop) {
+        let face = orbit.face.name;
+        let before = self
+            .drawing
+            .before
+            .loop_of_face(face)
+            .map(|before| before.kind);
+        if orbit.kind == LoopKind::Any || before == Some(orbit.kind) {
+            return;
+        }
+        let hole = orbit.kind == LoopKind::Hole;
+        let store = Inst::StoreHole {
+            face: self.element(face),
+            hole,
+        };
+        self.set(
+            format!("{}.hole", self.word(face)),
+            hole.to_string(),
+            Some(store),
+        );
+    }
+
+    fn edge(&mut self, statement: &Edge) {
+        let drawing = self.drawing;
+        let edge = statement.edge.name;
+        let [left, right] = statement.halfedges.map(|half| half.name);
+        for (half, twin) in [(left, right), (right, left)] {
+            self.pointer(
+                HalfedgeField::Twin,
+                half,
+                twin,
+                drawing.before.twin(half) != Some(twin),
+            );
+            self.pointer(
+                HalfedgeField::Edge,
+                half,
+                edge,
+                drawing.before.edge(half) != Some(edge),
+            );
+        }
+        let keeps = drawing.before.edge_statement(edge).is_some_and(|before| {
+            before
+                .halfedges
+                .iter()
+                .all(|half| half.name == left || half.name == right)
+        });
+        let (element, value) = (self.element(edge), self.element(left));
+        let store = Inst::StoreHalfedge {
+            of: ElementField::Edge,
+            element,
+            value,
+        };
+        let target = format!("{}.halfedge", self.word(edge));
+        self.set(target, self.word(left).into(), (!keeps).then_some(store));
+    }
+
+    /// Outer halfedges start where their vertex statement, or their drawn twin, says.
+    fn outer_origins(&mut self) {
+        let drawing = self.drawing;
+        for half in drawing.rule.names_of(Kind::Halfedge) {
+            if !drawing.is_outer(half) || drawing.after.mention(half).is_none() {
+                continue;
+            }
+            let origin = drawing
+                .origin_after(half)
+                .expect("a halfedge has an origin");
+            let changed = drawing.origin_before(half) != Some(origin);
+            self.pointer(HalfedgeField::Vertex, half, origin, changed);
+        }
+    }
+
+    fn fans(&mut self) {
+        let drawing = self.drawing;
+        for fan in drawing.rule.names_of(Kind::Fan) {
+            let Some(vertex) = drawing.after.star_of_spoke(fan) else {
+                continue;
+            };
+            let target = format!("vertex around {}", self.word(fan));
+            let value = self.element(vertex);
+            let store = self.collected.runs[fan.index()].map(|buffer| Inst::StoreAll {
+                field: HalfedgeField::Vertex,
+                buffer,
+                value,
+            });
+            self.set(target, self.word(vertex).into(), store);
+        }
+    }
+
+    /// A vertex keeps its halfedge as long as none of its spokes has left.
+    fn vertices(&mut self) {
+        let drawing = self.drawing;
+        for vertex in drawing.rule.names_of(Kind::Vertex) {
+            let drawn = drawing.after.mention(vertex).is_some();
+            if !drawn || drawing.erased(vertex).is_some() {
+                continue;
+            }
+            let Some((value, text)) = self.spoke_of(vertex) else {
+                continue;
+            };
+            let store = Inst::StoreHalfedge {
+                of: ElementField::Vertex,
+                element: self.element(vertex),
+                value,
+            };
+            let keeps = self.keeps_its_spokes(vertex);
+            self.set(
+                format!("{}.halfedge", self.word(vertex)),
+                text,
+                (!keeps).then_some(store),
+            );
+        }
+    }
+
+    fn keeps_its_spokes(&self, vertex: NameId) -> bool {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        let items = rule
+            .names_of(Kind::Halfedge)
+            .chain(rule.names_of(Kind::Path));
+        let fan_stays = |fan: NameId| drawing.after.star_of_spoke(fan) == Some(vertex);
+        let stays = |item: NameId| {
+            drawing.erased(item).is_none() && drawing.origin_after(item) == Some(vertex)
+        };
+        let mut spokes = items.filter(|&item| {
+            drawing.before.mention(item).is_some() && drawing.origin_before(item) == Some(vertex)
+        });
+        let mut fans = rule
+            .names_of(Kind::Fan)
+            .filter(|&fan| drawing.before.star_of_spoke(fan) == Some(vertex));
+        drawing.survives(vertex) && spokes.all(stays) && fans.all(fan_stays)
+    }
+
+    /// A halfedge that starts at the vertex after: a named spoke, the one listed first; else
+    /// the first of a path that cannot be empty; else of one found not to be empty.
+    fn spoke_of(&mut self, vertex: NameId) -> Option<(Reg, String)> {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        let listed = drawing.after.star(vertex).and_then(|star| {
+            star.spokes.iter().find_map(|spoke| match spoke {
+                Spoke::Halfedge(Ref { name, .. }) => Some(*name),
+                Spoke::Fan(_) | Spoke::Rest(_) => None,
+            })
+        });
+        let starts = |item: &NameId| {
+            let drawn = drawing.after.loop_of_item(*item).is_some()
+                || drawing.after.pairing(*item).is_some();
+            drawn && drawing.origin_after(*item) == Some(vertex)
+        };
+        if let Some(half) = listed.or_else(|| rule.names_of(Kind::Halfedge).find(starts)) {
+            return Some((self.element(half), self.word(half).into()));
+        }
+        let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
+        paths.sort_by_key(|path| self.collected.empty[path.index()].is_some());
+        let firsts: Vec<_> = paths
+            .iter()
+            .map(|&path| format!("first({})", self.word(path)))
+            .collect();
+        let reg = (!paths.is_empty()).then(|| self.head(&paths, 0))?;
+        let certain = self.collected.empty[paths[0].index()].is_none();
+        Some((
+            reg,
+            if certain {
+                firsts[0].clone()
+            } else {
+                firsts.join(" or ")
+            },
+        ))
+    }
+
+    fn assignments(&mut self) {
+        for (assignment, &value) in self
+            .drawing
+            .rule
+            .assignments
+            .iter()
+            .zip(&self.collected.values)
+        {
+            let vertex = assignment.target.name;
+            let store = Inst::StorePosition {
+                vertex: self.element(vertex),
+                value,
+            };
+            let text = self.output.words(assignment.value.span);
+            self.rows.push(Row {
+                cell: Cell::Set {
+                    target: format!("{}.position", self.word(vertex)),
+                    value: text,
+                },
+                executed: true,
+            });
+            self.output.asm.emit(store);
+        }
+    }
+}

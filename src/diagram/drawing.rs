@@ -1,0 +1,290 @@
+//! Where each name of a rule stands, on each side.
+//!
+//! A [`View`] is the index of one side: the loop and place of each halfedge and path, the
+//! edge of each halfedge, the statement of each element. Where a name stands twice the first
+//! place counts; that it may not is for the checker to say.
+
+use super::{Edge, Kind, Loop, NameId, Ref, Rule, Side, Spoke, Star};
+use crate::source::Span;
+
+/// A rule with an index of its two sides.
+#[derive(Clone, Debug)]
+pub struct Drawing<'a> {
+    /// The rule.
+    pub rule: &'a Rule,
+    /// The side before.
+    pub before: View<'a>,
+    /// The side after.
+    pub after: View<'a>,
+    created: Vec<Option<Span>>,
+    erased: Vec<Option<Span>>,
+}
+
+impl<'a> Drawing<'a> {
+    /// Indexes a rule.
+    pub fn new(rule: &'a Rule) -> Self {
+        let count = rule.names.len();
+        let spans = |refs: &[Ref]| {
+            let mut spans = vec![None; count];
+            for mention in refs {
+                spans[mention.name.index()].get_or_insert(mention.span);
+            }
+            spans
+        };
+        Self {
+            rule,
+            before: View::new(&rule.before, count),
+            after: View::new(&rule.after, count),
+            created: spans(&rule.created),
+            erased: spans(&rule.erased),
+        }
+    }
+
+    /// Where `new` lists a name.
+    pub fn created(&self, name: NameId) -> Option<Span> {
+        self.created[name.index()]
+    }
+
+    /// Where `erase` lists a name.
+    pub fn erased(&self, name: NameId) -> Option<Span> {
+        self.erased[name.index()]
+    }
+
+    /// Whether a name is drawn before and is not erased.
+    pub fn survives(&self, name: NameId) -> bool {
+        self.before.mention(name).is_some() && self.erased(name).is_none()
+    }
+
+    /// Whether a halfedge is drawn before only as the twin of one in a loop.
+    pub fn is_outer(&self, halfedge: NameId) -> bool {
+        self.rule.kind(halfedge) == Kind::Halfedge
+            && self.before.mention(halfedge).is_some()
+            && self.before.item_before(halfedge).is_none()
+    }
+
+    /// The vertex a halfedge or path starts at before.
+    ///
+    /// An outer halfedge starts where its drawn twin ends, or where a vertex statement
+    /// lists it.
+    pub fn origin_before(&self, item: NameId) -> Option<NameId> {
+        let view = &self.before;
+        view.loop_origin(item)
+            .or_else(|| view.loop_target(view.twin(item)?))
+            .or_else(|| view.star_of_spoke(item))
+    }
+
+    /// The vertex a halfedge or path ends at before.
+    pub fn target_before(&self, item: NameId) -> Option<NameId> {
+        let view = &self.before;
+        view.loop_target(item)
+            .or_else(|| self.origin_before(view.twin(item)?))
+    }
+
+    /// The vertex a halfedge or path starts at after.
+    ///
+    /// An outer halfedge starts where its vertex statement says, else where its drawn
+    /// twin ends, else where it did.
+    pub fn origin_after(&self, item: NameId) -> Option<NameId> {
+        let view = &self.after;
+        view.loop_origin(item)
+            .or_else(|| view.star_of_spoke(item))
+            .or_else(|| view.loop_target(view.twin(item)?))
+            .or_else(|| self.origin_before(item))
+    }
+
+    /// The vertex a halfedge or path ends at after.
+    pub fn target_after(&self, item: NameId) -> Option<NameId> {
+        let view = &self.after;
+        view.loop_target(item)
+            .or_else(|| self.origin_after(view.twin(item)?))
+    }
+
+    /// Whether a path may have no halfedge: its ends before are one vertex, and it is
+    /// not the whole of its loop.
+    pub fn may_be_empty(&self, path: NameId) -> bool {
+        let alone = self
+            .before
+            .loop_of_item(path)
+            .is_some_and(|l| l.items.len() == 1);
+        !alone && self.before.loop_origin(path) == self.before.loop_target(path)
+    }
+}
+
+/// The index of one side.
+#[derive(Clone, Debug)]
+pub struct View<'a> {
+    side: &'a Side,
+    place: Vec<Option<(usize, usize)>>,
+    pairing: Vec<Option<(usize, usize)>>,
+    statement: Vec<Option<usize>>,
+    spoke: Vec<Option<(usize, usize)>>,
+    mention: Vec<Option<Span>>,
+}
+
+impl<'a> View<'a> {
+    fn new(side: &'a Side, count: usize) -> Self {
+        let mut view = Self {
+            side,
+            place: vec![None; count],
+            pairing: vec![None; count],
+            statement: vec![None; count],
+            spoke: vec![None; count],
+            mention: vec![None; count],
+        };
+        for (at, orbit) in side.loops.iter().enumerate() {
+            view.state(orbit.face, at);
+            for (position, item) in orbit.items.iter().enumerate() {
+                view.see(item.from);
+                view.see(item.item);
+                view.place[item.item.name.index()].get_or_insert((at, position));
+            }
+            view.see(orbit.end);
+        }
+        for (at, edge) in side.edges.iter().enumerate() {
+            view.state(edge.edge, at);
+            for (position, halfedge) in edge.halfedges.iter().enumerate() {
+                view.see(*halfedge);
+                view.pairing[halfedge.name.index()].get_or_insert((at, position));
+            }
+        }
+        for (at, star) in side.stars.iter().enumerate() {
+            view.state(star.vertex, at);
+            for (position, spoke) in star.spokes.iter().enumerate() {
+                if let Spoke::Halfedge(name) | Spoke::Fan(name) = spoke {
+                    view.see(*name);
+                    view.spoke[name.name.index()].get_or_insert((at, position));
+                }
+            }
+        }
+        for &kept in &side.kept {
+            view.see(kept);
+        }
+        view
+    }
+
+    fn see(&mut self, mention: Ref) {
+        self.mention[mention.name.index()].get_or_insert(mention.span);
+    }
+
+    fn state(&mut self, mention: Ref, statement: usize) {
+        self.see(mention);
+        self.statement[mention.name.index()].get_or_insert(statement);
+    }
+
+    /// The side.
+    pub fn side(&self) -> &'a Side {
+        self.side
+    }
+
+    /// Where a name is first mentioned on this side.
+    pub fn mention(&self, name: NameId) -> Option<Span> {
+        self.mention[name.index()]
+    }
+
+    /// The loop statement of a face.
+    pub fn loop_of_face(&self, face: NameId) -> Option<&'a Loop> {
+        self.side.loops.get(self.statement[face.index()]?)
+    }
+
+    /// The edge statement of an edge.
+    pub fn edge_statement(&self, edge: NameId) -> Option<&'a Edge> {
+        self.side.edges.get(self.statement[edge.index()]?)
+    }
+
+    /// The vertex statement of a vertex.
+    pub fn star(&self, vertex: NameId) -> Option<&'a Star> {
+        self.side.stars.get(self.statement[vertex.index()]?)
+    }
+
+    /// The loop a halfedge or path stands in.
+    pub fn loop_of_item(&self, item: NameId) -> Option<&'a Loop> {
+        Some(&self.side.loops[self.place[item.index()]?.0])
+    }
+
+    /// The face a halfedge or path lies in.
+    pub fn face(&self, item: NameId) -> Option<NameId> {
+        Some(self.loop_of_item(item)?.face.name)
+    }
+
+    fn neighbor(&self, item: NameId, step: impl Fn(usize, usize) -> usize) -> Option<NameId> {
+        let (orbit, position) = self.place[item.index()]?;
+        let items = &self.side.loops[orbit].items;
+        Some(items[step(position, items.len())].item.name)
+    }
+
+    /// The item that follows in the loop: a halfedge or path.
+    pub fn item_after(&self, item: NameId) -> Option<NameId> {
+        self.neighbor(item, |position, count| (position + 1) % count)
+    }
+
+    /// The item that precedes in the loop.
+    pub fn item_before(&self, item: NameId) -> Option<NameId> {
+        self.neighbor(item, |position, count| (position + count - 1) % count)
+    }
+
+    /// The mention of the vertex from which a halfedge or path leaves in its loop.
+    pub fn origin_mention(&self, item: NameId) -> Option<Ref> {
+        let (orbit, position) = self.place[item.index()]?;
+        Some(self.side.loops[orbit].items[position].from)
+    }
+
+    /// The mention of the vertex at which a halfedge or path ends in its loop.
+    pub fn target_mention(&self, item: NameId) -> Option<Ref> {
+        let (orbit, position) = self.place[item.index()]?;
+        let orbit = &self.side.loops[orbit];
+        Some(
+            orbit
+                .items
+                .get(position + 1)
+                .map_or(orbit.end, |next| next.from),
+        )
+    }
+
+    /// The vertex from which a halfedge or path leaves in its loop.
+    pub fn loop_origin(&self, item: NameId) -> Option<NameId> {
+        Some(self.origin_mention(item)?.name)
+    }
+
+    /// The vertex at which a halfedge or path ends in its loop.
+    pub fn loop_target(&self, item: NameId) -> Option<NameId> {
+        let (orbit, position) = self.place[item.index()]?;
+        let items = &self.side.loops[orbit].items;
+        Some(items[(position + 1) % items.len()].from.name)
+    }
+
+    /// The edge statement a halfedge stands in.
+    pub fn pairing(&self, halfedge: NameId) -> Option<&'a Edge> {
+        Some(&self.side.edges[self.pairing[halfedge.index()]?.0])
+    }
+
+    /// The halfedge on the other side of its edge statement.
+    pub fn twin(&self, halfedge: NameId) -> Option<NameId> {
+        let (edge, position) = self.pairing[halfedge.index()]?;
+        Some(self.side.edges[edge].halfedges[1 - position].name)
+    }
+
+    /// The edge a halfedge belongs to.
+    pub fn edge(&self, halfedge: NameId) -> Option<NameId> {
+        Some(self.pairing(halfedge)?.edge.name)
+    }
+
+    /// The vertex whose statement lists a halfedge or fan as a spoke.
+    pub fn star_of_spoke(&self, spoke: NameId) -> Option<NameId> {
+        let (star, _) = self.spoke[spoke.index()]?;
+        Some(self.side.stars[star].vertex.name)
+    }
+
+    /// The end of the last statement, behind which one more can be written.
+    pub fn end_of_statements(&self) -> Option<Span> {
+        let loops = self.side.loops.iter().map(|orbit| orbit.span);
+        let edges = self.side.edges.iter().map(|edge| edge.span);
+        let stars = self.side.stars.iter().map(|star| star.span);
+        let kept = self.side.kept.iter().map(|kept| kept.span);
+        loops
+            .chain(edges)
+            .chain(stars)
+            .chain(kept)
+            .max_by_key(|span| span.end)
+            .map(Span::after)
+    }
+}

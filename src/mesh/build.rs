@@ -1,0 +1,423 @@
+//! Making a mesh from a list of polygons.
+//!
+//! Corner `i` of the list becomes halfedge `i`, polygon `i` becomes face `i`, vertex `i`
+//! stays vertex `i`. Twins are found by sorting the halfedges into one bucket per
+//! vertex, the smaller of their ends, and each small bucket by the larger end; there is
+//! no map of edges. What is left without a twin runs along a boundary: it gets a new
+//! one, and these close to holes, whose ids come after those of the polygons.
+//!
+//! The list is either a mesh, or refused with the first place where it is none:
+//! nothing is repaired here.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
+use super::polygons::Polygons;
+
+/// Why a list of polygons is no mesh. Polygons and vertices go by their places in the
+/// lists, from 0.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BuildError {
+    TooLarge {
+        kind: ElementKind,
+    },
+    NotFinite {
+        vertex: u32,
+        position: DVec3,
+    },
+    TooFewCorners {
+        polygon: usize,
+        corners: usize,
+    },
+    NoSuchVertex {
+        polygon: usize,
+        vertex: u32,
+        vertices: usize,
+    },
+    RepeatedCorner {
+        polygon: usize,
+        vertex: u32,
+    },
+    /// Three polygons or more at one edge; the first three.
+    EdgeUsedThrice {
+        ends: [u32; 2],
+        polygons: [usize; 3],
+    },
+    /// Two polygons run along an edge the same way: they disagree about which side is up.
+    SameDirection {
+        from: u32,
+        to: u32,
+        polygons: [usize; 2],
+    },
+    /// The faces around a vertex form more than one fan; a polygon from each of two.
+    BowTie {
+        vertex: u32,
+        polygons: [usize; 2],
+    },
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooLarge { kind } => {
+                write!(f, "there are more {} than can be numbered", kind.plural())
+            }
+            Self::NotFinite { vertex, position } => {
+                let DVec3 { x, y, z } = position;
+                write!(f, "vertex {vertex} lies at {x} {y} {z}, which is no place")
+            }
+            Self::TooFewCorners { polygon, corners } => {
+                let s = if *corners == 1 { "" } else { "s" };
+                write!(
+                    f,
+                    "polygon {polygon} has {corners} corner{s}; a face needs 3 or more"
+                )
+            }
+            Self::NoSuchVertex {
+                polygon,
+                vertex,
+                vertices,
+            } => {
+                write!(
+                    f,
+                    "polygon {polygon} names vertex {vertex}, but there are {vertices} vertices"
+                )
+            }
+            Self::RepeatedCorner { polygon, vertex } => {
+                write!(f, "polygon {polygon} has vertex {vertex} as a corner twice")
+            }
+            Self::EdgeUsedThrice {
+                ends: [v, w],
+                polygons: [a, b, c],
+            } => write!(
+                f,
+                "polygons {a}, {b} and {c} share the edge between vertices {v} and {w}; an edge has two sides"
+            ),
+            Self::SameDirection {
+                from,
+                to,
+                polygons: [a, b],
+            } => write!(
+                f,
+                "polygons {a} and {b} both run from vertex {from} to vertex {to}; one of them is turned over"
+            ),
+            Self::BowTie {
+                vertex,
+                polygons: [a, b],
+            } => write!(
+                f,
+                "polygons {a} and {b} meet at vertex {vertex} without an edge to join their fans"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for BuildError {}
+
+impl Mesh {
+    pub fn from_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<Self, BuildError> {
+        Self::from_owned_polygons(positions.to_vec(), polygons)
+    }
+
+    /// As [`Mesh::from_polygons`], taking the positions over instead of copying them.
+    pub fn from_owned_polygons(
+        positions: Vec<DVec3>,
+        polygons: &Polygons,
+    ) -> Result<Self, BuildError> {
+        check_sizes(&positions, polygons)?;
+        check_polygons(&positions, polygons)?;
+        let mut builder = Builder::new(positions, polygons);
+        builder.lay_loops();
+        builder.find_twins()?;
+        builder.close_holes()?;
+        builder.number_edges();
+        builder.check_fans()?;
+        Ok(builder.mesh)
+    }
+}
+
+fn check_sizes(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildError> {
+    // Each halfedge may need a twin, and each polygon a hole around it.
+    let sizes = [
+        (ElementKind::Vertex, positions.len()),
+        (
+            ElementKind::Halfedge,
+            polygons.corners().len().saturating_mul(2),
+        ),
+        (ElementKind::Face, polygons.len().saturating_mul(2)),
+    ];
+    match sizes.into_iter().find(|&(_, size)| size >= ID_SPACE) {
+        Some((kind, _)) => Err(BuildError::TooLarge { kind }),
+        None => Ok(()),
+    }
+}
+
+fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildError> {
+    if let Some(i) = positions.iter().position(|p| !p.is_finite()) {
+        return Err(BuildError::NotFinite {
+            vertex: i as u32,
+            position: positions[i],
+        });
+    }
+    let vertices = positions.len();
+    let mut sorted = Vec::new();
+    for (polygon, corners) in polygons.iter().enumerate() {
+        if corners.len() < 3 {
+            return Err(BuildError::TooFewCorners {
+                polygon,
+                corners: corners.len(),
+            });
+        }
+        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
+            return Err(BuildError::NoSuchVertex {
+                polygon,
+                vertex,
+                vertices,
+            });
+        }
+        if let Some(vertex) = repeated(corners, &mut sorted) {
+            return Err(BuildError::RepeatedCorner { polygon, vertex });
+        }
+    }
+    Ok(())
+}
+
+/// A corner that comes twice. `sorted` is room to work in.
+fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
+    if corners.len() <= 8 {
+        let earlier = |(i, v): (usize, &u32)| corners[..i].contains(v).then_some(*v);
+        return corners.iter().enumerate().find_map(earlier);
+    }
+    sorted.clear();
+    sorted.extend_from_slice(corners);
+    sorted.sort_unstable();
+    sorted
+        .windows(2)
+        .find(|pair| pair[0] == pair[1])
+        .map(|pair| pair[0])
+}
+
+struct Builder<'p> {
+    mesh: Mesh,
+    polygons: &'p Polygons,
+}
+
+impl<'p> Builder<'p> {
+    fn new(positions: Vec<DVec3>, polygons: &'p Polygons) -> Self {
+        let mesh = Mesh {
+            vertices: vec![HalfedgeId::NONE; positions.len()],
+            halfedges: Vec::with_capacity(polygons.corners().len()),
+            faces: Vec::with_capacity(polygons.len()),
+            positions,
+            ..Mesh::default()
+        };
+        Self { mesh, polygons }
+    }
+
+    /// One loop of halfedges per polygon: everything but twins and edges.
+    fn lay_loops(&mut self) {
+        let mut first = 0;
+        for (polygon, corners) in self.polygons.iter().enumerate() {
+            let last = first + corners.len() as u32 - 1;
+            self.mesh.faces.push(FaceRecord {
+                halfedge: HalfedgeId(first),
+                hole: false,
+            });
+            for (h, &v) in (first..).zip(corners) {
+                self.mesh.halfedges.push(HalfedgeRecord {
+                    next: HalfedgeId(if h == last { first } else { h + 1 }),
+                    prev: HalfedgeId(if h == first { last } else { h - 1 }),
+                    vertex: VertexId(v),
+                    face: FaceId(polygon as u32),
+                    ..HalfedgeRecord::UNSET
+                });
+            }
+            first = last + 1;
+        }
+    }
+
+    fn ends(&self, h: HalfedgeId) -> [u32; 2] {
+        [self.mesh.vertex(h).0, self.mesh.vertex(self.mesh.next(h)).0]
+    }
+
+    /// Pairs the halfedges that run between the same vertices.
+    fn find_twins(&mut self) -> Result<(), BuildError> {
+        // A counting sort: after the second pass `bounds[v]` is the end of bucket v.
+        let mut bounds = vec![0u32; self.mesh.vertices.len() + 1];
+        let halfedges = (0..self.mesh.halfedges.len() as u32).map(HalfedgeId);
+        for h in halfedges.clone() {
+            let [v, w] = self.ends(h);
+            bounds[v.min(w) as usize + 1] += 1;
+        }
+        for v in 1..bounds.len() {
+            bounds[v] += bounds[v - 1];
+        }
+        let mut sorted = vec![(0u32, HalfedgeId::NONE); self.mesh.halfedges.len()];
+        for h in halfedges {
+            let [v, w] = self.ends(h);
+            let place = &mut bounds[v.min(w) as usize];
+            sorted[*place as usize] = (v.max(w), h);
+            *place += 1;
+        }
+        let mut start = 0;
+        for v in 0..self.mesh.vertices.len() {
+            let end = bounds[v] as usize;
+            let bucket = &mut sorted[start..end];
+            bucket.sort_unstable();
+            for edge in bucket.chunk_by(|a, b| a.0 == b.0) {
+                self.join(edge)?;
+            }
+            start = end;
+        }
+        Ok(())
+    }
+
+    /// Makes twins of the halfedges that run between the same two vertices, if they are
+    /// two; one alone stays without.
+    fn join(&mut self, edge: &[(u32, HalfedgeId)]) -> Result<(), BuildError> {
+        match *edge {
+            [] | [_] => Ok(()),
+            [(_, a), (_, b)] => {
+                let [from, to] = self.ends(a);
+                if self.mesh.vertex(b).0 == from {
+                    let polygons = [self.polygon(a), self.polygon(b)];
+                    return Err(BuildError::SameDirection { from, to, polygons });
+                }
+                self.mesh.set_twin(a, b);
+                self.mesh.set_twin(b, a);
+                Ok(())
+            }
+            [(_, a), (_, b), (_, c), ..] => Err(BuildError::EdgeUsedThrice {
+                ends: self.ends(a),
+                polygons: [a, b, c].map(|h| self.polygon(h)),
+            }),
+        }
+    }
+
+    /// The polygon of a halfedge, or of its twin if it runs along a hole.
+    fn polygon(&self, h: HalfedgeId) -> usize {
+        let face = self.mesh.face(h).index();
+        match face < self.polygons.len() {
+            true => face,
+            false => self.mesh.face(self.mesh.twin(h)).index(),
+        }
+    }
+
+    /// Gives the halfedges along the boundary their twins, and closes these to holes.
+    fn close_holes(&mut self) -> Result<(), BuildError> {
+        let mesh = &mut self.mesh;
+        let inner = mesh.halfedges.len();
+        for h in 0..inner {
+            if !mesh.halfedges[h].twin.is_none() {
+                continue;
+            }
+            let h = HalfedgeId(h as u32);
+            let outer = HalfedgeId(mesh.halfedges.len() as u32);
+            let v = mesh.vertex(mesh.next(h));
+            mesh.halfedges.push(HalfedgeRecord {
+                twin: h,
+                vertex: v,
+                ..HalfedgeRecord::UNSET
+            });
+            mesh.set_twin(h, outer);
+            // Each vertex has at most one outer halfedge, which it keeps as its own
+            // until the loops are closed.
+            let other = mesh.vertex_halfedge(v);
+            if !other.is_none() {
+                let polygons = [mesh.face(mesh.twin(other)).index(), mesh.face(h).index()];
+                return Err(BuildError::BowTie {
+                    vertex: v.0,
+                    polygons,
+                });
+            }
+            mesh.set_vertex_halfedge(v, outer);
+        }
+        for outer in inner..mesh.halfedges.len() {
+            let outer = HalfedgeId(outer as u32);
+            let next = mesh.vertex_halfedge(mesh.target(outer));
+            mesh.set_next(outer, next);
+            mesh.set_prev(next, outer);
+        }
+        for outer in inner..mesh.halfedges.len() {
+            let outer = HalfedgeId(outer as u32);
+            if mesh.face(outer).is_none() {
+                let hole = FaceId(mesh.faces.len() as u32);
+                mesh.faces.push(FaceRecord {
+                    halfedge: outer,
+                    hole: true,
+                });
+                mesh.holes += 1;
+                let mut at = outer;
+                while mesh.face(at).is_none() {
+                    mesh.set_face(at, hole);
+                    at = mesh.next(at);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Edges are numbered by the first of their halfedges.
+    fn number_edges(&mut self) {
+        let mesh = &mut self.mesh;
+        mesh.edges.reserve_exact(mesh.halfedges.len() / 2);
+        for h in 0..mesh.halfedges.len() {
+            let h = HalfedgeId(h as u32);
+            if mesh.edge(h).is_none() {
+                let edge = EdgeId(mesh.edges.len() as u32);
+                mesh.edges.push(h);
+                mesh.set_edge(h, edge);
+                mesh.set_edge(mesh.twin(h), edge);
+            }
+        }
+    }
+
+    /// Gives every vertex a halfedge, and checks that it reaches all the others.
+    fn check_fans(&mut self) -> Result<(), BuildError> {
+        let mesh = &mut self.mesh;
+        for (h, record) in mesh.halfedges.iter().enumerate() {
+            let first = &mut mesh.vertices[record.vertex.index()];
+            if first.is_none() {
+                *first = HalfedgeId(h as u32);
+            }
+        }
+        // A walk stays at its vertex, so the walks reach all halfedges together or
+        // miss some.
+        let mut reached = 0;
+        for &first in mesh.vertices.iter().filter(|h| !h.is_none()) {
+            let mut at = first;
+            loop {
+                reached += 1;
+                at = mesh.twin(mesh.prev(at));
+                if at == first {
+                    break;
+                }
+            }
+        }
+        if reached == mesh.halfedges.len() {
+            Ok(())
+        } else {
+            Err(self.bow_tie())
+        }
+    }
+
+    #[cold]
+    fn bow_tie(&self) -> BuildError {
+        let mesh = &self.mesh;
+        let mut seen = vec![false; mesh.halfedges.len()];
+        for &first in &mesh.vertices {
+            mesh.spokes_from(first).for_each(|h| seen[h.index()] = true);
+        }
+        let missed = seen.iter().position(|seen| !seen);
+        let h = HalfedgeId(missed.expect("the walks missed a halfedge") as u32);
+        let vertex = mesh.vertex(h);
+        let polygons = [self.polygon(mesh.vertex_halfedge(vertex)), self.polygon(h)];
+        BuildError::BowTie {
+            vertex: vertex.0,
+            polygons,
+        }
+    }
+}

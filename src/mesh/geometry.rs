@@ -1,0 +1,124 @@
+//! Lengths, areas, normals and centers.
+//!
+//! All are total: what has no length, area or direction gives zero, never a NaN made
+//! by dividing by zero. Faces need be neither flat nor convex; area and normal come
+//! from the vector area (Newell's method), which is half the sum of the cross products
+//! along the loop.
+
+use glam::DVec3;
+
+use super::connectivity::Mesh;
+use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
+
+impl Mesh {
+    /// The vector from the origin of `h` to its target.
+    pub fn vector(&self, h: HalfedgeId) -> DVec3 {
+        let ends = || Some((self.get_vertex(h)?, self.get_target(h)?));
+        let positions =
+            ends().and_then(|(v, w)| Some((self.get_position(v)?, self.get_position(w)?)));
+        positions.map_or(DVec3::ZERO, |(from, to)| to - from)
+    }
+
+    pub fn length(&self, e: EdgeId) -> f64 {
+        self.get_edge_halfedge(e)
+            .map_or(0.0, |h| self.vector(h).length())
+    }
+
+    /// Normal to the face, as long as its area.
+    pub fn vector_area(&self, f: FaceId) -> DVec3 {
+        let mut corners = self.face_vertices(f).filter_map(|v| self.get_position(v));
+        // Relative to the first corner, so that a small face far away keeps its digits.
+        let Some(first) = corners.next() else {
+            return DVec3::ZERO;
+        };
+        let mut sum = DVec3::ZERO;
+        let mut last = DVec3::ZERO;
+        for corner in corners {
+            let at = corner - first;
+            sum += last.cross(at);
+            last = at;
+        }
+        sum / 2.0
+    }
+
+    pub fn area(&self, f: FaceId) -> f64 {
+        self.vector_area(f).length()
+    }
+
+    /// The unit normal, on the side from which the loop runs counterclockwise.
+    pub fn normal(&self, f: FaceId) -> DVec3 {
+        unit(self.vector_area(f))
+    }
+
+    /// The unit normal at a vertex: the faces around it, each weighted by its area.
+    /// Holes do not count.
+    pub fn vertex_normal(&self, v: VertexId) -> DVec3 {
+        let faces = self.spokes(v).filter_map(|h| self.get_face(h));
+        let real = faces.filter(|&f| self.get_is_hole(f) == Some(false));
+        unit(real.map(|f| self.vector_area(f)).sum())
+    }
+
+    /// The mean of the corners.
+    pub fn centroid(&self, f: FaceId) -> DVec3 {
+        let mut sum = DVec3::ZERO;
+        let mut corners = 0.0;
+        for at in self.face_vertices(f).filter_map(|v| self.get_position(v)) {
+            sum += at;
+            corners += 1.0;
+        }
+        if corners > 0.0 {
+            sum / corners
+        } else {
+            DVec3::ZERO
+        }
+    }
+}
+
+/// The direction of `v`, or zero. Scaled first: the square of a small length is zero,
+/// that of a large one infinite.
+fn unit(v: DVec3) -> DVec3 {
+    let largest = v.abs().max_element();
+    if !(largest > 0.0 && largest.is_finite()) {
+        return DVec3::ZERO;
+    }
+    (v / largest).normalize_or_zero()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shape;
+
+    #[test]
+    fn a_square() {
+        let mesh = shape::single_polygon(4);
+        assert!((mesh.area(FaceId(0)) - 2.0).abs() < 1e-12);
+        assert!((mesh.normal(FaceId(0)) - DVec3::Z).length() < 1e-12);
+        assert!(mesh.centroid(FaceId(0)).length() < 1e-12);
+        assert!((mesh.length(EdgeId(0)) - 2f64.sqrt()).abs() < 1e-12);
+        assert!((mesh.vertex_normal(VertexId(0)) - DVec3::Z).length() < 1e-12);
+    }
+
+    #[test]
+    fn degenerate_faces_have_no_direction() {
+        let mut mesh = shape::single_polygon(3);
+        for v in 0..3 {
+            mesh.set_position(VertexId(v), DVec3::ONE);
+        }
+        assert_eq!(mesh.normal(FaceId(0)), DVec3::ZERO);
+        assert_eq!(mesh.vertex_normal(VertexId(0)), DVec3::ZERO);
+        assert_eq!(mesh.area(FaceId(0)), 0.0);
+        assert_eq!(mesh.normal(FaceId(77)), DVec3::ZERO);
+        mesh.set_position(VertexId(0), DVec3::new(f64::MAX, -f64::MAX, 0.0));
+        assert!(!mesh.normal(FaceId(0)).is_nan());
+    }
+
+    #[test]
+    fn small_faces_keep_their_direction() {
+        let mut mesh = shape::single_polygon(3);
+        for v in 0..3 {
+            mesh.set_position(VertexId(v), mesh.position(VertexId(v)) * 1e-120);
+        }
+        assert!((mesh.normal(FaceId(0)) - DVec3::Z).length() < 1e-12);
+    }
+}

@@ -1,0 +1,310 @@
+//! What people mean by a valid mesh, beyond its tables: the levels.
+//!
+//! `map` asks nothing more than the laws of `validate`. `surface` is what other mesh
+//! libraries check. `simple` is what makes triangles and edges sets of vertices, as in
+//! a simplicial complex. An isolated vertex is no part of the surface and is fine at
+//! every level.
+
+use std::fmt;
+
+use super::connectivity::Mesh;
+use super::id::{EdgeId, ElementKind, FaceId, VertexId};
+use super::validate::{Invalid, validate};
+
+/// How much is asked of a mesh. Each level includes the ones before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    /// Every orbit is in order, but a face may have two sides and an edge end where it
+    /// begins.
+    Map,
+    /// Faces have 3 halfedges or more. Vertices have 2 spokes or more, a face around
+    /// them and at most one corner in a hole. Edges have a face on one side at least.
+    /// No face or hole meets a vertex twice.
+    Surface,
+    /// No edge ends where it begins, no two edges have the same ends, no two faces have
+    /// the same set of corners.
+    Simple,
+}
+
+impl Level {
+    pub const ALL: [Self; 3] = [Self::Map, Self::Surface, Self::Simple];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Map => "map",
+            Self::Surface => "surface",
+            Self::Simple => "simple",
+        }
+    }
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Why a mesh does not have a level.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BelowLevel {
+    Invalid(Invalid),
+    SmallFace {
+        face: FaceId,
+        size: usize,
+    },
+    MeetsTwice {
+        face: FaceId,
+        hole: bool,
+        vertex: VertexId,
+    },
+    SingleSpoke {
+        vertex: VertexId,
+    },
+    NoFaceAround {
+        vertex: VertexId,
+    },
+    Pinched {
+        vertex: VertexId,
+        holes: [FaceId; 2],
+    },
+    NoFaceAlong {
+        edge: EdgeId,
+    },
+    EndsWhereItBegins {
+        edge: EdgeId,
+        vertex: VertexId,
+    },
+    DoubleEdge {
+        edges: [EdgeId; 2],
+        ends: [VertexId; 2],
+    },
+    SameCorners {
+        faces: [FaceId; 2],
+    },
+}
+
+impl fmt::Display for BelowLevel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Invalid(invalid) => invalid.fmt(f),
+            Self::SmallFace { face, size: 1 } => write!(f, "{face} has only 1 side"),
+            Self::SmallFace { face, size } => write!(f, "{face} has only {size} sides"),
+            Self::MeetsTwice {
+                face,
+                hole: false,
+                vertex,
+            } => {
+                write!(f, "{face} meets {vertex} twice")
+            }
+            Self::MeetsTwice {
+                face,
+                hole: true,
+                vertex,
+            } => {
+                write!(f, "hole {} meets {vertex} twice", face.0)
+            }
+            Self::SingleSpoke { vertex } => write!(f, "{vertex} has a single edge"),
+            Self::NoFaceAround { vertex } => write!(f, "{vertex} has holes only around it"),
+            Self::Pinched {
+                vertex,
+                holes: [a, b],
+            } if a == b => {
+                write!(
+                    f,
+                    "the surface is pinched at {vertex}, which hole {} meets twice",
+                    a.0
+                )
+            }
+            Self::Pinched {
+                vertex,
+                holes: [a, b],
+            } => {
+                write!(
+                    f,
+                    "the surface is pinched at {vertex}, where holes {} and {} meet",
+                    a.0, b.0
+                )
+            }
+            Self::NoFaceAlong { edge } => write!(f, "{edge} has a hole on both sides"),
+            Self::EndsWhereItBegins { edge, vertex } => {
+                write!(f, "{edge} begins and ends at {vertex}")
+            }
+            Self::DoubleEdge {
+                edges: [a, b],
+                ends: [v, w],
+            } => {
+                write!(f, "{a} and {b} both join {v} and {w}")
+            }
+            Self::SameCorners { faces: [a, b] } => write!(f, "{a} and {b} have the same corners"),
+        }
+    }
+}
+
+impl std::error::Error for BelowLevel {}
+
+/// Whether the mesh is valid and has the level; if not, the first reason found.
+pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
+    validate(mesh).map_err(BelowLevel::Invalid)?;
+    if level >= Level::Surface {
+        faces_have_three_sides(mesh)?;
+        loops_meet_vertices_once(mesh)?;
+        vertices_have_one_fan_of_faces(mesh)?;
+        edges_have_a_face(mesh)?;
+    }
+    if level >= Level::Simple {
+        edges_have_two_ends(mesh)?;
+        edges_are_single(mesh)?;
+        faces_differ_in_corners(mesh)?;
+    }
+    Ok(())
+}
+
+/// The highest level of a mesh, or what makes it invalid.
+pub fn highest_level(mesh: &Mesh) -> Result<Level, Invalid> {
+    let mut highest = Level::Map;
+    for level in Level::ALL {
+        match validate_level(mesh, level) {
+            Ok(()) => highest = level,
+            Err(BelowLevel::Invalid(invalid)) => return Err(invalid),
+            Err(_) => break,
+        }
+    }
+    Ok(highest)
+}
+
+// The checks below are asked of valid meshes only.
+
+fn faces_have_three_sides(mesh: &Mesh) -> Result<(), BelowLevel> {
+    for face in mesh.faces().filter(|&f| !mesh.is_hole(f)) {
+        let size = mesh.face_halfedges(face).take(3).count();
+        if size < 3 {
+            return Err(BelowLevel::SmallFace { face, size });
+        }
+    }
+    Ok(())
+}
+
+fn loops_meet_vertices_once(mesh: &Mesh) -> Result<(), BelowLevel> {
+    let mut seen_by = vec![FaceId::NONE; mesh.capacity(ElementKind::Vertex)];
+    for face in mesh.faces() {
+        for vertex in mesh.face_vertices(face) {
+            if std::mem::replace(&mut seen_by[vertex.index()], face) == face {
+                return Err(BelowLevel::MeetsTwice {
+                    face,
+                    hole: mesh.is_hole(face),
+                    vertex,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn vertices_have_one_fan_of_faces(mesh: &Mesh) -> Result<(), BelowLevel> {
+    for vertex in mesh
+        .vertices()
+        .filter(|&v| !mesh.vertex_halfedge(v).is_none())
+    {
+        let (mut spokes, mut faces, mut hole) = (0, 0, None);
+        for face in mesh.spokes(vertex).map(|h| mesh.face(h)) {
+            spokes += 1;
+            if !mesh.is_hole(face) {
+                faces += 1;
+            } else if let Some(other) = hole.replace(face) {
+                return Err(BelowLevel::Pinched {
+                    vertex,
+                    holes: [other, face],
+                });
+            }
+        }
+        if faces == 0 {
+            return Err(BelowLevel::NoFaceAround { vertex });
+        }
+        if spokes < 2 {
+            return Err(BelowLevel::SingleSpoke { vertex });
+        }
+    }
+    Ok(())
+}
+
+fn edges_have_a_face(mesh: &Mesh) -> Result<(), BelowLevel> {
+    for edge in mesh.edges() {
+        let h = mesh.edge_halfedge(edge);
+        if mesh.is_boundary_halfedge(h) && mesh.is_boundary_halfedge(mesh.twin(h)) {
+            return Err(BelowLevel::NoFaceAlong { edge });
+        }
+    }
+    Ok(())
+}
+
+fn edges_have_two_ends(mesh: &Mesh) -> Result<(), BelowLevel> {
+    for edge in mesh.edges() {
+        let h = mesh.edge_halfedge(edge);
+        let vertex = mesh.vertex(h);
+        if vertex == mesh.target(h) {
+            return Err(BelowLevel::EndsWhereItBegins { edge, vertex });
+        }
+    }
+    Ok(())
+}
+
+fn edges_are_single(mesh: &Mesh) -> Result<(), BelowLevel> {
+    // Per vertex, the last spoke that reached it.
+    let mut reached = vec![super::HalfedgeId::NONE; mesh.capacity(ElementKind::Vertex)];
+    for vertex in mesh.vertices() {
+        for h in mesh.spokes(vertex) {
+            let target = mesh.target(h);
+            let other = std::mem::replace(&mut reached[target.index()], h);
+            if !other.is_none() && mesh.vertex(other) == vertex {
+                let edges = [mesh.edge(other), mesh.edge(h)];
+                return Err(BelowLevel::DoubleEdge {
+                    edges,
+                    ends: [vertex, target],
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn faces_differ_in_corners(mesh: &Mesh) -> Result<(), BelowLevel> {
+    // Faces sorted by a sum over their corners; those with the same sum are compared.
+    let mut sums = Vec::with_capacity(mesh.face_count());
+    for face in mesh.faces().filter(|&f| !mesh.is_hole(f)) {
+        let corners = mesh.face_vertices(face).map(|v| scatter(u64::from(v.0)));
+        sums.push((corners.fold(0, u64::wrapping_add), face));
+    }
+    sums.sort_unstable();
+    for equal in sums
+        .chunk_by(|a, b| a.0 == b.0)
+        .filter(|chunk| chunk.len() > 1)
+    {
+        let mut faces: Vec<_> = equal
+            .iter()
+            .map(|&(_, f)| (sorted_corners(mesh, f), f))
+            .collect();
+        faces.sort_unstable();
+        if let Some(pair) = faces.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(BelowLevel::SameCorners {
+                faces: [pair[0].1, pair[1].1],
+            });
+        }
+    }
+    Ok(())
+}
+
+fn sorted_corners(mesh: &Mesh, face: FaceId) -> Vec<VertexId> {
+    let mut corners: Vec<_> = mesh.face_vertices(face).collect();
+    corners.sort_unstable();
+    corners
+}
+
+/// Spreads numbers over all 64 bits, so that different sums of few rarely agree
+/// (the finalizer of splitmix64; S. Vigna, 2015).
+pub(super) fn scatter(x: u64) -> u64 {
+    let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}

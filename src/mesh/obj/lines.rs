@@ -1,0 +1,106 @@
+//! The statements of a file: lines without comments, continued ones joined.
+
+use std::io::{self, BufRead};
+
+/// Reads one statement at a time into one buffer.
+pub(super) struct Statements<R> {
+    input: R,
+    text: Vec<u8>,
+    first_line: u32,
+    last_line: u32,
+}
+
+impl<R: BufRead> Statements<R> {
+    pub(super) fn new(input: R) -> Self {
+        Self {
+            input,
+            text: Vec::new(),
+            first_line: 0,
+            last_line: 0,
+        }
+    }
+
+    /// Goes to the next statement, which may be blank; false at the end of the file.
+    pub(super) fn advance(&mut self) -> io::Result<bool> {
+        self.text.clear();
+        self.first_line = self.last_line.saturating_add(1);
+        loop {
+            let start = self.text.len();
+            if self.input.read_until(b'\n', &mut self.text)? == 0 {
+                return Ok(start > 0);
+            }
+            if self.last_line == 0 && self.text.starts_with(b"\xef\xbb\xbf") {
+                self.text.drain(..3);
+            }
+            self.last_line = self.last_line.saturating_add(1);
+            if let Some(comment) = comment_start(&self.text[start..]) {
+                self.text.truncate(start + comment);
+                return Ok(true);
+            }
+            let length = self.text.trim_ascii_end().len();
+            self.text.truncate(length.max(start));
+            if self.text.len() == start || self.text.last() != Some(&b'\\') {
+                return Ok(true);
+            }
+            self.text.pop();
+            self.text.push(b' ');
+        }
+    }
+
+    pub(super) fn text(&self) -> &[u8] {
+        &self.text
+    }
+
+    /// The line where the statement begins.
+    pub(super) fn line(&self) -> u32 {
+        self.first_line
+    }
+}
+
+/// Where a comment begins: at a `#` that stands first or after a blank, so that names
+/// may have one inside.
+fn comment_start(line: &[u8]) -> Option<usize> {
+    let mut from = 0;
+    while let Some(found) = line[from..].iter().position(|&b| b == b'#') {
+        let at = from + found;
+        if at == 0 || line[at - 1].is_ascii_whitespace() {
+            return Some(at);
+        }
+        from = at + 1;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn statements(text: &[u8]) -> Vec<(u32, String)> {
+        let mut statements = Statements::new(text);
+        let mut all = Vec::new();
+        while statements.advance().unwrap() {
+            let text = String::from_utf8_lossy(statements.text());
+            all.push((
+                statements.line(),
+                text.split_whitespace().collect::<Vec<_>>().join(" "),
+            ));
+        }
+        all
+    }
+
+    #[test]
+    fn continued_lines_are_one_statement() {
+        let found = statements(b"f 1 \\\r\n 2 \\\n3\nv 1\\");
+        assert_eq!(found, [(1, "f 1 2 3".to_owned()), (4, "v 1".to_owned())]);
+    }
+
+    #[test]
+    fn comments_end_a_line_and_are_not_continued() {
+        let found = statements(b"\xef\xbb\xbf# c:\\dir\\\ng a#b # x \\\n\xff# y\nv");
+        let texts: Vec<&str> = found.iter().map(|(_, text)| text.as_str()).collect();
+        assert_eq!(
+            texts,
+            ["", "g a#b", "\u{fffd}#y".replace("#y", "# y").as_str(), "v"]
+        );
+    }
+}

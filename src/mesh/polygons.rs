@@ -1,0 +1,68 @@
+//! A list of polygons, flat: all corners in one array, and where each polygon ends.
+
+/// Polygons by the numbers of their corners, each counterclockwise.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Polygons {
+    corners: Vec<u32>,
+    ends: Vec<usize>,
+}
+
+impl Polygons {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    pub fn with_capacity(polygons: usize, corners: usize) -> Self {
+        Self {
+            corners: Vec::with_capacity(corners),
+            ends: Vec::with_capacity(polygons),
+        }
+    }
+
+    pub fn push(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.ends.push(self.corners.len());
+    }
+
+    /// The number of polygons.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// The corners of all polygons, one after the other.
+    pub fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    pub fn into_corners(self) -> Vec<u32> {
+        self.corners
+    }
+
+    /// The corners of one polygon.
+    pub fn get(&self, polygon: usize) -> Option<&[u32]> {
+        let end = *self.ends.get(polygon)?;
+        let start = polygon.checked_sub(1).map_or(0, |before| self.ends[before]);
+        Some(&self.corners[start..end])
+    }
+
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + '_ {
+        let mut start = 0;
+        self.ends
+            .iter()
+            .map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
+    }
+}
+
+impl<P: AsRef<[u32]>> FromIterator<P> for Polygons {
+    fn from_iter<I: IntoIterator<Item = P>>(polygons: I) -> Self {
+        let mut list = Self::new();
+        for polygon in polygons {
+            list.push(polygon.as_ref());
+        }
+        list
+    }
+}

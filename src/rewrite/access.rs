@@ -1,0 +1,300 @@
+//! Reading and writing the mesh through registers: nothing is taken on trust.
+//!
+//! A number in a register may name an element that is erased or never was. Reading
+//! through it traps, and so does writing; neither can panic.
+
+use glam::DVec3;
+
+use super::{ElementField, Elements, HalfedgeField, Message, Walk};
+use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
+
+/// Why there is no such element.
+#[cold]
+pub(super) fn gone(kind: ElementKind, id: u32) -> Message {
+    match id {
+        u32::MAX => Message::Missing(kind),
+        _ => Message::Gone(kind),
+    }
+}
+
+/// The living vertex of a number.
+#[inline]
+pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Message> {
+    match mesh.vertex_alive(VertexId(id)) {
+        true => Ok(VertexId(id)),
+        false => Err(gone(ElementKind::Vertex, id)),
+    }
+}
+
+#[inline]
+fn halfedge(mesh: &Mesh, id: u32) -> Result<HalfedgeId, Message> {
+    match mesh.halfedge_alive(HalfedgeId(id)) {
+        true => Ok(HalfedgeId(id)),
+        false => Err(gone(ElementKind::Halfedge, id)),
+    }
+}
+
+/// The living edge of a number.
+#[inline]
+pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Message> {
+    match mesh.edge_alive(EdgeId(id)) {
+        true => Ok(EdgeId(id)),
+        false => Err(gone(ElementKind::Edge, id)),
+    }
+}
+
+/// The living face of a number.
+#[inline]
+pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Message> {
+    match mesh.face_alive(FaceId(id)) {
+        true => Ok(FaceId(id)),
+        false => Err(gone(ElementKind::Face, id)),
+    }
+}
+
+/// A pointer of a halfedge.
+#[inline]
+pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Message> {
+    let Some(record) = mesh.get_halfedge(HalfedgeId(id)) else {
+        return Err(gone(ElementKind::Halfedge, id));
+    };
+    Ok(match field {
+        HalfedgeField::Next => record.next.0,
+        HalfedgeField::Prev => record.prev.0,
+        HalfedgeField::Twin => record.twin.0,
+        HalfedgeField::Vertex => record.vertex.0,
+        HalfedgeField::Edge => record.edge.0,
+        HalfedgeField::Face => record.face.0,
+    })
+}
+
+/// The halfedge of an element.
+#[inline]
+pub(super) fn load_halfedge(mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Message> {
+    let (kind, halfedge) = match of {
+        ElementField::Vertex => (ElementKind::Vertex, mesh.get_vertex_halfedge(VertexId(id))),
+        ElementField::Edge => (ElementKind::Edge, mesh.get_edge_halfedge(EdgeId(id))),
+        ElementField::Face => (ElementKind::Face, mesh.get_face_halfedge(FaceId(id))),
+    };
+    halfedge.map(|h| h.0).ok_or_else(|| gone(kind, id))
+}
+
+/// Whether an element lives and, if it is a face, is of that sort.
+#[inline]
+pub(super) fn lives(mesh: &Mesh, of: Elements, id: u32) -> bool {
+    match of {
+        Elements::Vertices => mesh.vertex_alive(VertexId(id)),
+        Elements::Halfedges => mesh.halfedge_alive(HalfedgeId(id)),
+        Elements::Edges => mesh.edge_alive(EdgeId(id)),
+        Elements::Faces => mesh.get_is_hole(FaceId(id)) == Some(false),
+        Elements::Holes => mesh.get_is_hole(FaceId(id)) == Some(true),
+    }
+}
+
+/// The first living element from `id` on.
+#[inline]
+pub(super) fn next_living(mesh: &Mesh, of: Elements, id: u64) -> Option<u32> {
+    // Every id is below the capacity, which is below `u32::MAX`.
+    let capacity = mesh.capacity(of.kind()) as u64;
+    (id..capacity)
+        .map(|id| id as u32)
+        .find(|&id| lives(mesh, of, id))
+}
+
+/// Appends all living elements.
+pub(super) fn collect_living(mesh: &Mesh, of: Elements, into: &mut Vec<u64>) {
+    let ids = 0..mesh.capacity(of.kind()) as u32;
+    into.extend(ids.filter(|&id| lives(mesh, of, id)).map(u64::from));
+}
+
+/// A pointer may lead to any slot, or to nothing.
+#[inline]
+fn pointer(mesh: &Mesh, kind: ElementKind, value: u32) -> Result<(), Message> {
+    match value == u32::MAX || (value as usize) < mesh.capacity(kind) {
+        true => Ok(()),
+        false => Err(Message::WildPointer(kind)),
+    }
+}
+
+/// Sets a pointer of a living halfedge.
+#[inline]
+pub(super) fn store(
+    mesh: &mut Mesh,
+    field: HalfedgeField,
+    id: u32,
+    value: u32,
+) -> Result<(), Message> {
+    let h = halfedge(mesh, id)?;
+    match field {
+        HalfedgeField::Next | HalfedgeField::Prev | HalfedgeField::Twin => {
+            pointer(mesh, ElementKind::Halfedge, value)?;
+            let value = HalfedgeId(value);
+            match field {
+                HalfedgeField::Next => mesh.set_next(h, value),
+                HalfedgeField::Prev => mesh.set_prev(h, value),
+                _ => mesh.set_twin(h, value),
+            }
+        }
+        HalfedgeField::Vertex => {
+            pointer(mesh, ElementKind::Vertex, value)?;
+            mesh.set_vertex(h, VertexId(value));
+        }
+        HalfedgeField::Edge => {
+            pointer(mesh, ElementKind::Edge, value)?;
+            mesh.set_edge(h, EdgeId(value));
+        }
+        HalfedgeField::Face => {
+            pointer(mesh, ElementKind::Face, value)?;
+            mesh.set_face(h, FaceId(value));
+        }
+    }
+    Ok(())
+}
+
+/// Sets the halfedge of a living element.
+#[inline]
+pub(super) fn store_halfedge(
+    mesh: &mut Mesh,
+    of: ElementField,
+    id: u32,
+    value: u32,
+) -> Result<(), Message> {
+    pointer(mesh, ElementKind::Halfedge, value)?;
+    let value = HalfedgeId(value);
+    match of {
+        ElementField::Vertex => mesh.set_vertex_halfedge(vertex(mesh, id)?, value),
+        ElementField::Edge => mesh.set_edge_halfedge(edge(mesh, id)?, value),
+        ElementField::Face => mesh.set_face_halfedge(face(mesh, id)?, value),
+    }
+    Ok(())
+}
+
+/// Sets a pointer of every halfedge in a buffer.
+pub(super) fn store_all(
+    mesh: &mut Mesh,
+    field: HalfedgeField,
+    halfedges: &[u64],
+    value: u32,
+) -> Result<(), Message> {
+    halfedges
+        .iter()
+        .try_for_each(|&id| store(mesh, field, id as u32, value))
+}
+
+/// A living vertex and a position that it may have.
+#[inline]
+pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, DVec3), Message> {
+    let v = vertex(mesh, id)?;
+    match position.is_finite() {
+        true => Ok((v, position)),
+        false => Err(Message::NotFinite),
+    }
+}
+
+/// Writes the positions kept back in a buffer: four slots each, the vertex first.
+pub(super) fn release(mesh: &mut Mesh, held: &mut Vec<u64>) {
+    for one in held.chunks_exact(4) {
+        let v = VertexId(one[0] as u32);
+        if mesh.vertex_alive(v) {
+            let [x, y, z] = [one[1], one[2], one[3]].map(f64::from_bits);
+            mesh.set_position(v, DVec3::new(x, y, z));
+        }
+    }
+    held.clear();
+}
+
+/// Adds an element.
+#[inline]
+pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Message> {
+    if mesh.capacity(kind) >= u32::MAX as usize - 1 && !room_for_one(mesh, kind) {
+        return Err(Message::NoRoom(kind));
+    }
+    Ok(match kind {
+        ElementKind::Vertex => mesh.add_vertex().0,
+        ElementKind::Halfedge => mesh.add_halfedge().0,
+        ElementKind::Edge => mesh.add_edge().0,
+        ElementKind::Face => mesh.add_face().0,
+    })
+}
+
+#[cold]
+fn room_for_one(mesh: &Mesh, kind: ElementKind) -> bool {
+    let one = |this| usize::from(kind == this);
+    mesh.can_add(
+        one(ElementKind::Vertex),
+        one(ElementKind::Halfedge),
+        one(ElementKind::Edge),
+        one(ElementKind::Face),
+    )
+}
+
+/// Erases a living element.
+#[inline]
+pub(super) fn erase(mesh: &mut Mesh, kind: ElementKind, id: u32) -> Result<(), Message> {
+    match kind {
+        ElementKind::Vertex => mesh.erase_vertex(vertex(mesh, id)?),
+        ElementKind::Halfedge => mesh.erase_halfedge(halfedge(mesh, id)?),
+        ElementKind::Edge => mesh.erase_edge(edge(mesh, id)?),
+        ElementKind::Face => mesh.erase_face(face(mesh, id)?),
+    }
+    Ok(())
+}
+
+/// The halfedge after `id`.
+#[inline]
+fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Message> {
+    match walk {
+        Walk::Loop => load(mesh, HalfedgeField::Next, id),
+        Walk::Star => {
+            let prev = load(mesh, HalfedgeField::Prev, id)?;
+            load(mesh, HalfedgeField::Twin, prev)
+        }
+    }
+}
+
+/// Appends the halfedges from `from` up to, but without, `until`; the whole cycle if both
+/// are the same.
+pub(super) fn collect(
+    mesh: &Mesh,
+    walk: Walk,
+    [from, until]: [u32; 2],
+    into: &mut Vec<u64>,
+) -> Result<(), Message> {
+    let mut at = from;
+    // No walk that ends is longer than there are halfedges.
+    for _ in 0..mesh.capacity(ElementKind::Halfedge) {
+        into.push(u64::from(at));
+        at = step(mesh, walk, at)?;
+        if at == until {
+            return Ok(());
+        }
+        if at == from {
+            break;
+        }
+    }
+    // Nothing was walked where there are no halfedges at all.
+    halfedge(mesh, from)?;
+    Err(Message::Endless)
+}
+
+/// Whether a walk from `from`, which counts, meets `goal` before it comes to `stop` or
+/// back.
+pub(super) fn meets(
+    mesh: &Mesh,
+    walk: Walk,
+    from: u32,
+    [goal, stop]: [u32; 2],
+) -> Result<bool, Message> {
+    let mut at = from;
+    for _ in 0..mesh.capacity(ElementKind::Halfedge) {
+        if at == goal {
+            return Ok(true);
+        }
+        at = step(mesh, walk, at)?;
+        if at == stop || at == from {
+            return Ok(false);
+        }
+    }
+    halfedge(mesh, from)?;
+    Err(Message::Endless)
+}

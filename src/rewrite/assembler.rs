@@ -1,0 +1,306 @@
+//! Writing code: registers, labels, constants, trap places.
+//!
+//! Registers come lowest first, so that whoever asks for the parameters before anything
+//! else finds them at the start of the window. What is taken after a [`Mark`] is given
+//! back when the mark is released; constants are pooled, loaded once at the start of the
+//! code, and never given back. Until [`Assembler::finish`] a [`Label`] is only a number;
+//! there it becomes the index of an instruction.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use super::{Code, Inst, Label, Reg, Traps};
+
+/// Builds a [`Code`].
+#[derive(Debug, Default)]
+pub struct Assembler {
+    insts: Vec<Inst>,
+    traps: Traps,
+    /// The instruction each label is bound to.
+    labels: Vec<Option<u32>>,
+    texts: Vec<String>,
+    text_numbers: HashMap<String, u32>,
+    /// In the order of first use; the map only finds them.
+    constants: Vec<(Reg, u64)>,
+    constant_registers: HashMap<u64, Reg>,
+    registers: Registers,
+    buffers: u16,
+    too_large: bool,
+}
+
+/// The code would need more registers, buffers or instructions than there can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLarge;
+
+impl fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("too large to compile: there are not enough registers")
+    }
+}
+
+impl std::error::Error for TooLarge {}
+
+/// The registers taken at some moment, to come back to.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark(usize);
+
+impl Assembler {
+    /// An empty code.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A register.
+    pub fn reg(&mut self) -> Reg {
+        self.block(1)
+    }
+
+    /// Three consecutive registers, for a vector.
+    pub fn vec(&mut self) -> Reg {
+        self.block(3)
+    }
+
+    /// Consecutive registers. Of none, some register that is not to be used.
+    pub fn block(&mut self, width: u16) -> Reg {
+        let reg = self.take(width);
+        self.registers.live.push((reg, width));
+        reg
+    }
+
+    fn take(&mut self, width: u16) -> Reg {
+        match self.registers.take(width) {
+            Some(reg) => reg,
+            None => {
+                self.too_large = true;
+                Reg(0)
+            }
+        }
+    }
+
+    /// The moment, to be released.
+    pub fn mark(&self) -> Mark {
+        Mark(self.registers.live.len())
+    }
+
+    /// Gives back the registers taken since the mark. Marks are released in stack order.
+    pub fn release(&mut self, mark: Mark) {
+        self.registers.release(mark);
+    }
+
+    /// A buffer, empty when the code starts.
+    pub fn buffer(&mut self) -> u16 {
+        let buffer = self.buffers;
+        match buffer.checked_add(1) {
+            Some(more) => self.buffers = more,
+            None => self.too_large = true,
+        }
+        buffer
+    }
+
+    /// A label that is not bound yet.
+    pub fn label(&mut self) -> Label {
+        self.labels.push(None);
+        Label(self.labels.len() as u32 - 1)
+    }
+
+    /// Binds a label to the instruction that comes next.
+    pub fn bind(&mut self, label: Label) {
+        let here = self.insts.len() as u32;
+        if let Some(place) = self.labels.get_mut(label.0 as usize) {
+            debug_assert!(place.is_none(), "a label is bound once");
+            *place = Some(here);
+        }
+    }
+
+    /// Appends an instruction.
+    pub fn emit(&mut self, inst: Inst) {
+        self.insts.push(inst);
+    }
+
+    /// Appends an instruction that can trap, with the number of its place in the source.
+    pub fn trap_at(&mut self, place: u32, inst: Inst) {
+        self.traps.push((self.insts.len() as u32, place));
+        self.emit(inst);
+    }
+
+    /// A register that holds an int.
+    pub fn constant_int(&mut self, value: i64) -> Reg {
+        self.constant_bits(value as u64)
+    }
+
+    /// A register that holds a real.
+    pub fn constant_real(&mut self, value: f64) -> Reg {
+        self.constant_bits(value.to_bits())
+    }
+
+    /// A register that holds a bool.
+    pub fn constant_bool(&mut self, value: bool) -> Reg {
+        self.constant_bits(u64::from(value))
+    }
+
+    /// A register that holds "no element", of any kind.
+    pub fn none(&mut self) -> Reg {
+        self.constant_bits(u64::from(u32::MAX))
+    }
+
+    /// A register that holds a text.
+    pub fn constant_text(&mut self, text: &str) -> Reg {
+        let number = self.text(text);
+        self.constant_bits(u64::from(number))
+    }
+
+    /// A register that holds these bits; nobody writes to it.
+    pub fn constant_bits(&mut self, bits: u64) -> Reg {
+        if let Some(&reg) = self.constant_registers.get(&bits) {
+            return reg;
+        }
+        let reg = self.take(1);
+        self.constants.push((reg, bits));
+        self.constant_registers.insert(bits, reg);
+        reg
+    }
+
+    /// The number of a text; the same for equal texts.
+    pub fn text(&mut self, text: &str) -> u32 {
+        if let Some(&number) = self.text_numbers.get(text) {
+            return number;
+        }
+        let number = self.texts.len() as u32;
+        self.texts.push(text.to_owned());
+        self.text_numbers.insert(text.to_owned(), number);
+        number
+    }
+
+    /// The code. A label that was never bound leads to its end.
+    pub fn finish(self) -> Result<Code, TooLarge> {
+        let prologue = self.constants.len();
+        let length = prologue + self.insts.len();
+        if self.too_large || u32::try_from(length).is_err() {
+            return Err(TooLarge);
+        }
+        let shift = prologue as u32;
+        let consts = self.constants.iter();
+        let mut insts: Vec<Inst> = consts
+            .map(|&(to, bits)| Inst::Const { to, bits })
+            .chain(self.insts)
+            .collect();
+        for label in insts.iter_mut().filter_map(Inst::target_mut) {
+            let bound = self.labels.get(label.0 as usize).copied().flatten();
+            *label = Label(bound.map_or(length as u32, |at| at + shift));
+        }
+        let traps = self.traps.iter().map(|&(at, place)| (at + shift, place));
+        Ok(Code {
+            insts,
+            registers: self.registers.most,
+            buffers: self.buffers,
+            traps: traps.collect(),
+            texts: self.texts,
+        })
+    }
+}
+
+/// Which registers are taken.
+#[derive(Debug, Default)]
+struct Registers {
+    taken: Vec<bool>,
+    /// No register below is free.
+    first_free: usize,
+    /// One past the highest register ever taken.
+    most: u16,
+    /// What a release gives back, in the order it was taken.
+    live: Vec<(Reg, u16)>,
+}
+
+impl Registers {
+    fn take(&mut self, width: u16) -> Option<Reg> {
+        let mut start = self.first_free;
+        let mut end = start;
+        while end < start + usize::from(width) {
+            if self.taken.get(end).copied().unwrap_or(false) {
+                start = end + 1;
+            }
+            end += 1;
+        }
+        let most = u16::try_from(end).ok()?;
+        if self.taken.len() < end {
+            self.taken.resize(end, false);
+        }
+        self.taken[start..end].fill(true);
+        if start == self.first_free {
+            self.first_free = end;
+        }
+        self.most = self.most.max(most);
+        Some(Reg(u16::try_from(start).ok()?))
+    }
+
+    fn release(&mut self, mark: Mark) {
+        while self.live.len() > mark.0 {
+            let Some((reg, width)) = self.live.pop() else {
+                return;
+            };
+            let start = usize::from(reg.0);
+            let end = start + usize::from(width);
+            if let Some(slots) = self.taken.get_mut(start..end) {
+                slots.fill(false);
+                self.first_free = self.first_free.min(start);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn released_registers_are_taken_again_and_constants_are_not() {
+        let mut asm = Assembler::new();
+        let param = asm.reg();
+        let mark = asm.mark();
+        let (a, b) = (asm.vec(), asm.reg());
+        let seven = asm.constant_int(7);
+        asm.release(mark);
+        assert_eq!((param, a, b, seven), (Reg(0), Reg(1), Reg(4), Reg(5)));
+        assert_eq!(asm.block(5), Reg(6), "five in a row fit only behind");
+        assert_eq!(asm.vec(), Reg(1));
+        assert_eq!(asm.constant_int(7), seven);
+        assert_eq!(asm.finish().unwrap().registers, 11);
+    }
+
+    #[test]
+    fn labels_and_traps_move_behind_the_constants() {
+        let mut asm = Assembler::new();
+        let (head, end) = (asm.label(), asm.label());
+        let yes = asm.constant_bool(true);
+        asm.bind(head);
+        asm.trap_at(
+            9,
+            Inst::JumpUnless {
+                condition: yes,
+                to: end,
+            },
+        );
+        asm.emit(Inst::Jump { to: head });
+        let code = asm.finish().unwrap();
+        assert_eq!(
+            code.insts[1..],
+            [
+                Inst::JumpUnless {
+                    condition: yes,
+                    to: Label(3)
+                },
+                Inst::Jump { to: Label(1) }
+            ]
+        );
+        assert_eq!((code.place(1), code.place(2)), (Some(9), None));
+    }
+
+    #[test]
+    fn too_many_registers_are_an_error() {
+        let mut asm = Assembler::new();
+        for _ in 0..=u16::MAX {
+            asm.reg();
+        }
+        assert_eq!(asm.finish(), Err(TooLarge));
+    }
+}

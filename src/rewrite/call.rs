@@ -1,0 +1,78 @@
+//! One run of a code: what it may use, and what became of it.
+
+use super::{Code, Phase, Plan, Refusal, Site, Trap};
+
+/// What became of a run that did not trap.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It went through; in the code of an operation: it has been applied.
+    Applied {
+        /// What it returned, if anything.
+        result: Option<u32>,
+    },
+    /// The operation does not apply here; the mesh is as it was.
+    Refused {
+        /// The number of the reason, if one was noted.
+        reason: Option<u16>,
+    },
+}
+
+/// One run of a code.
+#[derive(Debug)]
+pub(super) struct Call<'c> {
+    pub(super) code: &'c Code,
+    refusals: &'c [Refusal],
+    /// The number of the operation.
+    pub(super) op: Option<u16>,
+    /// Where its window begins, and its buffers.
+    pub(super) base: usize,
+    pub(super) buffers: usize,
+    pub(super) depth: usize,
+}
+
+impl<'c> Call<'c> {
+    pub(super) fn top(code: &'c Code, refusals: &'c [Refusal]) -> Self {
+        Self {
+            code,
+            refusals,
+            op: None,
+            base: 0,
+            buffers: 0,
+            depth: 0,
+        }
+    }
+
+    /// The call of an operation from this one: everything it uses lies behind.
+    #[inline]
+    pub(super) fn calling<'p>(&self, op: u16, plan: &'p Plan) -> Call<'p> {
+        Call {
+            code: &plan.code,
+            refusals: &plan.refusals,
+            op: Some(op),
+            base: self.base + usize::from(self.code.registers),
+            buffers: self.buffers + usize::from(self.code.buffers),
+            depth: self.depth + 1,
+        }
+    }
+
+    /// Of several refusals the one of the latest phase counts, of those the first.
+    pub(super) fn note(&self, noted: &mut Option<(Phase, u16)>, refusal: u16) {
+        let reason = self.refusals.get(usize::from(refusal));
+        let phase = reason.map_or(Phase::Match, |reason| reason.phase);
+        if noted.is_none_or(|(earlier, _)| phase > earlier) {
+            *noted = Some((phase, refusal));
+        }
+    }
+}
+
+impl Trap {
+    /// The trap seen from a call: the instruction at `at` did it.
+    #[cold]
+    pub(super) fn through(mut self, call: &Call<'_>, at: usize) -> Self {
+        self.trace.push(Site {
+            op: call.op,
+            place: call.code.place(at),
+        });
+        self
+    }
+}

@@ -1,0 +1,494 @@
+//! The loop that takes one instruction after the other.
+//!
+//! One `match` over all instructions, an arm of a line or two each; what takes more is
+//! in its own file. Registers are never out of range (see the window), jumps out of the
+//! code return, so the loop itself cannot fail but by a trap.
+
+use super::access::{self, gone};
+use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
+use super::print::{ElementText, RealText, VectorText, append};
+use super::window::Window;
+use super::{Call, Inst, Machine, Message, Outcome, Trap, Watch};
+use crate::mesh::{ElementKind, Mesh, VertexId};
+
+/// The value, or out of the loop with the message.
+macro_rules! or_trap {
+    ($result:expr) => {
+        match $result {
+            Ok(value) => value,
+            Err(message) => break message,
+        }
+    };
+}
+
+impl Machine<'_> {
+    pub(super) fn execute(
+        &mut self,
+        mesh: &mut Mesh,
+        call: &Call<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        use Inst::*;
+        let code = call.code;
+        let insts = code.insts.as_slice();
+        self.clear_buffers(call);
+        let mut at = 0;
+        let mut noted = None;
+        let Some(mut w) = Window::at(&mut self.stack, call.base) else {
+            return Err(Trap::new(Message::Malformed));
+        };
+        macro_rules! buffer {
+            ($buffer:expr) => {
+                match self.buffers.get_mut(call.buffers + usize::from($buffer)) {
+                    Some(buffer) => buffer,
+                    None => break Message::Malformed,
+                }
+            };
+        }
+        macro_rules! refuse {
+            ($refusal:expr, $otherwise:expr) => {{
+                call.note(&mut noted, $refusal);
+                at = $otherwise.0 as usize;
+            }};
+        }
+        let message = loop {
+            let Some(&inst) = insts.get(at) else {
+                return Ok(Outcome::Applied { result: None });
+            };
+            at += 1;
+            match inst {
+                // Values.
+                Const { to, bits } => w.set_bits(to, bits),
+                Copy { to, from } => w.set_bits(to, w.bits(from)),
+                CopyVec { to, from } => w.set_vector(to, w.vector(from)),
+                Select {
+                    to,
+                    condition,
+                    then,
+                    otherwise,
+                } => {
+                    let from = if w.truth(condition) { then } else { otherwise };
+                    w.set_bits(to, w.bits(from));
+                }
+                Not { to, from } => w.set_truth(to, !w.truth(from)),
+                And { to, left, right } => w.set_truth(to, w.truth(left) & w.truth(right)),
+                Or { to, left, right } => w.set_truth(to, w.truth(left) | w.truth(right)),
+                Equal { to, left, right } => w.set_truth(to, w.bits(left) == w.bits(right)),
+                AddInt { to, left, right } => {
+                    w.set_int(to, or_trap!(fits(w.int(left).checked_add(w.int(right)))));
+                }
+                SubInt { to, left, right } => {
+                    w.set_int(to, or_trap!(fits(w.int(left).checked_sub(w.int(right)))));
+                }
+                MulInt { to, left, right } => {
+                    w.set_int(to, or_trap!(fits(w.int(left).checked_mul(w.int(right)))));
+                }
+                DivInt { to, left, right } => {
+                    w.set_int(to, or_trap!(divide(w.int(left), w.int(right))));
+                }
+                ModInt { to, left, right } => {
+                    w.set_int(to, or_trap!(modulo(w.int(left), w.int(right))));
+                }
+                NegInt { to, from } => w.set_int(to, or_trap!(fits(w.int(from).checked_neg()))),
+                AbsInt { to, from } => w.set_int(to, or_trap!(fits(w.int(from).checked_abs()))),
+                MinInt { to, left, right } => w.set_int(to, w.int(left).min(w.int(right))),
+                MaxInt { to, left, right } => w.set_int(to, w.int(left).max(w.int(right))),
+                LessInt { to, left, right } => w.set_truth(to, w.int(left) < w.int(right)),
+                LessEqualInt { to, left, right } => w.set_truth(to, w.int(left) <= w.int(right)),
+                IntToReal { to, from } => w.set_real(to, w.int(from) as f64),
+                RoundReal { to, from } => w.set_int(to, or_trap!(round(w.real(from)))),
+                AddReal { to, left, right } => w.set_real(to, w.real(left) + w.real(right)),
+                SubReal { to, left, right } => w.set_real(to, w.real(left) - w.real(right)),
+                MulReal { to, left, right } => w.set_real(to, w.real(left) * w.real(right)),
+                DivReal { to, left, right } => w.set_real(to, w.real(left) / w.real(right)),
+                MinReal { to, left, right } => w.set_real(to, w.real(left).min(w.real(right))),
+                MaxReal { to, left, right } => w.set_real(to, w.real(left).max(w.real(right))),
+                PowReal { to, left, right } => w.set_real(to, w.real(left).powf(w.real(right))),
+                Atan2Real { to, left, right } => {
+                    w.set_real(to, w.real(left).atan2(w.real(right)));
+                }
+                LessReal { to, left, right } => w.set_truth(to, w.real(left) < w.real(right)),
+                LessEqualReal { to, left, right } => {
+                    w.set_truth(to, w.real(left) <= w.real(right));
+                }
+                EqualReal { to, left, right } => w.set_truth(to, w.real(left) == w.real(right)),
+                MathReal { math: f, to, from } => w.set_real(to, math(f, w.real(from))),
+                AddVec { to, left, right } => w.set_vector(to, w.vector(left) + w.vector(right)),
+                SubVec { to, left, right } => w.set_vector(to, w.vector(left) - w.vector(right)),
+                MulVec { to, left, right } => w.set_vector(to, w.vector(left) * w.vector(right)),
+                NegVec { to, from } => w.set_vector(to, -w.vector(from)),
+                ScaleVec { to, left, right } => w.set_vector(to, w.vector(left) * w.real(right)),
+                DivVec { to, left, right } => w.set_vector(to, w.vector(left) / w.real(right)),
+                MixVec { to, left, right, t } => {
+                    w.set_vector(to, mix(w.vector(left), w.vector(right), w.real(t)));
+                }
+                EqualVec { to, left, right } => w.set_truth(to, w.vector(left) == w.vector(right)),
+                Dot { to, left, right } => w.set_real(to, w.vector(left).dot(w.vector(right))),
+                Cross { to, left, right } => {
+                    w.set_vector(to, w.vector(left).cross(w.vector(right)));
+                }
+                LengthVec { to, from } => w.set_real(to, w.vector(from).length()),
+                Normalize { to, from } => w.set_vector(to, direction(w.vector(from))),
+
+                // Loads.
+                Load {
+                    field,
+                    to,
+                    halfedge,
+                } => w.set_id(to, or_trap!(access::load(mesh, field, w.id(halfedge)))),
+                LoadHalfedge { of, to, element } => {
+                    w.set_id(to, or_trap!(access::load_halfedge(mesh, of, w.id(element))));
+                }
+                LoadHole { to, face } => {
+                    w.set_truth(to, mesh.is_hole(or_trap!(access::face(mesh, w.id(face)))));
+                }
+                LoadPosition { to, vertex } => {
+                    let id = w.id(vertex);
+                    let Some(position) = mesh.get_position(VertexId(id)) else {
+                        break gone(ElementKind::Vertex, id);
+                    };
+                    w.set_vector(to, position);
+                }
+                Capacity { kind, to } => w.set_int(to, mesh.capacity(kind) as i64),
+                NextLiving {
+                    of,
+                    element,
+                    otherwise,
+                } => match access::next_living(mesh, of, w.bits(element)) {
+                    Some(id) => w.set_id(element, id),
+                    None => at = otherwise.0 as usize,
+                },
+                JumpUnlessLiving { of, element, to } => {
+                    if !access::lives(mesh, of, w.id(element)) {
+                        at = to.0 as usize;
+                    }
+                }
+                Alive { kind, to, element } => {
+                    w.set_truth(to, mesh.is_alive(kind, w.id(element)));
+                }
+
+                // Questions that walk.
+                Degree { to, vertex } => {
+                    let v = or_trap!(access::vertex(mesh, w.id(vertex)));
+                    w.set_int(to, mesh.degree(v) as i64);
+                }
+                FaceSize { to, face } => {
+                    let f = or_trap!(access::face(mesh, w.id(face)));
+                    w.set_int(to, mesh.face_size(f) as i64);
+                }
+                BoundaryVertex { to, vertex } => {
+                    let v = or_trap!(access::vertex(mesh, w.id(vertex)));
+                    w.set_truth(to, mesh.is_boundary_vertex(v));
+                }
+                BoundaryEdge { to, edge } => {
+                    let e = or_trap!(access::edge(mesh, w.id(edge)));
+                    w.set_truth(to, mesh.is_boundary_edge(e));
+                }
+                Adjacent { to, left, right } => {
+                    let left = or_trap!(access::vertex(mesh, w.id(left)));
+                    let right = or_trap!(access::vertex(mesh, w.id(right)));
+                    w.set_truth(to, mesh.adjacent(left, right));
+                }
+                LinkCondition { to, edge } => {
+                    let e = or_trap!(access::edge(mesh, w.id(edge)));
+                    w.set_truth(to, mesh.link_condition(e));
+                }
+                LengthEdge { to, edge } => {
+                    let e = or_trap!(access::edge(mesh, w.id(edge)));
+                    w.set_real(to, mesh.length(e));
+                }
+                Area { to, face } => {
+                    let f = or_trap!(access::face(mesh, w.id(face)));
+                    w.set_real(to, mesh.area(f));
+                }
+                NormalFace { to, face } => {
+                    let f = or_trap!(access::face(mesh, w.id(face)));
+                    w.set_vector(to, mesh.normal(f));
+                }
+                NormalVertex { to, vertex } => {
+                    let v = or_trap!(access::vertex(mesh, w.id(vertex)));
+                    w.set_vector(to, mesh.vertex_normal(v));
+                }
+                CentroidFace { to, face } => {
+                    let f = or_trap!(access::face(mesh, w.id(face)));
+                    w.set_vector(to, mesh.centroid(f));
+                }
+                Count { kind, to } => w.set_int(to, mesh.count(kind) as i64),
+                CountHoles { to } => w.set_int(to, mesh.hole_count() as i64),
+
+                // Jumps.
+                Jump { to } => at = to.0 as usize,
+                JumpIf { condition, to } => {
+                    if w.truth(condition) {
+                        at = to.0 as usize;
+                    }
+                }
+                JumpUnless { condition, to } => {
+                    if !w.truth(condition) {
+                        at = to.0 as usize;
+                    }
+                }
+                JumpUnequal { left, right, to } => {
+                    if w.bits(left) != w.bits(right) {
+                        at = to.0 as usize;
+                    }
+                }
+                JumpEqual { left, right, to } => {
+                    if w.bits(left) == w.bits(right) {
+                        at = to.0 as usize;
+                    }
+                }
+
+                // Matching.
+                ExpectEqual {
+                    left,
+                    right,
+                    refusal,
+                    otherwise,
+                } => {
+                    if w.bits(left) != w.bits(right) {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                ExpectDistinct {
+                    left,
+                    right,
+                    refusal,
+                    otherwise,
+                } => {
+                    if w.bits(left) == w.bits(right) {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                Expect {
+                    condition,
+                    refusal,
+                    otherwise,
+                } => {
+                    if !w.truth(condition) {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                ExpectFinite {
+                    vector,
+                    refusal,
+                    otherwise,
+                } => {
+                    if !w.vector(vector).is_finite() {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                ExpectRoom {
+                    vertices,
+                    halfedges,
+                    edges,
+                    faces,
+                    refusal,
+                    otherwise,
+                } => {
+                    let [v, h, e, f] = [vertices, halfedges, edges, faces].map(usize::from);
+                    if !mesh.can_add(v, h, e, f) {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                Collect {
+                    walk,
+                    buffer,
+                    from,
+                    until,
+                    whole,
+                } => {
+                    let ends = [w.id(from), w.id(until)];
+                    if whole || ends[0] != ends[1] {
+                        or_trap!(access::collect(mesh, walk, ends, buffer!(buffer)));
+                    }
+                }
+                Meets {
+                    walk,
+                    to,
+                    from,
+                    goal,
+                    stop,
+                } => {
+                    let ends = [w.id(goal), w.id(stop)];
+                    w.set_truth(to, or_trap!(access::meets(mesh, walk, w.id(from), ends)));
+                }
+                Refuse => {
+                    let reason = noted.map(|(_, reason)| reason);
+                    return Ok(Outcome::Refused { reason });
+                }
+                Return { result } => {
+                    let result = result.map(|result| w.id(result));
+                    return Ok(Outcome::Applied { result });
+                }
+
+                // Buffers.
+                BufferClear { buffer } => buffer!(buffer).clear(),
+                BufferPush { buffer, from } => buffer!(buffer).push(w.bits(from)),
+                BufferLength { buffer, to } => w.set_int(to, buffer!(buffer).len() as i64),
+                BufferGet { buffer, to, index } => {
+                    let index = usize::try_from(w.int(index)).unwrap_or(usize::MAX);
+                    let Some(&bits) = buffer!(buffer).get(index) else {
+                        break Message::OutOfRange;
+                    };
+                    w.set_bits(to, bits);
+                }
+                BufferNext {
+                    buffer,
+                    index,
+                    to,
+                    otherwise,
+                } => {
+                    let place = w.bits(index);
+                    match buffer!(buffer).get(place as usize) {
+                        Some(&bits) => {
+                            w.set_bits(to, bits);
+                            w.set_bits(index, place + 1);
+                        }
+                        None => at = otherwise.0 as usize,
+                    }
+                }
+                BufferLiving { of, buffer } => {
+                    access::collect_living(mesh, of, buffer!(buffer));
+                }
+
+                // Writes.
+                NewVertex { to } => {
+                    let id = or_trap!(access::add(mesh, ElementKind::Vertex));
+                    w.set_id(to, id);
+                    self.created
+                        .iter_mut()
+                        .for_each(|all| all.push((ElementKind::Vertex, id)));
+                }
+                NewHalfedge { to } => {
+                    let id = or_trap!(access::add(mesh, ElementKind::Halfedge));
+                    w.set_id(to, id);
+                    self.created
+                        .iter_mut()
+                        .for_each(|all| all.push((ElementKind::Halfedge, id)));
+                }
+                NewEdge { to } => {
+                    let id = or_trap!(access::add(mesh, ElementKind::Edge));
+                    w.set_id(to, id);
+                    self.created
+                        .iter_mut()
+                        .for_each(|all| all.push((ElementKind::Edge, id)));
+                }
+                NewFace { to } => {
+                    let id = or_trap!(access::add(mesh, ElementKind::Face));
+                    w.set_id(to, id);
+                    self.created
+                        .iter_mut()
+                        .for_each(|all| all.push((ElementKind::Face, id)));
+                }
+                Store {
+                    field,
+                    halfedge,
+                    value,
+                } => or_trap!(access::store(mesh, field, w.id(halfedge), w.id(value))),
+                StoreHalfedge { of, element, value } => {
+                    or_trap!(access::store_halfedge(mesh, of, w.id(element), w.id(value)));
+                }
+                StoreHole { face, hole } => {
+                    let f = or_trap!(access::face(mesh, w.id(face)));
+                    mesh.set_hole(f, hole);
+                }
+                StorePosition { vertex, value } => {
+                    let (v, position) =
+                        or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
+                    mesh.set_position(v, position);
+                }
+                HoldPosition {
+                    buffer,
+                    vertex,
+                    value,
+                } => {
+                    let (v, position) =
+                        or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
+                    let [x, y, z] = position.to_array().map(f64::to_bits);
+                    buffer!(buffer).extend([u64::from(v.0), x, y, z]);
+                }
+                ReleasePositions { buffer } => access::release(mesh, buffer!(buffer)),
+                StoreAll {
+                    field,
+                    buffer,
+                    value,
+                } => or_trap!(access::store_all(mesh, field, buffer!(buffer), w.id(value))),
+                Erase { kind, element } => or_trap!(access::erase(mesh, kind, w.id(element))),
+                Recycle => mesh.recycle(),
+
+                // Calls, progress and output.
+                Apply {
+                    op,
+                    args,
+                    applied,
+                    result,
+                } => {
+                    let outcome = match self.call(mesh, call, [op, args.0], watch) {
+                        Ok(outcome) => outcome,
+                        Err(trap) => return Err(trap.through(call, at - 1)),
+                    };
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                    match outcome {
+                        Outcome::Applied { result: made } => {
+                            w.set_truth(applied, true);
+                            if let Some(made) = made {
+                                w.set_id(result, made);
+                            }
+                        }
+                        Outcome::Refused { .. } => w.set_truth(applied, false),
+                    }
+                }
+                Refused { op } => break self.must_not_refuse(op),
+                Turn { depth, done, total } => {
+                    let (done, total) = (w.int(done), w.int(total));
+                    if self.progress.turn(watch, depth, done, total).is_break() {
+                        break Message::Interrupted;
+                    }
+                }
+                Tick => {
+                    if self.progress.tick(watch).is_break() {
+                        break Message::Interrupted;
+                    }
+                }
+                PrintText { text } => match code.texts.get(text as usize) {
+                    Some(text) => self.line.push_str(text),
+                    None => break Message::Malformed,
+                },
+                PrintTextOf { from } => match code.texts.get(w.id(from) as usize) {
+                    Some(text) => self.line.push_str(text),
+                    None => break Message::Malformed,
+                },
+                PrintBool { from } => append(&mut self.line, w.truth(from)),
+                PrintInt { from } => append(&mut self.line, w.int(from)),
+                PrintReal { from } => append(&mut self.line, RealText(w.real(from))),
+                PrintVec { from } => append(&mut self.line, VectorText(w.vector(from))),
+                PrintElement { kind, from } => {
+                    append(&mut self.line, ElementText(kind, w.id(from)));
+                }
+                PrintEnd => {
+                    watch.print(&self.line);
+                    self.line.clear();
+                }
+                Fail { text } => {
+                    let text = code.texts.get(text as usize).cloned();
+                    break text.map_or(Message::Malformed, Message::Said);
+                }
+            }
+        };
+        Err(Trap::new(message).through(call, at - 1))
+    }
+
+    fn clear_buffers(&mut self, call: &Call<'_>) {
+        let end = call.buffers + usize::from(call.code.buffers);
+        if self.buffers.len() < end {
+            self.buffers.resize_with(end, Vec::new);
+        }
+        self.buffers[call.buffers..end]
+            .iter_mut()
+            .for_each(Vec::clear);
+    }
+}

@@ -1,0 +1,179 @@
+//! The machine: a stack of registers, buffers, and what it counts.
+//!
+//! It runs any code on any mesh and does not panic: every number that should name an
+//! element is tested where it is used. What it cannot promise is that a trap leaves the
+//! mesh alone: in an operation all that can trap or refuse comes before the first write,
+//! which is the duty of whoever makes the code; a script that traps has done what it did
+//! so far.
+
+use super::watch::Progress;
+use super::window::reserve;
+use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
+use crate::mesh::{ElementKind, Mesh};
+
+/// How deep calls may be nested.
+const DEPTH: usize = 16;
+
+/// Runs code on meshes.
+#[derive(Debug)]
+pub struct Machine<'p> {
+    pub(super) plans: &'p [Option<Plan>],
+    pub(super) stack: Vec<u64>,
+    pub(super) buffers: Vec<Vec<u64>>,
+    pub(super) progress: Progress,
+    /// The line that is being printed.
+    pub(super) line: String,
+    counts: Vec<Count>,
+    /// Why the op called last refused.
+    last_reason: Option<u16>,
+    /// What was created, if anybody wants to know.
+    pub(super) created: Option<Vec<(ElementKind, u32)>>,
+}
+
+/// What became of the calls of an operation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    /// How many were applied.
+    pub applied: u64,
+    /// How many were refused, by the number of the reason.
+    pub refused: Vec<u64>,
+}
+
+impl<'p> Machine<'p> {
+    /// A machine for code that calls these operations. `None` stands for one that has
+    /// not been proved; calling it traps.
+    pub fn new(plans: &'p [Option<Plan>]) -> Self {
+        let refusals = |plan: &Option<Plan>| plan.as_ref().map_or(0, |plan| plan.refusals.len());
+        let count = |plan| Count {
+            applied: 0,
+            refused: vec![0; refusals(plan)],
+        };
+        Self {
+            plans,
+            stack: Vec::new(),
+            buffers: Vec::new(),
+            progress: Progress::default(),
+            line: String::new(),
+            counts: plans.iter().map(count).collect(),
+            last_reason: None,
+            created: None,
+        }
+    }
+
+    /// From now on remembers what each run creates.
+    pub fn remember_created(&mut self) {
+        self.created = Some(Vec::new());
+    }
+
+    /// What the last run created, in that order, if that is remembered. Some of it may
+    /// have been erased since.
+    pub fn created(&self) -> &[(ElementKind, u32)] {
+        self.created.as_deref().unwrap_or_default()
+    }
+
+    /// For each operation what became of the calls so far.
+    pub fn counts(&self) -> &[Count] {
+        &self.counts
+    }
+
+    /// Runs code with the arguments at the start of its window.
+    pub fn run(
+        &mut self,
+        mesh: &mut Mesh,
+        code: &Code,
+        args: &[u64],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        self.start(args);
+        self.execute(mesh, &Call::top(code, &[]), watch)
+    }
+
+    /// Applies an operation with the arguments in slots. It is not counted.
+    pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
+        self.start(args);
+        let call = Call::top(&plan.code, &plan.refusals);
+        self.execute(mesh, &call, &mut Unwatched)
+    }
+
+    fn start(&mut self, args: &[u64]) {
+        self.line.clear();
+        self.last_reason = None;
+        if let Some(created) = &mut self.created {
+            created.clear();
+        }
+        reserve(&mut self.stack, 0);
+        for (slot, arg) in self.stack.iter_mut().zip(args) {
+            *slot = *arg;
+        }
+    }
+
+    /// Calls an operation from running code, and counts what becomes of it.
+    #[inline]
+    pub(super) fn call(
+        &mut self,
+        mesh: &mut Mesh,
+        caller: &Call<'_>,
+        [op, args]: [u16; 2],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        let Some(plan) = self.plans.get(usize::from(op)).and_then(Option::as_ref) else {
+            return Err(Trap::new(Message::Unproved));
+        };
+        if caller.depth >= DEPTH {
+            return Err(Trap::new(Message::TooDeep));
+        }
+        let call = caller.calling(op, plan);
+        reserve(&mut self.stack, call.base);
+        let from = caller.base + usize::from(args);
+        let width: u16 = plan
+            .params
+            .iter()
+            .fold(0, |sum, &one| sum.saturating_add(one));
+        let end = self.stack.len().min(from + usize::from(width));
+        self.stack.copy_within(from.min(end)..end, call.base);
+        let outcome = self.execute(mesh, &call, watch)?;
+        self.count(op, outcome);
+        Ok(outcome)
+    }
+
+    #[inline]
+    fn count(&mut self, op: u16, outcome: Outcome) {
+        let Some(count) = self.counts.get_mut(usize::from(op)) else {
+            return;
+        };
+        match outcome {
+            Outcome::Applied { .. } => count.applied += 1,
+            Outcome::Refused { reason } => {
+                self.last_reason = reason;
+                let reason = reason.map(usize::from);
+                if let Some(times) = reason.and_then(|reason| count.refused.get_mut(reason)) {
+                    *times += 1;
+                }
+            }
+        }
+    }
+
+    /// The trap of an operation that refused and must not.
+    #[cold]
+    pub(super) fn must_not_refuse(&self, op: u16) -> Message {
+        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
+        let refusal = plan.zip(self.last_reason).and_then(|(plan, reason)| {
+            let refusal = plan.refusals.get(usize::from(reason))?;
+            Some(refusal.reason.clone())
+        });
+        Message::Refused {
+            op: plan.map_or_else(String::new, |plan| plan.name.clone()),
+            reason: refusal.unwrap_or_else(|| "it gives no reason".to_owned()),
+        }
+    }
+}
+
+impl Trap {
+    /// A trap that no call has put its place to yet.
+    pub(super) fn new(message: Message) -> Self {
+        Self {
+            message,
+            trace: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Why a run could not go on, and where.
+//!
+//! A trap names places by number; whoever made the code knows the spans. It is not a
+//! refusal: that is an answer, and the run goes on.
+
+use std::fmt;
+
+use crate::mesh::ElementKind;
+
+/// A run that could not go on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Trap {
+    /// Why.
+    pub message: Message,
+    /// Where: the innermost call first.
+    pub trace: Vec<Site>,
+}
+
+/// A place in one call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Site {
+    /// The number of the operation that ran; `None` for the code run at the top.
+    pub op: Option<u16>,
+    /// The place of the instruction, if it has one.
+    pub place: Option<u32>,
+}
+
+/// Why a run could not go on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Message {
+    /// The element has been erased, or never was.
+    Gone(ElementKind),
+    /// There is none: what an isolated vertex answers when asked for its halfedge.
+    Missing(ElementKind),
+    /// An int is divided by zero.
+    DivisionByZero,
+    /// An int is out of range.
+    IntOverflow,
+    /// A position would get a component that is no number.
+    NotFinite,
+    /// All ids of a kind are in use.
+    NoRoom(ElementKind),
+    /// A pointer would be set to what is no element.
+    WildPointer(ElementKind),
+    /// A list has no such entry.
+    OutOfRange,
+    /// A walk does not come to its end: only a broken mesh does this.
+    Endless,
+    /// What the program says itself.
+    Said(String),
+    /// An op refused that must not.
+    Refused {
+        /// Its name.
+        op: String,
+        /// Its reason.
+        reason: String,
+    },
+    /// An op without a plan is called.
+    Unproved,
+    /// Calls are nested too deeply.
+    TooDeep,
+    /// The watcher said so.
+    Interrupted,
+    /// The code names a buffer or text that it does not have.
+    Malformed,
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Message::Gone(kind) => write!(f, "the {kind} no longer exists"),
+            Message::Missing(kind) => write!(f, "there is no {kind} here"),
+            Message::DivisionByZero => f.write_str("division by zero"),
+            Message::IntOverflow => f.write_str("the number is too large for an int"),
+            Message::NotFinite => f.write_str("the new position is not finite"),
+            Message::NoRoom(kind) => write!(f, "there is no room for another {kind}"),
+            Message::WildPointer(kind) => write!(f, "a pointer would lead to no {kind}"),
+            Message::OutOfRange => f.write_str("the index is out of range"),
+            Message::Endless => f.write_str("the mesh is broken: a walk does not end"),
+            Message::Said(text) => f.write_str(text),
+            Message::Refused { op, reason } => write!(f, "`{op}` refused: {reason}"),
+            Message::Unproved => f.write_str("the operation has not been proved"),
+            Message::TooDeep => f.write_str("calls are nested too deeply"),
+            Message::Interrupted => f.write_str("interrupted"),
+            Message::Malformed => f.write_str("the code is malformed"),
+        }
+    }
+}
+
+impl fmt::Display for Trap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message.fmt(f)
+    }
+}
+
+impl std::error::Error for Trap {}

@@ -1,0 +1,77 @@
+//! Who looks on while a script runs.
+
+use std::ops::ControlFlow;
+
+/// How many turns of loops go by between two looks.
+pub(super) const TURNS_PER_LOOK: u32 = 256;
+
+/// How many nested loops a look shows.
+pub(super) const DEPTHS: usize = 8;
+
+/// Looks on while code runs: sees how far its loops are, may interrupt it, gets what it
+/// prints.
+pub trait Watch {
+    /// The loop at `depth`, 0 the outermost, has done so many turns; of so many, if that
+    /// is known. Called for all running loops now and then, the outermost first.
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// An aggregate over the whole mesh is at work. Called now and then.
+    fn tick(&mut self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// A line, without its end.
+    fn print(&mut self, _line: &str) {}
+}
+
+/// Nobody looks on.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {}
+
+/// Where the running loops are.
+#[derive(Debug, Default)]
+pub(super) struct Progress {
+    turns: u32,
+    loops: [(u64, Option<u64>); DEPTHS],
+}
+
+impl Progress {
+    #[inline]
+    pub(super) fn turn(
+        &mut self,
+        watch: &mut dyn Watch,
+        depth: u16,
+        done: i64,
+        total: i64,
+    ) -> ControlFlow<()> {
+        if let Some(place) = self.loops.get_mut(usize::from(depth)) {
+            *place = (done.max(0).unsigned_abs(), u64::try_from(total).ok());
+        }
+        self.turns = self.turns.wrapping_add(1);
+        match self.turns.is_multiple_of(TURNS_PER_LOOK) {
+            true => self.look(watch, depth),
+            false => ControlFlow::Continue(()),
+        }
+    }
+
+    #[inline]
+    pub(super) fn tick(&mut self, watch: &mut dyn Watch) -> ControlFlow<()> {
+        self.turns = self.turns.wrapping_add(1);
+        match self.turns.is_multiple_of(TURNS_PER_LOOK) {
+            true => watch.tick(),
+            false => ControlFlow::Continue(()),
+        }
+    }
+
+    #[cold]
+    fn look(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
+        for (depth, &(done, total)) in (0..=depth).zip(&self.loops) {
+            watch.turn(depth, done, total)?;
+        }
+        ControlFlow::Continue(())
+    }
+}

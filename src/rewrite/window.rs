@@ -1,0 +1,96 @@
+//! The registers of one call, read and written by type.
+//!
+//! A window always has as many slots as a [`Reg`] can name, whatever its code says it
+//! needs: no register is ever out of range, and the compiler knows it.
+
+use glam::DVec3;
+
+use super::Reg;
+
+/// How many slots a register can name.
+pub(super) const SLOTS: usize = 1 << 16;
+
+/// The slots from the base of a call on. What lies behind its own registers belongs to
+/// the calls it makes.
+pub(super) struct Window<'a>(&'a mut [u64; SLOTS]);
+
+impl<'a> Window<'a> {
+    /// `None` if the stack is too short; [`reserve`] makes room.
+    #[inline]
+    pub(super) fn at(stack: &'a mut [u64], base: usize) -> Option<Self> {
+        stack.get_mut(base..)?.first_chunk_mut().map(Self)
+    }
+
+    #[inline]
+    pub(super) fn bits(&self, reg: Reg) -> u64 {
+        self.0[usize::from(reg.0)]
+    }
+
+    #[inline]
+    pub(super) fn set_bits(&mut self, reg: Reg, bits: u64) {
+        self.0[usize::from(reg.0)] = bits;
+    }
+
+    #[inline]
+    pub(super) fn int(&self, reg: Reg) -> i64 {
+        self.bits(reg) as i64
+    }
+
+    #[inline]
+    pub(super) fn set_int(&mut self, reg: Reg, value: i64) {
+        self.set_bits(reg, value as u64);
+    }
+
+    #[inline]
+    pub(super) fn real(&self, reg: Reg) -> f64 {
+        f64::from_bits(self.bits(reg))
+    }
+
+    #[inline]
+    pub(super) fn set_real(&mut self, reg: Reg, value: f64) {
+        self.set_bits(reg, value.to_bits());
+    }
+
+    #[inline]
+    pub(super) fn truth(&self, reg: Reg) -> bool {
+        self.bits(reg) != 0
+    }
+
+    #[inline]
+    pub(super) fn set_truth(&mut self, reg: Reg, value: bool) {
+        self.set_bits(reg, u64::from(value));
+    }
+
+    /// The number of an element.
+    #[inline]
+    pub(super) fn id(&self, reg: Reg) -> u32 {
+        self.bits(reg) as u32
+    }
+
+    #[inline]
+    pub(super) fn set_id(&mut self, reg: Reg, id: u32) {
+        self.set_bits(reg, u64::from(id));
+    }
+
+    #[inline]
+    pub(super) fn vector(&self, reg: Reg) -> DVec3 {
+        let part = |offset| self.real(Reg(reg.0.wrapping_add(offset)));
+        DVec3::new(part(0), part(1), part(2))
+    }
+
+    #[inline]
+    pub(super) fn set_vector(&mut self, reg: Reg, value: DVec3) {
+        for (offset, part) in (0..).zip(value.to_array()) {
+            self.set_real(Reg(reg.0.wrapping_add(offset)), part);
+        }
+    }
+}
+
+/// Makes the stack long enough for a window at `base`.
+#[inline]
+pub(super) fn reserve(stack: &mut Vec<u64>, base: usize) {
+    let wanted = base + SLOTS;
+    if stack.len() < wanted {
+        stack.resize(wanted, 0);
+    }
+}
