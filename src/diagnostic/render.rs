@@ -11,6 +11,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
+/// The longest line that is shown, in bytes; of longer ones only the place is told.
+const WIDEST: usize = 400;
+
 /// How to print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rendering {
@@ -73,8 +76,9 @@ impl Page<'_> {
         let head = format!("{word}[{}]", diagnostic.code);
         let head = self.painted(&head, colour);
         self.line(&format!("{head}: {}", diagnostic.message));
-        if let Some(drawn) = self.drawn(&diagnostic.labels, colour) {
-            self.out.push_str(&drawn);
+        match self.drawn(&diagnostic.labels, colour) {
+            Some(drawn) => self.out.push_str(&drawn),
+            None => self.listed(&diagnostic.labels),
         }
         for note in &diagnostic.notes {
             self.remark("note", note);
@@ -86,10 +90,25 @@ impl Page<'_> {
         self.line("");
     }
 
-    /// The text with its labels; nothing where no label points into a text.
+    /// The places of labels in words.
+    fn listed(&mut self, labels: &[diagnostic::Label]) {
+        for label in in_order(labels) {
+            let place = place_in_words(label.span, self.texts.sources);
+            let colon = if label.text.is_empty() { "" } else { ": " };
+            if let Some(place) = place {
+                self.line(&format!("  at {place}{colon}{}", label.text));
+            }
+        }
+    }
+
+    /// The text with its labels; nothing where no label points into a text, or where a line
+    /// is too long to be looked at.
     fn drawn(&mut self, labels: &[diagnostic::Label], colour: Color) -> Option<String> {
         let (primary, _) = labels.split_first()?;
         let place = self.texts.place(primary.span)?;
+        if labels.iter().any(|label| self.texts.is_wide(label.span)) {
+            return None;
+        }
         let config = Config::new()
             .with_color(self.colour)
             .with_index_type(IndexType::Char)
@@ -163,11 +182,15 @@ fn fix_place(fix: &Fix, sources: &Sources) -> String {
     let Some(edit) = fix.edits.first() else {
         return String::new();
     };
-    let Some(source) = source_of(sources, edit.span.file) else {
-        return String::new();
-    };
-    let (line, column) = source.line_column(edit.span.start as usize);
-    format!(" ({}:{line}:{column})", source.name())
+    let place = place_in_words(edit.span, sources);
+    place.map_or_else(String::new, |place| format!(" ({place})"))
+}
+
+/// `file:line:column`
+fn place_in_words(span: Span, sources: &Sources) -> Option<String> {
+    let source = source_of(sources, span.file)?;
+    let (line, column) = source.line_column(span.start as usize);
+    Some(format!("{}:{line}:{column}", source.name()))
 }
 
 fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
@@ -190,6 +213,20 @@ impl Texts<'_> {
         let before = text[..start].chars().count();
         let within = text[start..end].chars().count();
         Some((span.file, before..before + within))
+    }
+
+    /// Whether the first or the last line of a span is longer than anyone reads.
+    fn is_wide(&self, span: Span) -> bool {
+        let Some(source) = source_of(self.sources, span.file) else {
+            return false;
+        };
+        let lines = source.lines();
+        [span.start, span.end].into_iter().any(|offset| {
+            let line = lines.line(offset as usize);
+            let start = lines.start(line).unwrap_or(0);
+            let end = lines.start(line + 1).unwrap_or(source.text().len());
+            end - start > WIDEST
+        })
     }
 }
 

@@ -68,7 +68,7 @@ impl Phrase {
             Self::Vertex => &["a vertex"],
             Self::Index => &["an index like `i+1`"],
             Self::Value => &["a value"],
-            Self::DrawingStatement => &["the next statement"],
+            Self::DrawingStatement => &["a statement"],
             Self::Statement => &["a statement"],
             Self::Text => &["a text in quotes"],
             Self::Operator => &["an operator"],
