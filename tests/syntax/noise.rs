@@ -67,8 +67,8 @@ fn mutate(text: &str, dice: &mut Dice) -> String {
         (0, Some(token)) => format!("{}{}", &text[..token.start], &text[token.end..]),
         (1, Some(token)) => {
             let other = dice.below(TokenKind::MARKS.len() + TokenKind::KEYWORDS.len());
-            let all = TokenKind::MARKS.iter().chain(TokenKind::KEYWORDS);
-            let (word, _) = all.skip(other).next().unwrap();
+            let mut all = TokenKind::MARKS.iter().chain(TokenKind::KEYWORDS);
+            let (word, _) = all.nth(other).unwrap();
             format!("{} {word} {}", &text[..token.start], &text[token.end..])
         }
         (2, _) => text[..at].to_owned(),

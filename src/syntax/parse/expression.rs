@@ -140,7 +140,7 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
     });
     let text = text().map(|(text, _)| ExprKind::Text(text));
     let inside = expression.clone().map(|inner| inner.kind);
-    let inside = inside.then_ignore(just(T::RightParen));
+    let inside = inside.then_ignore(recover::right_paren());
     let broken = recover::parentheses().map(|_| ExprKind::Broken);
     let parenthesised = just(T::LeftParen).ignore_then(inside.recover_with(via_parser(broken)));
     let call = call(expression.clone());
@@ -219,7 +219,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
                 each: None,
             })
         })
-        .then_ignore(just(T::RightParen));
+        .then_ignore(recover::right_paren());
     let broken = recover::parentheses().map(|span| Arguments {
         values: vec![broken_value(span)],
         each: None,

@@ -224,4 +224,4 @@ impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
 }
 
 /// So many kinds fit into the bits of [`Wanted`].
-const _: () = assert!(TokenKind::Comment as u8 as u32 <= u128::BITS - 1);
+const _: () = assert!((TokenKind::Comment as u32) < u128::BITS);

@@ -243,7 +243,7 @@ fn part<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Part> {
 /// Parts in braces, up to a closing brace that is an `end`.
 fn parts<'t>(part: Rule<'t, Part>, end: Rule<'t, T>) -> Rule<'t, Vec<Part>> {
     let open = just(T::LeftBrace).ignored();
-    let later = recover::to_braces().ignore_then(open.clone().or_not().ignored());
+    let later = recover::to_braces().ignore_then(open.or_not().ignored());
     let open = open.recover_with(via_parser(later));
     let broken = recover::part().map(|_| Part::Broken);
     let parts = end

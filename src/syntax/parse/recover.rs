@@ -84,11 +84,7 @@ pub(super) fn parentheses<'t>() -> Rule<'t, Span> {
         let start = input.cursor();
         let mut level = 0_usize;
         while let Some(kind) = input.peek() {
-            let outside = matches!(kind, T::LeftBrace | T::RightBrace)
-                || begins_action(kind)
-                || begins_drawing_statement(kind)
-                || begins_part(kind);
-            if outside {
+            if ends_parentheses(kind) {
                 break;
             }
             input.skip();
@@ -114,6 +110,28 @@ pub(super) fn item_head<'t>() -> Rule<'t, Span> {
     skip_from_first(|_, kind, _| {
         matches!(kind, T::LeftBrace | T::RightBrace | T::Arrow | T::Keeps) || begins_part(kind)
     })
+}
+
+/// The end of a pair of parentheses; its lack is forgiven where no value goes on.
+pub(super) fn right_paren<'t>() -> Rule<'t, ()> {
+    let lack = custom(|input: &mut Input<'t, '_>| {
+        let start = input.cursor();
+        match input.peek() {
+            Some(kind) if !ends_parentheses(kind) => Err(Failure::at(input.span_since(&start))),
+            _ => Ok(()),
+        }
+    });
+    just(T::RightParen)
+        .ignored()
+        .recover_with(via_parser(lack))
+        .boxed()
+}
+
+fn ends_parentheses(kind: T) -> bool {
+    matches!(kind, T::LeftBrace | T::RightBrace)
+        || begins_action(kind)
+        || begins_drawing_statement(kind)
+        || begins_part(kind)
 }
 
 /// Skips to the braces of an item.

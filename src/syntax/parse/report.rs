@@ -109,9 +109,10 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     if let Some(place) = place {
         message = format!("{message} {place}");
     }
-    let span = match anew {
-        true => failure.span,
-        false => behind_the_last_line(failure.span, around),
+    let span = if anew {
+        failure.span
+    } else {
+        behind_the_last_line(failure.span, around)
     };
     let told = Diagnostic::error("syntax-error", message, span);
     let told = if wanted.is_empty() {
