@@ -53,8 +53,21 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
         row("degrees", histogram(&measures.degrees)),
         row("face sizes", histogram(&measures.face_sizes)),
     ];
-    if let Some(Lengths { min, mean, max, spread, .. }) = measures.edge_lengths {
-        rows.push(row("edge lengths", format!("{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %", 100.0 * spread)));
+    if let Some(Lengths {
+        min,
+        mean,
+        max,
+        spread,
+        ..
+    }) = measures.edge_lengths
+    {
+        rows.push(row(
+            "edge lengths",
+            format!(
+                "{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %",
+                100.0 * spread
+            ),
+        ));
     }
     rows.push(row("area", format!("{:.6}", measures.area)));
     rows
@@ -66,10 +79,18 @@ fn row(name: &str, value: impl ToString) -> Vec<String> {
 
 /// `3: 12  4: 120  5: 9`, size by size.
 fn histogram(bins: &[Bin]) -> String {
-    let mut bars: Vec<_> = bins.iter().take(MOST_BARS).map(|bin| format!("{}: {}", bin.size, bin.count)).collect();
+    let mut bars: Vec<_> = bins
+        .iter()
+        .take(MOST_BARS)
+        .map(|bin| format!("{}: {}", bin.size, bin.count))
+        .collect();
     if bins.len() > MOST_BARS {
         let more: usize = bins[MOST_BARS..].iter().map(|bin| bin.count).sum();
         bars.push(format!("more: {more}"));
     }
-    if bars.is_empty() { "none".into() } else { bars.join("  ") }
+    if bars.is_empty() {
+        "none".into()
+    } else {
+        bars.join("  ")
+    }
 }

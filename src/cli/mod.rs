@@ -5,20 +5,24 @@
 //! codes: 0 all is well; 1 something is not proved, or a script failed; 2 bad usage or a file
 //! that cannot be read or written; 3 the operation was refused.
 
+mod apply;
 mod arguments;
 mod check;
+mod counts;
 mod failure;
 mod info;
 mod output;
+mod place;
 mod plan;
 mod program;
+mod progress;
+mod run;
 
 use std::process::ExitCode;
 
 use clap::Parser;
 
 use arguments::{Arguments, Command};
-use failure::Failure;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
@@ -34,7 +38,8 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
-        _ => Ok(()),
+        Command::Apply(arguments) => apply::apply(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -19,10 +19,17 @@ pub(super) enum Place {
 /// Reads a place.
 pub(super) fn read(text: &str) -> Result<Place, String> {
     let wrong = || {
-        format!("`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with numbers from 1")
+        format!(
+            "`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with numbers from 1"
+        )
     };
     let (kind, numbers) = text.split_once(':').ok_or_else(wrong)?;
-    let number = |text: &str| text.parse::<u32>().ok().filter(|&number| number > 0).ok_or_else(wrong);
+    let number = |text: &str| {
+        text.parse::<u32>()
+            .ok()
+            .filter(|&number| number > 0)
+            .ok_or_else(wrong)
+    };
     let pair = || {
         let (from, to) = numbers.split_once('-').ok_or_else(wrong)?;
         Ok::<_, String>((number(from)?, number(to)?))
@@ -69,12 +76,16 @@ impl Place {
 }
 
 fn vertex(obj: &Obj, number: u32) -> Result<VertexId, String> {
-    obj.vertex_by_number(number).ok_or_else(|| format!("the mesh has no vertex {number}"))
+    obj.vertex_by_number(number)
+        .ok_or_else(|| format!("the mesh has no vertex {number}"))
 }
 
 fn halfedge(obj: &Obj, from: u32, to: u32) -> Result<HalfedgeId, String> {
     let (start, end) = (vertex(obj, from)?, vertex(obj, to)?);
-    let found = obj.mesh.spokes(start).find(|&half| obj.mesh.target(half) == end);
+    let found = obj
+        .mesh
+        .spokes(start)
+        .find(|&half| obj.mesh.target(half) == end);
     found.ok_or_else(|| format!("no edge joins the vertices {from} and {to}"))
 }
 
@@ -86,7 +97,15 @@ mod tests {
     fn places_are_read() {
         assert_eq!(read("edge:3-7"), Ok(Place::Edge(3, 7)));
         assert_eq!(read("face:1"), Ok(Place::Face(1)));
-        for text in ["", "edge", "edge:3", "edge:0-1", "vertex:-1", "corner:1", "face:99999999999"] {
+        for text in [
+            "",
+            "edge",
+            "edge:3",
+            "edge:0-1",
+            "vertex:-1",
+            "corner:1",
+            "face:99999999999",
+        ] {
             assert!(read(text).is_err(), "{text}");
         }
     }

@@ -1,7 +1,18 @@
 //! Diagnostics on a terminal.
+//!
+//! A diagnostic may come from anywhere and point anywhere: spans are clamped to their text
+//! and to whole characters, and places in files that are not there are left out.
 
-use super::Diagnostic;
-use crate::source::Sources;
+use super::data as diagnostic;
+use super::{Diagnostic, Fix, Severity};
+use crate::source::{FileId, Source, Sources, Span};
+use ariadne::{Cache, Color, Config, Fmt, IndexType, Label, Report, ReportKind};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::Range;
+
+/// The longest line that is shown, in bytes; of longer ones only the place is told.
+const WIDEST: usize = 400;
 
 /// How to print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +24,318 @@ pub struct Rendering {
 }
 
 /// Prints diagnostics as text.
-pub fn render(_diagnostics: &[Diagnostic], _sources: &Sources, _how: Rendering) -> String {
-    String::new()
+pub fn render(diagnostics: &[Diagnostic], sources: &Sources, how: Rendering) -> String {
+    let mut page = Page {
+        texts: Texts {
+            sources,
+            read: BTreeMap::new(),
+        },
+        colour: how.colour,
+        out: String::new(),
+    };
+    for diagnostic in diagnostics.iter().take(how.most) {
+        page.diagnostic(diagnostic);
+    }
+    let mut out = page.out;
+    let left = diagnostics.get(how.most..).unwrap_or_default();
+    if !left.is_empty() {
+        out.push_str(&rest(left));
+    }
+    out
+}
+
+/// What is said of the diagnostics that are not printed.
+fn rest(left: &[Diagnostic]) -> String {
+    let errors = left.iter().filter(|left| left.is_error()).count();
+    let warnings = left.len() - errors;
+    let counted = |count: usize, word: &str| match count {
+        0 => None,
+        1 => Some(format!("1 more {word}")),
+        count => Some(format!("{count} more {word}s")),
+    };
+    let parts = [counted(errors, "error"), counted(warnings, "warning")];
+    let parts: Vec<_> = parts.into_iter().flatten().collect();
+    format!("… and {}\n", parts.join(" and "))
+}
+
+/// A place as `ariadne` wants it, in characters.
+type Place = (FileId, Range<usize>);
+
+struct Page<'s> {
+    texts: Texts<'s>,
+    colour: bool,
+    out: String,
+}
+
+impl Page<'_> {
+    fn diagnostic(&mut self, diagnostic: &Diagnostic) {
+        let (word, colour) = match diagnostic.severity {
+            Severity::Error => ("error", Color::Red),
+            Severity::Warning => ("warning", Color::Yellow),
+        };
+        let head = format!("{word}[{}]", diagnostic.code);
+        let head = self.painted(&head, colour);
+        self.line(&format!("{head}: {}", diagnostic.message));
+        match self.drawn(&diagnostic.labels, colour) {
+            Some(drawn) => self.out.push_str(&drawn),
+            None => self.listed(&diagnostic.labels),
+        }
+        for note in &diagnostic.notes {
+            self.remark("note", note);
+        }
+        for fix in &diagnostic.fixes {
+            let place = fix_place(fix, self.texts.sources);
+            self.remark("help", &format!("{}{place}", fix.title));
+        }
+        self.line("");
+    }
+
+    /// The places of labels in words.
+    fn listed(&mut self, labels: &[diagnostic::Label]) {
+        for label in in_order(labels) {
+            let place = place_in_words(label.span, self.texts.sources);
+            let colon = if label.text.is_empty() { "" } else { ": " };
+            if let Some(place) = place {
+                self.line(&format!("  at {place}{colon}{}", label.text));
+            }
+        }
+    }
+
+    /// The text with its labels; nothing where no label points into a text, or where a line
+    /// is too long to be looked at.
+    fn drawn(&mut self, labels: &[diagnostic::Label], colour: Color) -> Option<String> {
+        let (primary, _) = labels.split_first()?;
+        let place = self.texts.place(primary.span)?;
+        if labels.iter().any(|label| self.texts.is_wide(label.span)) {
+            return None;
+        }
+        let config = Config::new()
+            .with_color(self.colour)
+            .with_index_type(IndexType::Char)
+            .with_tab_width(4);
+        let mut report = Report::build(ReportKind::Error, place).with_config(config);
+        for (at, label) in in_order(labels).into_iter().enumerate() {
+            let Some(place) = self.texts.place(label.span) else {
+                continue;
+            };
+            let is_primary = std::ptr::eq(label, primary);
+            let (colour, priority) = if is_primary {
+                (colour, 1)
+            } else {
+                (Color::Blue, 0)
+            };
+            let text = if label.text.is_empty() {
+                "here"
+            } else {
+                &label.text
+            };
+            let order = i32::try_from(at).unwrap_or(i32::MAX);
+            let label = Label::new(place).with_message(text).with_color(colour);
+            report = report.with_label(label.with_priority(priority).with_order(order));
+        }
+        let mut drawn = Vec::new();
+        let written = report.finish().write(&mut self.texts, &mut drawn);
+        written.ok()?;
+        let drawn = String::from_utf8_lossy(&drawn);
+        let (_, below_head) = drawn.split_once('\n')?;
+        Some(
+            below_head
+                .lines()
+                .map(|line| format!("{}\n", line.trim_end()))
+                .collect(),
+        )
+    }
+
+    fn remark(&mut self, word: &str, text: &str) {
+        let word = self.painted(word, Color::Cyan);
+        self.line(&format!("  {word}: {text}"));
+    }
+
+    fn painted(&self, text: &str, colour: Color) -> String {
+        if self.colour {
+            text.fg(colour).to_string()
+        } else {
+            text.to_owned()
+        }
+    }
+
+    fn line(&mut self, line: &str) {
+        self.out.push_str(line);
+        self.out.push('\n');
+    }
+}
+
+/// Labels in the order of their places, the file of the first label first: so each file is
+/// shown once.
+fn in_order(labels: &[diagnostic::Label]) -> Vec<&diagnostic::Label> {
+    let home = labels.first().map(|primary| primary.span.file);
+    let mut sorted: Vec<_> = labels.iter().collect();
+    sorted.sort_by_key(|label| {
+        let Span { file, start, end } = label.span;
+        (Some(file) != home, file, end, start)
+    });
+    sorted
+}
+
+/// ` (file:line:column)` of the first edit.
+fn fix_place(fix: &Fix, sources: &Sources) -> String {
+    let Some(edit) = fix.edits.first() else {
+        return String::new();
+    };
+    let place = place_in_words(edit.span, sources);
+    place.map_or_else(String::new, |place| format!(" ({place})"))
+}
+
+/// `file:line:column`
+fn place_in_words(span: Span, sources: &Sources) -> Option<String> {
+    let source = source_of(sources, span.file)?;
+    let (line, column) = source.line_column(span.start as usize);
+    Some(format!("{}:{line}:{column}", source.name()))
+}
+
+fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
+    let known = sources.ids().any(|known| known == file);
+    known.then(|| sources.get(file))
+}
+
+/// The texts in the form `ariadne` reads, each made once.
+struct Texts<'s> {
+    sources: &'s Sources,
+    read: BTreeMap<FileId, ariadne::Source>,
+}
+
+impl Texts<'_> {
+    /// A span as a place in its text: within it, on whole characters.
+    fn place(&self, span: Span) -> Option<Place> {
+        let text = source_of(self.sources, span.file)?.text();
+        let start = text.floor_char_boundary(span.start as usize);
+        let end = text.ceil_char_boundary(span.end as usize).max(start);
+        let before = text[..start].chars().count();
+        let within = text[start..end].chars().count();
+        Some((span.file, before..before + within))
+    }
+
+    /// Whether the first or the last line of a span is longer than anyone reads.
+    fn is_wide(&self, span: Span) -> bool {
+        let Some(source) = source_of(self.sources, span.file) else {
+            return false;
+        };
+        let lines = source.lines();
+        [span.start, span.end].into_iter().any(|offset| {
+            let line = lines.line(offset as usize);
+            let start = lines.start(line).unwrap_or(0);
+            let end = lines.start(line + 1).unwrap_or(source.text().len());
+            end - start > WIDEST
+        })
+    }
+}
+
+/// A character as it may be shown: none that moves the cursor or ends a line but `\n`.
+fn showable(character: char) -> char {
+    match character {
+        '\n' | '\t' => character,
+        '\r' | '\u{2028}' | '\u{2029}' | '\u{FEFF}' => ' ',
+        control if control.is_control() => '\u{FFFD}',
+        shown => shown,
+    }
+}
+
+impl Cache<FileId> for &mut Texts<'_> {
+    type Storage = String;
+
+    fn fetch(&mut self, file: &FileId) -> Result<&ariadne::Source, impl fmt::Debug> {
+        let source = source_of(self.sources, *file).ok_or("a place in an unknown file")?;
+        let text = || source.text().chars().map(showable).collect::<String>();
+        let read = || ariadne::Source::from(text());
+        Ok::<_, &str>(self.read.entry(*file).or_insert_with(read))
+    }
+
+    fn display<'a>(&self, file: &'a FileId) -> Option<impl fmt::Display + 'a> {
+        source_of(self.sources, *file).map(|source| source.name().to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAIN: Rendering = Rendering {
+        colour: false,
+        most: 2,
+    };
+
+    #[test]
+    fn any_span_in_any_text_is_rendered() {
+        let texts = ["", "\n", "aé𝄞\r\nz\u{2028}\u{1b}[31m\ty", "\u{FEFF}x", "é"];
+        let mut sources = Sources::new();
+        let files: Vec<_> = texts.iter().map(|text| sources.add("a", *text)).collect();
+        let files = files.into_iter().chain([FileId(99)]);
+        for file in files {
+            for start in 0..16 {
+                for end in start..18 {
+                    let span = Span::new(file, start, end);
+                    let other = Span::new(FileId(2), end, end + start);
+                    let found = Diagnostic::error("a-code", "said", span).label(other, "other");
+                    let found = found.label(span.after(), "after").fix("mend", span, "");
+                    for colour in [false, true] {
+                        let how = Rendering { colour, most: 1 };
+                        let text = render(std::slice::from_ref(&found), &sources, how);
+                        assert!(text.contains("said") && text.contains("mend"), "{text}");
+                        assert!(colour || !text.contains('\u{1b}'), "{text}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn each_file_is_shown_once_and_remarks_follow() {
+        let mut sources = Sources::new();
+        let one = sources.add("one.hedge", "edge e: a | é\nedge f: b | c\n");
+        let two = sources.add("two.hedge", "é\nuse x\n");
+        let found = Diagnostic::error("missing-thing", "`f` is missing", Span::new(one, 20, 21))
+            .saying("needed")
+            .label(Span::new(two, 3, 6), "elsewhere")
+            .label(Span::new(one, 0, 4), "drawn here")
+            .note("a note")
+            .fix("insert `g`", Span::new(one, 15, 15), "g");
+        assert_eq!(
+            render(&[found], &sources, PLAIN),
+            "\
+error[missing-thing]: `f` is missing
+   ╭─[ one.hedge:2:6 ]
+   │
+ 1 │ edge e: a | é
+   │ ──┬─
+   │   ╰─── drawn here
+ 2 │ edge f: b | c
+   │      ┬
+   │      ╰── needed
+   │
+   ├─[ two.hedge:2:1 ]
+   │
+ 2 │ use x
+   │ ─┬─
+   │  ╰─── elsewhere
+───╯
+  note: a note
+  help: insert `g` (one.hedge:2:1)
+
+"
+        );
+    }
+
+    #[test]
+    fn what_is_not_shown_is_counted() {
+        let mut sources = Sources::new();
+        let span = Span::new(sources.add("a", "b"), 0, 1);
+        let error = Diagnostic::error("e", "m", span);
+        let warning = Diagnostic::warning("w", "m", span);
+        let all = [&error, &error, &error, &warning, &warning].map(Clone::clone);
+        let text = render(&all, &sources, PLAIN);
+        assert!(
+            text.ends_with("… and 1 more error and 2 more warnings\n"),
+            "{text}"
+        );
+    }
 }

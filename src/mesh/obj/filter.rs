@@ -304,6 +304,13 @@ fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
 }
 
 fn integer(word: &[u8]) -> Option<i64> {
+    // Almost all indices are a few digits.
+    if matches!(word.len(), 1..=18) && word.iter().all(u8::is_ascii_digit) {
+        return Some(
+            word.iter()
+                .fold(0, |value, &digit| value * 10 + i64::from(digit - b'0')),
+        );
+    }
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 

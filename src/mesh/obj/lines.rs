@@ -8,6 +8,7 @@ pub(super) struct Statements<R> {
     text: Vec<u8>,
     first_line: u32,
     last_line: u32,
+    after_return: bool,
 }
 
 impl<R: BufRead> Statements<R> {
@@ -17,6 +18,7 @@ impl<R: BufRead> Statements<R> {
             text: Vec::new(),
             first_line: 0,
             last_line: 0,
+            after_return: false,
         }
     }
 
@@ -26,7 +28,7 @@ impl<R: BufRead> Statements<R> {
         self.first_line = self.last_line.saturating_add(1);
         loop {
             let start = self.text.len();
-            if self.input.read_until(b'\n', &mut self.text)? == 0 {
+            if !self.read_line()? {
                 return Ok(start > 0);
             }
             if self.last_line == 0 && self.text.starts_with(b"\xef\xbb\xbf") {
@@ -44,6 +46,38 @@ impl<R: BufRead> Statements<R> {
             }
             self.text.pop();
             self.text.push(b' ');
+        }
+    }
+
+    /// Appends a line without its end, which is any of LF, CR LF and CR; false if there
+    /// is none.
+    fn read_line(&mut self) -> io::Result<bool> {
+        let mut found = false;
+        loop {
+            let bytes = match self.input.fill_buf() {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                bytes => bytes?,
+            };
+            if bytes.is_empty() {
+                return Ok(found);
+            }
+            // Half a line end may be left from the line before.
+            if std::mem::take(&mut self.after_return) && bytes[0] == b'\n' {
+                self.input.consume(1);
+                continue;
+            }
+            found = true;
+            let end = bytes.iter().position(|&b| b == b'\n' || b == b'\r');
+            self.text
+                .extend_from_slice(&bytes[..end.unwrap_or(bytes.len())]);
+            let Some(end) = end else {
+                let all = bytes.len();
+                self.input.consume(all);
+                continue;
+            };
+            self.after_return = bytes[end] == b'\r';
+            self.input.consume(end + 1);
+            return Ok(true);
         }
     }
 
@@ -92,6 +126,20 @@ mod tests {
     fn continued_lines_are_one_statement() {
         let found = statements(b"f 1 \\\r\n 2 \\\n3\nv 1\\");
         assert_eq!(found, [(1, "f 1 2 3".to_owned()), (4, "v 1".to_owned())]);
+    }
+
+    #[test]
+    fn lines_end_in_three_ways() {
+        let lines: Vec<u32> = statements(b"a\r\n\nb\rc\\\r\nd\r")
+            .iter()
+            .map(|s| s.0)
+            .collect();
+        assert_eq!(lines, [1, 2, 3, 4]);
+        // Across the ends of a small buffer too.
+        let input = io::BufReader::with_capacity(2, &b"a\r\nb\r\n"[..]);
+        let mut statements = Statements::new(input);
+        while statements.advance().unwrap() {}
+        assert_eq!(statements.last_line, 2);
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub(super) enum Phrase {
     Value,
     DrawingStatement,
     Statement,
-    Reason,
+    Text,
     /// How a value could go on; told only where nothing else is wanted.
     Operator,
     /// How a name could go on; told only where nothing else is wanted.
@@ -49,30 +49,30 @@ impl Phrase {
         Self::Value,
         Self::DrawingStatement,
         Self::Statement,
-        Self::Reason,
+        Self::Text,
         Self::Operator,
         Self::Subscript,
     ];
 
-    /// The words for it.
-    pub(super) fn words(self) -> &'static str {
+    /// The words for it, one for each way to write it.
+    pub(super) fn words(self) -> &'static [&'static str] {
         match self {
-            Self::Item => "`op`, `script`, `fn`, `attr`, `use` or `test`",
-            Self::Part => "`before`, `require`, `guard`, `after` or `rule`",
-            Self::Name => "a name",
-            Self::Type => "a type",
-            Self::Parameter => "a parameter like `e: edge`",
-            Self::Arrow => "`-h->`, `=P=>`",
-            Self::Spoke => "a halfedge or a fan like `*S`",
-            Self::Halfedge => "a halfedge",
-            Self::Vertex => "a vertex",
-            Self::Index => "an index like `i+1`",
-            Self::Value => "a value",
-            Self::DrawingStatement => "the next statement",
-            Self::Statement => "a statement",
-            Self::Reason => "a reason in quotes",
-            Self::Operator => "an operator",
-            Self::Subscript => "a subscript",
+            Self::Item => &["`op`", "`script`", "`fn`", "`attr`", "`use`", "`test`"],
+            Self::Part => &["`before`", "`require`", "`guard`", "`after`"],
+            Self::Name => &["a name"],
+            Self::Type => &["a type"],
+            Self::Parameter => &["a parameter like `e: edge`"],
+            Self::Arrow => &["`-h->`", "`=P=>`"],
+            Self::Spoke => &["a spoke"],
+            Self::Halfedge => &["a halfedge"],
+            Self::Vertex => &["a vertex"],
+            Self::Index => &["an index like `i+1`"],
+            Self::Value => &["a value"],
+            Self::DrawingStatement => &["a statement"],
+            Self::Statement => &["a statement"],
+            Self::Text => &["a text in quotes"],
+            Self::Operator => &["an operator"],
+            Self::Subscript => &["a subscript"],
         }
     }
 }
@@ -224,4 +224,4 @@ impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
 }
 
 /// So many kinds fit into the bits of [`Wanted`].
-const _: () = assert!(TokenKind::Comment as u8 as u32 <= u128::BITS - 1);
+const _: () = assert!((TokenKind::Comment as u32) < u128::BITS);

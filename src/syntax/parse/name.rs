@@ -57,7 +57,7 @@ pub(super) fn listed_name<'t>() -> Rule<'t, Name> {
 fn subscript<'t>() -> Rule<'t, Index> {
     let int = select! { T::Int => () }.map_with(|(), scene| int_here(scene));
     let sign = just(T::Plus).to(1).or(just(T::Minus).to(-1));
-    let offset = sign.clone().then(int.clone());
+    let offset = sign.then(int);
     let moved = ident()
         .then(offset.or_not())
         .map(|(variable, offset)| (Some(variable), offset.unwrap_or((1, 0))));
@@ -90,6 +90,6 @@ pub(super) fn int_here(scene: &mut Scene) -> i64 {
 pub(super) fn text<'t>() -> Rule<'t, (String, Span)> {
     select! { T::Text => () }
         .map_with(|(), scene| (read_text(slice(scene)).value, scene.span()))
-        .labelled(Phrase::Reason)
+        .labelled(Phrase::Text)
         .boxed()
 }

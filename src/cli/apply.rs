@@ -1,0 +1,241 @@
+//! `hedgerow apply`
+
+use serde::Serialize;
+
+use super::arguments::{ApplyArguments, Format};
+use super::counts::Counts;
+use super::failure::Failure;
+use super::output::{complain_of, say, say_json};
+use super::place::{self, Place};
+use super::program::settings;
+use super::program::{self, Program};
+use crate::diagram::Param;
+use crate::mesh::{
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers, read_obj,
+    write_obj,
+};
+use crate::rewrite::Plan;
+use crate::run::{self, Applied, Argument};
+
+/// Applies one operation at one place of a mesh.
+pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
+    let (path, name) = program::part(&arguments.op);
+    let program = program::read(path)?;
+    let op = program::find_op(&program, name)?;
+    let Some(plan) = &program.analysis.plans[op] else {
+        complain_of(&program.analysis.diagnostics, &program.sources);
+        return Err(Failure::NotProved);
+    };
+    let mut obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let values = values(&program, op, arguments, &mut obj)?;
+    let before = Counts::of(&obj.mesh);
+    let applied = run::apply(&program.analysis.program, op, plan, &mut obj.mesh, &values).map_err(
+        |failure| {
+            complain_of(&[failure.diagnostic], &program.sources);
+            Failure::Silent(2.into())
+        },
+    )?;
+    match applied {
+        Applied::Done { result, created } => {
+            write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
+            let report = Report::applied(plan, &obj, result, &created, before);
+            match arguments.format {
+                Format::Json => say_json(&report)?,
+                Format::Human => say(&report.show()),
+            }
+            Ok(())
+        }
+        Applied::Refused(reason) => {
+            if arguments.format == Format::Json {
+                say_json(&Report::refused(plan, &reason, before))?;
+            }
+            Err(Failure::Refused(reason))
+        }
+    }
+}
+
+/// The arguments, from `--at` and `--set`.
+fn values(
+    program: &Program,
+    op: usize,
+    arguments: &ApplyArguments,
+    obj: &mut Obj,
+) -> Result<Vec<(String, Argument)>, Failure> {
+    let params = &program.analysis.program.ops[op].params;
+    let mut texts = settings(&arguments.set)?;
+    if let Some((name, _)) = texts.iter().find(|(name, _)| {
+        params
+            .iter()
+            .any(|param| param.name == *name && param.ty.is_element())
+    }) {
+        return Err(Failure::usage(format!(
+            "`{name}` is an element: give --at {name}=PLACE"
+        )));
+    }
+    for (param, place) in params.iter().zip(places(params, &arguments.at)?) {
+        match place {
+            Some(place) => texts.push((
+                param.name.clone(),
+                place.find(obj).map_err(Failure::usage)?.to_string(),
+            )),
+            None if param.ty.is_element() => {
+                let message = format!(
+                    "the parameter `{0}` is missing: give --at {0}={1}:…",
+                    param.name,
+                    param.ty.word()
+                );
+                return Err(Failure::usage(message));
+            }
+            None => {}
+        }
+    }
+    run::arguments(&program.analysis.program, op, &texts).map_err(|errors| {
+        complain_of(&errors, &program.sources);
+        Failure::Silent(2.into())
+    })
+}
+
+/// For each parameter the place that `--at` gives it.
+fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Failure> {
+    let elements = params.iter().filter(|param| param.ty.is_element()).count();
+    let mut places = vec![None; params.len()];
+    for text in texts {
+        let (name, text) = match text.split_once('=') {
+            Some((name, text)) => (Some(name), text),
+            None => (None, text.as_str()),
+        };
+        let place = place::read(text).map_err(Failure::usage)?;
+        let found = match name {
+            Some(name) => params
+                .iter()
+                .position(|param| param.name == name && param.ty.is_element()),
+            None if elements > 1 => {
+                return Err(Failure::usage(
+                    "the operation has several element parameters: write --at NAME=PLACE for each",
+                ));
+            }
+            None => params.iter().position(|param| param.ty.is_element()),
+        };
+        let at = found.ok_or_else(|| {
+            let names = params
+                .iter()
+                .filter(|param| param.ty.is_element())
+                .map(|param| format!("`{}`", param.name));
+            let names = names.collect::<Vec<_>>().join(", ");
+            Failure::usage(format!(
+                "the operation has no element parameter `{}`; it has {names}",
+                name.unwrap_or("")
+            ))
+        })?;
+        let wanted = params[at].ty;
+        if place.ty() != wanted {
+            let (name, wanted, given) = (&params[at].name, wanted.word(), place.ty().word());
+            return Err(Failure::usage(format!(
+                "`{name}` is of type {wanted}, but the place is of type {given}"
+            )));
+        }
+        if places[at].replace(place).is_some() {
+            return Err(Failure::usage(format!(
+                "`{}` is given twice",
+                params[at].name
+            )));
+        }
+    }
+    Ok(places)
+}
+
+/// What `apply` did. Elements are named as `--at` would name them in the written file.
+#[derive(Serialize)]
+struct Report {
+    op: String,
+    applied: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refused: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    result: Option<String>,
+    created: Vec<String>,
+    before: Counts,
+    after: Counts,
+}
+
+impl Report {
+    fn refused(plan: &Plan, reason: &str, before: Counts) -> Self {
+        Self {
+            op: plan.name.clone(),
+            applied: false,
+            refused: Some(reason.to_string()),
+            result: None,
+            created: Vec::new(),
+            before,
+            after: before,
+        }
+    }
+
+    fn applied(
+        plan: &Plan,
+        obj: &Obj,
+        result: Option<(ElementKind, u32)>,
+        created: &[(ElementKind, u32)],
+        before: Counts,
+    ) -> Self {
+        let numbers = obj.written_numbers();
+        let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
+        Self {
+            op: plan.name.clone(),
+            applied: true,
+            refused: None,
+            result: result.and_then(name),
+            created: created
+                .iter()
+                .filter_map(|&element| name(element))
+                .collect(),
+            before,
+            after: Counts::of(&obj.mesh),
+        }
+    }
+
+    fn show(&self) -> String {
+        let mut text = format!("applied {}", self.op);
+        if let Some(result) = &self.result {
+            text.push_str(&format!("\nresult   {result}"));
+        }
+        if !self.created.is_empty() {
+            text.push_str(&format!("\ncreated  {}", self.created.join(" ")));
+        }
+        let Counts {
+            vertices,
+            edges,
+            faces,
+            ..
+        } = self.after;
+        text.push_str(&format!(
+            "\nnow      {vertices} vertices, {edges} edges, {faces} faces"
+        ));
+        text
+    }
+}
+
+/// An element as `--at` names it in the written file; holes have no number there.
+fn element(mesh: &Mesh, numbers: &WrittenNumbers, kind: ElementKind, id: u32) -> Option<String> {
+    let ends = |half: HalfedgeId| {
+        Some((
+            numbers.vertex(mesh.vertex(half))?,
+            numbers.vertex(mesh.target(half))?,
+        ))
+    };
+    match kind {
+        ElementKind::Vertex => numbers
+            .vertex(VertexId(id))
+            .map(|number| format!("vertex:{number}")),
+        ElementKind::Face => numbers
+            .face(FaceId(id))
+            .map(|number| format!("face:{number}")),
+        ElementKind::Halfedge => {
+            ends(HalfedgeId(id)).map(|(from, to)| format!("halfedge:{from}-{to}"))
+        }
+        ElementKind::Edge => {
+            let half = mesh.edge_halfedge(EdgeId(id));
+            ends(half).map(|(from, to)| format!("edge:{from}-{to}"))
+        }
+    }
+}
