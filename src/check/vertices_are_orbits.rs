@@ -10,6 +10,7 @@ use super::case::Case;
 use super::chain::{Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
+use super::proved::Broken;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId};
 
@@ -17,7 +18,7 @@ use crate::diagram::{Drawing, Kind, NameId};
 const MOST: usize = 100_000;
 
 /// Tests the law; the number of cases looked at, or what is wrong.
-pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
+pub(super) fn test(drawing: &Drawing) -> Result<usize, Broken> {
     let links = Links::of(drawing.rule, &drawing.rule.before);
     let after = Links::of(drawing.rule, &drawing.rule.after);
     let corners = corners(drawing, &links);
@@ -27,7 +28,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
         let mut found =
             arrangements(drawing, corner).ok_or_else(|| vec![too_many(drawing, corner)])?;
         if found.is_empty() {
-            return Err(vec![impossible(drawing, corner)]);
+            return Err(vec![impossible(drawing, corner)].into());
         }
         if unchanged {
             // Its orbit stays what it is, however its arcs run: one way stands for all.
@@ -43,7 +44,8 @@ pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
         return Err(widest
             .map(|corner| too_many(drawing, corner))
             .into_iter()
-            .collect());
+            .collect::<Vec<_>>()
+            .into());
     };
     let mut pick = vec![0; ways.len()];
     loop {
@@ -55,7 +57,11 @@ pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
         let case = Case::new(drawing, &after, &combination);
         let problems = case.problems();
         if !problems.is_empty() {
-            return Err(problems);
+            let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
+            return Err(Broken {
+                problems,
+                arcs: Some(arcs.collect()),
+            });
         }
         // The next combination, counting up.
         let Some(digit) = (0..pick.len()).find(|&digit| pick[digit] + 1 < ways[digit].len()) else {
