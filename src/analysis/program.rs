@@ -1,6 +1,6 @@
 //! From a text to proved and compiled operations.
 
-use crate::check::{Proved, check};
+use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve};
@@ -19,6 +19,8 @@ pub struct Analysis {
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
     pub plans: Vec<Option<Plan>>,
+    /// A smallest mesh for each rejected rule that breaks one.
+    pub counterexamples: Vec<Counterexample>,
     /// Everything that is wrong, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -33,8 +35,9 @@ impl Analysis {
         let program = resolved.program;
         let mut proved = Vec::new();
         let mut plans = Vec::new();
+        let mut counterexamples = Vec::new();
         for op in &program.ops {
-            let (proof, plan) = match op.diagram.as_ref().map(check) {
+            let (proof, plan) = match op.diagram.as_ref().map(examine) {
                 Some(Ok(proof)) => {
                     let plan = compile(&proof, sources);
                     if plan.is_err() {
@@ -42,8 +45,13 @@ impl Analysis {
                     }
                     (Some(proof), plan.ok())
                 }
-                Some(Err(problems)) => {
-                    diagnostics.extend(problems);
+                Some(Err(rejection)) => {
+                    diagnostics.extend(rejection.diagnostics);
+                    let broken = rejection.outcomes.into_iter();
+                    counterexamples.extend(broken.filter_map(|outcome| match outcome {
+                        Outcome::Breaks(example) => Some(*example),
+                        Outcome::Valid(_) | Outcome::NoMesh | Outcome::NotTried => None,
+                    }));
                     (None, None)
                 }
                 None => (None, None),
@@ -57,6 +65,7 @@ impl Analysis {
             program,
             proved,
             plans,
+            counterexamples,
             diagnostics,
         }
     }

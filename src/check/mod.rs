@@ -21,6 +21,7 @@
 //! [`reach`] finds the order in which the names are bound. Only this layer makes a
 //! [`Proved`], and only that can be compiled. Nothing here knows the machine.
 
+mod argument;
 mod arrangement;
 mod case;
 mod chain;
@@ -45,6 +46,7 @@ mod unknown_names;
 mod vertices_are_orbits;
 mod witness;
 
+pub use argument::Argument;
 pub use facts::{Change, Facts, moved_fans, moved_paths};
 pub use proved::{Proof, Proved, Rejection, check, examine};
 pub use witness::{Counterexample, Outcome, try_out};

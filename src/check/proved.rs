@@ -1,9 +1,11 @@
 //! The door: from an operation to a proved one.
 
+use super::argument::{self, Argument};
 use super::arrangement::Arc;
 use super::facts::Facts;
 use super::matching::Step;
 use super::problem::Problem;
+use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
     ends_agree, mend, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
@@ -24,6 +26,7 @@ pub struct Proved {
 pub struct Proof {
     matching: Vec<Step>,
     facts: Facts,
+    rings: Rings,
 }
 
 impl Proved {
@@ -47,6 +50,11 @@ impl Proof {
     /// What the proof established.
     pub fn facts(&self) -> &Facts {
         &self.facts
+    }
+
+    /// The argument in words, law by law. The rule is the one that was proved.
+    pub fn argument(&self, rule: &Rule) -> Vec<Argument> {
+        argument::argument(rule, &self.rings)
     }
 }
 
@@ -125,10 +133,14 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     problems.extend(ends_agree::test(&drawing));
     problems.extend(new_is_placed::test(&drawing));
     stop_at(problems)?;
-    let cases = vertices_are_orbits::test(&drawing)?;
+    let rings = vertices_are_orbits::test(&drawing)?;
     let matching = reach::matching(op, &drawing)?;
-    let facts = Facts::of(&drawing, &matching, cases);
-    Ok(Proof { matching, facts })
+    let facts = Facts::of(&drawing, &matching, rings.cases);
+    Ok(Proof {
+        matching,
+        facts,
+        rings,
+    })
 }
 
 fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {

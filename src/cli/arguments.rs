@@ -45,6 +45,13 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    /// Write a smallest mesh for each rejected rule that breaks one: as .halfedges, which
+    /// `info` reads, and as .obj where that can hold it
+    #[arg(long, value_name = "DIR")]
+    pub witness: Option<PathBuf>,
+    /// Print the argument for what is proved, law by law
+    #[arg(long)]
+    pub explain: bool,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -99,7 +106,7 @@ pub(super) struct PlanArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct InfoArguments {
-    /// The mesh (.obj)
+    /// The mesh (.obj), or tables of halfedges (.halfedges)
     pub mesh: PathBuf,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]

@@ -6,16 +6,18 @@ use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
 use super::output::{complain_of, say, say_json, table};
 use super::program;
-use crate::analysis::{RuleVerdict, Verdict, verdicts};
+use super::witness::Witnesses;
+use crate::analysis::{RuleArgument, RuleVerdict, Verdict, arguments, verdicts};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
 
 /// Proves the operations of files, or says why they break a mesh.
-pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
+pub(super) fn check(asked: &CheckArguments) -> Result<(), Failure> {
     let mut sound = true;
     let mut unreadable = None;
     let mut files = Vec::new();
-    for path in &arguments.files {
+    let mut witnesses = Witnesses::default();
+    for path in &asked.files {
         let program = match program::read(path) {
             Ok(program) => program,
             Err(failure) => {
@@ -27,10 +29,18 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         };
         sound &= program.analysis.is_sound();
         let verdicts = verdicts(&program.analysis);
-        match arguments.format {
+        if let Some(folder) = &asked.witness {
+            witnesses.write(folder, &program.analysis.counterexamples)?;
+        }
+        match asked.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
                 say(&show(&path.display().to_string(), &verdicts));
+                if asked.explain {
+                    for argument in arguments(&program.analysis) {
+                        say(&explained(&argument));
+                    }
+                }
             }
             Format::Json => files.push(FileReport {
                 file: path.display().to_string(),
@@ -44,7 +54,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
             }),
         }
     }
-    if arguments.format == Format::Json {
+    if asked.format == Format::Json {
         say_json(&Report {
             proved: sound && unreadable.is_none(),
             files,
@@ -81,6 +91,16 @@ fn show(file: &str, verdicts: &[Verdict]) -> String {
         return format!("{file}: no operations");
     }
     format!("{file}\n{}", table(&rows, &[]))
+}
+
+fn explained(argument: &RuleArgument) -> String {
+    let rule = argument.rule.iter().map(|rule| format!(", rule {rule}"));
+    let mut lines = vec![format!("\n{}{}", argument.op, rule.collect::<String>())];
+    for law in &argument.laws {
+        lines.push(format!("  {}", law.law));
+        lines.extend(law.lines.iter().map(|line| format!("    {line}")));
+    }
+    lines.join("\n")
 }
 
 fn cases(rule: &RuleVerdict) -> String {

@@ -17,6 +17,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod witness;
 
 use std::process::ExitCode;
 

@@ -1,6 +1,7 @@
-//! Pages of rejected operations, each with what it does to a smallest mesh.
+//! Pages of operations: the rejected ones with what they do to a smallest mesh (`text`), the
+//! proved ones with the argument (`argument`).
 
-use hedgerow::analysis::Analysis;
+use hedgerow::analysis::{Analysis, arguments};
 use hedgerow::check::{Outcome, examine};
 use hedgerow::mesh::{Level, validate, validate_level};
 use hedgerow::source::Sources;
@@ -14,10 +15,28 @@ fn pages_hold() {
 }
 
 fn answer(case: &Case) -> String {
-    assert_eq!(case.kind, "text", "{}", case.place);
     let mut sources = Sources::new();
     let file = sources.add("page", case.input.to_owned());
     let analysis = Analysis::of(&sources, file);
+    match case.kind {
+        "text" => verdicts(&analysis),
+        "argument" => argument(&analysis),
+        kind => panic!("{}: `{kind}` is no question", case.place),
+    }
+}
+
+fn argument(analysis: &Analysis) -> String {
+    let mut lines = Vec::new();
+    for rule in arguments(analysis) {
+        for law in rule.laws {
+            lines.push(law.law.to_owned());
+            lines.extend(law.lines.iter().map(|line| format!("  {line}")));
+        }
+    }
+    lines.join("\n")
+}
+
+fn verdicts(analysis: &Analysis) -> String {
     let mut lines = Vec::new();
     for op in &analysis.program.ops {
         let Some(diagram) = &op.diagram else {

@@ -7,7 +7,6 @@
 use glam::DVec3;
 
 use super::place::Place;
-use super::sketch::HalfedgeRole;
 use crate::mesh::{FaceId, VertexId};
 
 const ROUNDS: usize = 60;
@@ -15,32 +14,20 @@ const ROUNDS: usize = 60;
 /// Gives every vertex a position.
 pub(super) fn lay_out(place: &mut Place) {
     let mesh = &mut place.mesh;
-    let outside = |face: &FaceId| {
-        let half = mesh.face_halfedge(*face);
-        matches!(
-            place.halfedges[half.index()],
-            HalfedgeRole::TwinOf(_) | HalfedgeRole::Further(_)
-        )
-    };
-    let faces: Vec<_> = mesh.faces().collect();
-    let rim = faces
-        .iter()
-        .filter(|face| outside(face))
-        .chain(&faces)
-        .map(|&face| {
-            // Seen from inside, the loop outside runs clockwise.
-            let mut rim: Vec<VertexId> = Vec::new();
-            for vertex in mesh.face_vertices(face) {
-                if !rim.contains(&vertex) {
-                    rim.push(vertex);
-                }
+    let around = |&face: &FaceId| {
+        let mut around: Vec<VertexId> = Vec::new();
+        for vertex in mesh.face_vertices(face) {
+            if !around.contains(&vertex) {
+                around.push(vertex);
             }
-            rim.reverse();
-            rim
-        })
-        .take(faces.iter().filter(|face| outside(face)).count().max(1))
-        .max_by_key(Vec::len)
-        .unwrap_or_default();
+        }
+        // Seen from inside, the loop outside runs clockwise.
+        around.reverse();
+        around
+    };
+    let rims = place.outside.iter().map(around);
+    let whole = || mesh.vertices().collect();
+    let rim = rims.max_by_key(Vec::len).unwrap_or_else(whole);
     for (at, &vertex) in rim.iter().enumerate() {
         let turn = std::f64::consts::TAU * at as f64 / rim.len() as f64;
         mesh.set_position(vertex, DVec3::new(turn.cos(), turn.sin(), 0.0));

@@ -19,7 +19,9 @@ mod words;
 use super::problem::Problem;
 use super::proved::Broken;
 use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
-use crate::mesh::{EdgeId, Element, FaceId, HalfedgeId, Invalid, Mesh, VertexId};
+use crate::mesh::{
+    EdgeId, Element, FaceId, HalfedgeId, Invalid, Mesh, Polygons, VertexId, same_connectivity,
+};
 use search::{Found, Shown, search};
 use words::Words;
 
@@ -42,6 +44,27 @@ pub struct Counterexample {
     pub invalid: Invalid,
     /// The same with the names of the drawing.
     pub verdict: String,
+}
+
+impl Counterexample {
+    /// Whether the mesh before is what a list of polygons says, so that files of polygons can
+    /// hold it.
+    pub fn is_polygons(&self) -> bool {
+        let mesh = &self.before;
+        let positions: Vec<_> = mesh
+            .vertices()
+            .map(|vertex| mesh.position(vertex))
+            .collect();
+        let faces = mesh.faces().filter(|&face| !mesh.is_hole(face));
+        let corners = |face| mesh.face_vertices(face).map(|vertex| vertex.0).collect();
+        let polygons: Polygons = faces
+            .map(corners)
+            .collect::<Vec<Vec<u32>>>()
+            .iter()
+            .collect();
+        let rebuilt = Mesh::from_polygons(&positions, &polygons);
+        rebuilt.is_ok_and(|rebuilt| same_connectivity(mesh, &rebuilt))
+    }
 }
 
 /// What became of a rejected rule, carried out literally.
@@ -88,6 +111,11 @@ pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
     let found = search(&drawing, broken.arcs.as_deref());
     let outcome = outcome(&op.name, &drawing, found, diagnostic.code);
     diagnostic.notes.extend(note(&outcome));
+    let breaks = matches!(outcome, Outcome::Breaks(_));
+    if breaks && !rule.requires.is_empty() {
+        let note = "whether this mesh passes each `require` is not looked at: the proof does not rely on them";
+        diagnostic.notes.push(note.into());
+    }
     outcome
 }
 

@@ -18,6 +18,8 @@ pub(super) struct Place {
     pub halfedges: Vec<HalfedgeRole>,
     /// Where the vertices come from, by their ids.
     pub vertices: Vec<VertexRole>,
+    /// The loops outside of the drawing.
+    pub outside: Vec<FaceId>,
 }
 
 impl Place {
@@ -33,6 +35,7 @@ impl Place {
             runs: sketch.runs.iter().map(ids).collect(),
             halfedges: sketch.halves.iter().map(|half| half.role).collect(),
             vertices: sketch.vertices.clone(),
+            outside: Vec::new(),
         };
         for name in 0..count {
             let element = sketch.half_of[name].or(sketch.vertex_of[name]);
@@ -121,6 +124,7 @@ impl Place {
             if self.mesh.face(half).is_none() {
                 let id = self.face_of(half);
                 self.mesh.set_hole(id, true);
+                self.outside.push(id);
             }
         }
     }
@@ -141,19 +145,8 @@ impl Place {
         if validate_level(&self.mesh, Level::Surface).is_ok() {
             return;
         }
-        let named = |face: &FaceId| {
-            // Faces with a name were made first.
-            let drawn = self.mesh.face_halfedges(*face).next();
-            drawn.is_none_or(|half| {
-                !matches!(
-                    self.halfedges[half.index()],
-                    HalfedgeRole::TwinOf(_) | HalfedgeRole::Further(_)
-                )
-            })
-        };
-        let outside: Vec<_> = self.mesh.holes().filter(|face| !named(face)).collect();
         let mut closed = self.mesh.clone();
-        for face in outside {
+        for &face in &self.outside {
             closed.set_hole(face, false);
         }
         if validate_level(&closed, Level::Surface).is_ok() {
