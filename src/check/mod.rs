@@ -17,7 +17,7 @@
 //! 7. [`vertices_are_orbits`], by way of [`port`]s, [`chain`]s and [`arrangement`]s;
 //! 8. [`new_is_placed`].
 //!
-//! Then [`reach`] finds the order in which the names are bound. Only this layer makes a
+//! Then [`properties`] holds what `keeps` claims against the drawing, and [`reach`] finds the order in which the names are bound. Only this layer makes a
 //! [`Proved`], and only that can be compiled. Nothing here knows the machine.
 
 mod arrangement;
@@ -34,6 +34,7 @@ mod next_is_permutation;
 mod nothing_dangles;
 mod port;
 mod problem;
+mod properties;
 mod proved;
 mod reach;
 mod ring_problems;
@@ -44,4 +45,5 @@ mod unknown_names;
 mod vertices_are_orbits;
 
 pub use facts::{Change, Facts, moved_fans, moved_paths};
+pub use properties::SizeChange;
 pub use proved::{Proof, Proved, check};

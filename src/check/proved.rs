@@ -5,7 +5,7 @@ use super::matching::Step;
 use super::problem::Problem;
 use super::{
     ends_agree, mend, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
-    reach, twin_is_involution, vertices_are_orbits,
+    properties, reach, twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
@@ -86,6 +86,15 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
     let cases = vertices_are_orbits::test(&drawing)?;
     let matching = reach::matching(op, &drawing)?;
     let facts = Facts::of(&drawing, &matching, cases);
+    let Facts {
+        keeps,
+        change,
+        grows_with,
+        ..
+    } = &facts;
+    stop_at(properties::broken_claims(
+        op, &drawing, keeps, *change, grows_with,
+    ))?;
     Ok(Proof { matching, facts })
 }
 

@@ -45,6 +45,9 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    /// Also show what each operation keeps, and how degrees and sizes change
+    #[arg(short, long)]
+    pub verbose: bool,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
