@@ -8,13 +8,15 @@
 mod apply;
 mod arguments;
 mod check;
+mod counts;
 mod failure;
 mod info;
 mod output;
 mod place;
 mod plan;
 mod program;
-mod values;
+mod progress;
+mod run;
 
 use std::process::ExitCode;
 
@@ -37,7 +39,7 @@ pub fn main() -> ExitCode {
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),
-        Command::Run(_) => Ok(()),
+        Command::Run(arguments) => run::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
