@@ -19,11 +19,6 @@ pub(super) fn begins_part(kind: T) -> bool {
     matches!(kind, T::Before | T::Require | T::Guard | T::After | T::Rule)
 }
 
-/// Whether a token begins a part of one rule of an op.
-pub(super) fn begins_part_of_rule(kind: T) -> bool {
-    begins_part(kind) && kind != T::Rule
-}
-
 fn begins_drawing_statement(kind: T) -> bool {
     matches!(
         kind,
