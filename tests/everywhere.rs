@@ -26,7 +26,7 @@ use reference::matching::{Match, bound_by, matches};
 use reference::printing::mesh_text;
 use reference::random::Random;
 use reference::rewriting::rewrite;
-use reference::same::{identical, same_result};
+use reference::same::{identical, same_positions, same_result};
 
 /// An op of an example with all that is known of it.
 struct Subject {
@@ -118,7 +118,6 @@ impl<'s> Comparison<'s> {
                     self.tally.no_match += 1;
                 }
                 Phase::Require | Phase::Guard | Phase::Evaluate => {
-                    if name == "remesh::collapse" { println!("{}", refusal.reason); }
                     assert!(any, "{} does not match, but is refused: {}", place(), refusal.reason);
                     self.tally.refused += 1;
                 }
@@ -141,7 +140,7 @@ impl<'s> Comparison<'s> {
             }
             agrees = candidates.iter().any(|found| {
                 let literal = rewrite(rule, original, found).expect("every name is bound");
-                same_result(original, mesh, &literal)
+                same_result(original, mesh, &literal) && same_positions(mesh, &literal)
             });
             if agrees {
                 assert_eq!(changes(original, mesh), [verdict.vertices, verdict.edges, verdict.faces]);
@@ -154,7 +153,7 @@ impl<'s> Comparison<'s> {
         assert!(
             agrees,
             "{}: the machine does something else than the reference on\n{}it makes\n{}where a literal rewrite makes\n{}",
-            format!("{} {:?}", place(), original.edges().map(|e| original.edge_halfedge(e)).collect::<Vec<_>>()),
+            place(),
             mesh_text(original),
             mesh_text(mesh),
             op.rules

@@ -8,6 +8,7 @@
 pub mod completion;
 pub mod maps;
 pub mod matching;
+pub mod mutating;
 pub mod printing;
 pub mod random;
 pub mod rewriting;

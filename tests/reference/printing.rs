@@ -5,7 +5,8 @@ use std::fmt::Write;
 use hedgerow::diagram::{Kind, LoopKind, NameId, Op, Ref, Rule, Side, Spoke};
 use hedgerow::mesh::Mesh;
 
-/// An op of one rule as text. Requirements are left out, and positions are constants.
+/// An op of one rule as text. Requirements are left out, and what is placed is placed where
+/// the first vertex of `before` is.
 pub fn op_text(op: &Op, rule: &Rule) -> String {
     let mut text = format!("op {}(", op.name);
     for (at, param) in op.params.iter().enumerate() {
@@ -18,9 +19,11 @@ pub fn op_text(op: &Op, rule: &Rule) -> String {
     list(rule, "new", &rule.created, &mut text);
     side(rule, &rule.after, &mut text);
     list(rule, "erase", &rule.erased, &mut text);
+    let drawn = rule.before.loops.first().map(|orbit| orbit.items[0].from);
     for assignment in &rule.assignments {
-        let word = word(rule, assignment.target.name);
-        writeln!(text, "    {word}.position = vec3(0, 0, 0)").expect("a string");
+        let Some(drawn) = drawn else { continue };
+        let (word, drawn) = (word(rule, assignment.target.name), word(rule, drawn.name));
+        writeln!(text, "    {word}.position = {drawn}.position").expect("a string");
     }
     text.push_str("  }\n}\n");
     text
@@ -83,6 +86,9 @@ pub fn mesh_text(mesh: &Mesh) -> String {
             h.0, r.next.0 as i32, r.twin.0 as i32, r.vertex.0 as i32, r.edge.0 as i32, r.face.0 as i32
         )
         .expect("a string");
+    }
+    for v in mesh.vertices() {
+        writeln!(text, "  v{} at {}", v.0, mesh.position(v)).expect("a string");
     }
     text
 }

@@ -6,10 +6,13 @@
 //! halfedge of a path, which nobody has named, gets its vertex in no other way. In an edge,
 //! `twin` and `edge`. An outer halfedge starts where its vertex statement says, else where its
 //! drawn twin ends, else where it did. Last, everything named that lives points at some
-//! halfedge that points at it, if there is one.
+//! halfedge that points at it, if there is one. Positions are read before anything is written;
+//! of expressions only sums and multiples of positions are understood.
 
 use glam::DVec3;
-use hedgerow::diagram::{Kind, LoopKind, NameId, Rule, Spoke};
+use hedgerow::diagram::{
+    Access, Binary, Expr, ExprKind, Kind, LoopKind, NameId, Rule, Spoke, Unary,
+};
 use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 
 use super::matching::Match;
@@ -17,8 +20,10 @@ use super::matching::Match;
 /// The mesh after the rewrite of a match; `None` if `after` uses a name that nothing binds.
 pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Mesh> {
     let mut rewrite = Rewrite { rule, mesh: mesh.clone(), at: at.clone() };
+    let positions = rewrite.positions();
     rewrite.allocate();
     rewrite.reassign()?;
+    rewrite.place(&positions)?;
     rewrite.erase();
     rewrite.point_at_halfedges();
     Some(rewrite.mesh)
@@ -67,6 +72,33 @@ impl Rewrite<'_> {
             }
             self.at.elements[created.name.index()] = Some(element);
         }
+    }
+
+    /// The assigned positions that are understood.
+    fn positions(&self) -> Vec<(NameId, DVec3)> {
+        let assignments = self.rule.assignments.iter();
+        assignments
+            .filter_map(|set| Some((set.target.name, self.vector(&set.value)?)))
+            .collect()
+    }
+
+    fn vector(&self, expr: &Expr) -> Option<DVec3> {
+        match &expr.kind {
+            ExprKind::Read(Access::Position, of) => match of.kind {
+                ExprKind::Element(name) => self.mesh.get_position(self.vertex(name)?),
+                _ => None,
+            },
+            ExprKind::Binary(Binary::AddVec3, x, y) => Some(self.vector(x)? + self.vector(y)?),
+            ExprKind::Binary(Binary::DivideVec3, x, y) => Some(self.vector(x)? / real(y)?),
+            _ => None,
+        }
+    }
+
+    fn place(&mut self, positions: &[(NameId, DVec3)]) -> Option<()> {
+        for &(name, position) in positions {
+            self.mesh.set_position(self.vertex(name)?, position);
+        }
+        Some(())
     }
 
     fn reassign(&mut self) -> Option<()> {
@@ -224,5 +256,14 @@ impl Rewrite<'_> {
                 self.mesh.set_face_halfedge(face, half);
             }
         }
+    }
+}
+
+fn real(expr: &Expr) -> Option<f64> {
+    match &expr.kind {
+        ExprKind::Real(value) => Some(*value),
+        ExprKind::Int(value) => Some(*value as f64),
+        ExprKind::Unary(Unary::ToReal, value) => real(value),
+        _ => None,
     }
 }

@@ -41,6 +41,11 @@ pub fn same_result(origin: &Mesh, a: &Mesh, b: &Mesh) -> bool {
     plainly || Renumbering::of(origin, a, b).is_some()
 }
 
+/// Whether the vertices of two meshes that are numbered alike lie in the same places.
+pub fn same_positions(a: &Mesh, b: &Mesh) -> bool {
+    a.vertices().eq(b.vertices()) && a.vertices().all(|v| a.position(v) == b.position(v))
+}
+
 struct Renumbering<'m> {
     a: &'m Mesh,
     b: &'m Mesh,
