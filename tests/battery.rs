@@ -2,8 +2,9 @@
 //! checker and by what really happens to meshes.
 //!
 //! An op that the checker accepts must not break any mesh: not by the literal rewrite of any
-//! match, nor by the machine, whose result must be that of a literal rewrite. An op that it
-//! rejects must break one, or match nowhere, or be rejected for saying too little or a thing
+//! match, nor by the machine, whose result must be that of a literal rewrite; and the result
+//! must be what `after` draws. An op that it rejects must break one, or make something that
+//! `after` does not draw, or match nowhere, or be rejected for saying too little or a thing
 //! twice. The meshes are random completions of the drawing before, and random maps.
 //!
 //! `HEDGEROW_MUTANTS=20000 cargo test --release --test battery -- --nocapture` is the full
@@ -34,6 +35,7 @@ use reference::printing::{mesh_text, op_text};
 use reference::random::Random;
 use reference::rewriting::rewrite;
 use reference::same::{identical, same_result};
+use reference::truth::untrue;
 
 /// Codes of rejections that do not say that a mesh breaks: the op says too little, or says a
 /// thing that nobody can follow.
@@ -45,7 +47,7 @@ const BY_RULE: &[&str] = &[
     "missing-reassignment",
     "new-loop-kind",
     "new-run",
-    "star-order",
+    "spoke-twice",
     "too-many-cases",
     "unaccounted-name",
     "unknown-name",
@@ -345,6 +347,8 @@ struct Experience {
     matches: usize,
     /// Matches whose rewrite needs a name that nothing binds.
     unwritable: usize,
+    /// Rewrites that make something else than `after` draws.
+    lies: usize,
     /// How many rewrites broke the mesh, and the smallest mesh.
     broken: usize,
     smallest: Option<(usize, String)>,
@@ -381,16 +385,22 @@ fn experience(op: &Op, plan: Option<&Plan>, trials: impl Iterator<Item = Trial>)
                 match result {
                     None => experience.unwritable += 1,
                     Some(result) => {
-                        if let Err(invalid) = validate(result) {
-                            let what = format!("becomes\n{}{invalid}\n", mesh_text(result));
-                            experience.breaks(&mesh, &place, what);
+                        let becomes =
+                            |what: &str| format!("becomes\n{}{what}\n", mesh_text(&result.mesh));
+                        if let Err(invalid) = validate(&result.mesh) {
+                            experience.breaks(&mesh, &place, becomes(&invalid.to_string()));
+                        } else if let Some(untrue) = untrue(rule, result) {
+                            experience.lies += 1;
+                            if plan.is_some() {
+                                experience.breaks(&mesh, &place, becomes(&untrue));
+                            }
                         }
                     }
                 }
             }
             let Some(plan) = plan else {
                 if experience.broken > 0 {
-                    return experience;
+                    return experience; // one is enough
                 }
                 continue;
             };
@@ -404,8 +414,8 @@ fn experience(op: &Op, plan: Option<&Plan>, trials: impl Iterator<Item = Trial>)
                         let what = format!("the machine makes\n{}{invalid}\n", mesh_text(&result));
                         experience.breaks(&mesh, &place, what);
                     }
-                    let same = |literal: &Mesh| same_result(&mesh, &result, literal);
-                    let agrees = results.iter().flatten().any(same);
+                    let mut literals = results.iter().flatten().map(|literal| &literal.mesh);
+                    let agrees = literals.any(|literal| same_result(&mesh, &result, literal));
                     match found.len() {
                         0 => Some("the machine applies where nothing matches"),
                         MOST => None,
@@ -454,6 +464,8 @@ enum Verdict {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Meshes {
     Broke,
+    /// No mesh broke, but it was not what `after` draws.
+    Lied,
     /// The rewrite cannot even be carried out.
     Unwritable,
     NeverMatched,
@@ -485,6 +497,8 @@ fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
             judged.matches = experience.matches;
             let meshes = if experience.broken > 0 {
                 Meshes::Broke
+            } else if experience.lies > 0 {
+                Meshes::Lied
             } else if experience.unwritable > 0 {
                 Meshes::Unwritable
             } else if experience.matches == 0 {
@@ -608,7 +622,7 @@ fn report(judged: &[Judged]) {
         applied += judged.applied;
         runs += judged.matches;
     }
-    let mut codes: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
+    let mut codes: BTreeMap<&str, [usize; 5]> = BTreeMap::new();
     let mut examples: BTreeMap<&str, Vec<&Judged>> = BTreeMap::new();
     let mut rejected_runs = 0;
     for judged in judged {
@@ -625,16 +639,16 @@ fn report(judged: &[Judged]) {
     println!("  accepted and sound on every mesh      {sound:>7}   ({unmatched} of them matched nowhere)");
     println!("    matches rewritten literally         {runs:>7}");
     println!("    applied by the machine              {applied:>7}");
-    println!("  rejected, by code                       broke  unwritable  no match  survived");
-    let mut total = [0; 4];
+    println!("  rejected, by code                       broke      lied  unwritable  no match  survived");
+    let mut total = [0; 5];
     for (code, counts) in &codes {
-        let [broke, unwritable, unmatched, survived] = counts;
+        let [broke, lied, unwritable, unmatched, survived] = counts;
         let rule = if BY_RULE.contains(code) { "   by rule" } else { "" };
-        println!("    {code:<36}{broke:>7}{unwritable:>12}{unmatched:>10}{survived:>10}{rule}");
-        (0..4).for_each(|at| total[at] += counts[at]);
+        println!("    {code:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}{rule}");
+        (0..5).for_each(|at| total[at] += counts[at]);
     }
-    let [broke, unwritable, unmatched, survived] = total;
-    println!("    {:<36}{broke:>7}{unwritable:>12}{unmatched:>10}{survived:>10}", "all");
+    let [broke, lied, unwritable, unmatched, survived] = total;
+    println!("    {:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}", "all");
     println!("    matches rewritten literally         {rejected_runs:>7}");
     let slowest = judged.iter().max_by_key(|judged| judged.time).expect("some op");
     println!("  slowest proof: {} ms", slowest.time.as_millis());

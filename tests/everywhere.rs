@@ -4,7 +4,7 @@
 //! At each place the machine either refuses and leaves the mesh as it was, bit for bit, and
 //! then the reference finds no match, or a `require` said no; or it applies, the mesh passes
 //! the validator, the counts change as the verdict says, and the result is that of a literal
-//! rewrite of one of the matches that the reference finds.
+//! rewrite of one of the matches that the reference finds, and is what `after` draws.
 //!
 //! On the two large meshes the validator runs at every place where `HEDGEROW_EVERYWHERE` is
 //! set, otherwise at every 16th; the comparison with the reference, which covers every pointer
@@ -27,6 +27,7 @@ use reference::printing::mesh_text;
 use reference::random::Random;
 use reference::rewriting::rewrite;
 use reference::same::{identical, same_positions, same_result};
+use reference::truth::untrue;
 
 /// An op of an example with all that is known of it.
 struct Subject {
@@ -140,7 +141,9 @@ impl<'s> Comparison<'s> {
             }
             agrees = candidates.iter().any(|found| {
                 let literal = rewrite(rule, original, found).expect("every name is bound");
-                same_result(original, mesh, &literal) && same_positions(mesh, &literal)
+                untrue(rule, &literal).is_none()
+                    && same_result(original, mesh, &literal.mesh)
+                    && same_positions(mesh, &literal.mesh)
             });
             if agrees {
                 assert_eq!(changes(original, mesh), [verdict.vertices, verdict.edges, verdict.faces]);
@@ -161,7 +164,7 @@ impl<'s> Comparison<'s> {
                 .zip(&found)
                 .flat_map(|(rule, found)| found.iter().map(move |found| rewrite(rule, original, found)))
                 .flatten()
-                .map(|mesh| mesh_text(&mesh) + "or\n")
+                .map(|literal| mesh_text(&literal.mesh) + "or\n")
                 .collect::<String>(),
         );
         *mesh = original.clone();
@@ -270,7 +273,6 @@ fn run(title: &str, meshes: &[(String, Mesh)]) {
     report(title, &tallies);
     for (name, tally) in &tallies {
         assert!(tally.applied > 0, "{name} never applied");
-        assert!(tally.no_match > 0, "{name} always matched");
     }
 }
 

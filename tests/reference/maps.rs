@@ -41,7 +41,8 @@ pub fn mesh_of(next: &[usize], twin: &[usize], holes: &mut dyn FnMut(usize) -> b
         }
         if mesh.vertex(id(half)).is_none() {
             let vertex = mesh.add_vertex();
-            mesh.set_position(vertex, DVec3::new(f64::from(vertex.0), 1.0, 0.0));
+            let at = f64::from(vertex.0);
+            mesh.set_position(vertex, DVec3::new(at, (3.0 * at).sin(), (5.0 * at).cos()));
             mesh.set_vertex_halfedge(vertex, id(half));
             orbit(half, &|h| twin[prev[h]]).into_iter().for_each(|h| mesh.set_vertex(id(h), vertex));
         }

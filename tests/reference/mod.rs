@@ -13,3 +13,4 @@ pub mod printing;
 pub mod random;
 pub mod rewriting;
 pub mod same;
+pub mod truth;

@@ -7,7 +7,7 @@
 //! `twin` and `edge`. An outer halfedge starts where its vertex statement says, else where its
 //! drawn twin ends, else where it did. Last, everything named that lives points at some
 //! halfedge that points at it, if there is one. Positions are read before anything is written;
-//! of expressions only sums and multiples of positions are understood.
+//! of expressions only sums and halves of positions are understood.
 
 use glam::DVec3;
 use hedgerow::diagram::{
@@ -17,8 +17,16 @@ use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 
 use super::matching::Match;
 
-/// The mesh after the rewrite of a match; `None` if `after` uses a name that nothing binds.
-pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Mesh> {
+/// A mesh after a rewrite, and what the names of `after` are bound to in it.
+pub struct Rewritten {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// The match, with the new elements.
+    pub at: Match,
+}
+
+/// The rewrite of a match; `None` if `after` uses a name that nothing binds.
+pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Rewritten> {
     let mut rewrite = Rewrite { rule, mesh: mesh.clone(), at: at.clone() };
     let positions = rewrite.positions();
     rewrite.allocate();
@@ -26,7 +34,7 @@ pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Mesh> {
     rewrite.place(&positions)?;
     rewrite.erase();
     rewrite.point_at_halfedges();
-    Some(rewrite.mesh)
+    Some(Rewritten { mesh: rewrite.mesh, at: rewrite.at })
 }
 
 struct Rewrite<'a> {
@@ -235,11 +243,20 @@ impl Rewrite<'_> {
                 Kind::Halfedge | Kind::Path | Kind::Fan => {}
             }
         }
-        for half in self.mesh.halfedges() {
-            let record = self.mesh.halfedge(half);
-            vertices.iter_mut().filter(|(v, _)| *v == record.vertex).for_each(|(_, h)| *h = half);
-            edges.iter_mut().filter(|(e, _)| *e == record.edge).for_each(|(_, h)| *h = half);
-            faces.iter_mut().filter(|(f, _)| *f == record.face).for_each(|(_, h)| *h = half);
+        // What is named is near by; only if none of it will do, anything else.
+        let named = (0..self.at.elements.len()).filter_map(|index| {
+            let is_halfedge = self.rule.names[index].kind == Kind::Halfedge;
+            self.at.elements[index].filter(|_| is_halfedge)
+        });
+        let near = named.chain(self.at.runs.iter().flatten().flatten().copied());
+        let mut near: Vec<_> = near.map(HalfedgeId).collect();
+        near.retain(|&half| self.mesh.halfedge_alive(half));
+        self.choose(near.into_iter(), &mut vertices, &mut edges, &mut faces);
+        let missing = vertices.iter().any(|(_, half)| half.is_none())
+            || edges.iter().any(|(_, half)| half.is_none())
+            || faces.iter().any(|(_, half)| half.is_none());
+        if missing {
+            self.choose(self.mesh.halfedges(), &mut vertices, &mut edges, &mut faces);
         }
         for (vertex, half) in vertices {
             if self.mesh.vertex_alive(vertex) {
@@ -255,6 +272,21 @@ impl Rewrite<'_> {
             if self.mesh.face_alive(face) {
                 self.mesh.set_face_halfedge(face, half);
             }
+        }
+    }
+
+    fn choose(
+        &self,
+        halfedges: impl Iterator<Item = HalfedgeId>,
+        vertices: &mut [(VertexId, HalfedgeId)],
+        edges: &mut [(EdgeId, HalfedgeId)],
+        faces: &mut [(FaceId, HalfedgeId)],
+    ) {
+        for half in halfedges {
+            let record = self.mesh.halfedge(half);
+            vertices.iter_mut().filter(|(v, _)| *v == record.vertex).for_each(|(_, h)| *h = half);
+            edges.iter_mut().filter(|(e, _)| *e == record.edge).for_each(|(_, h)| *h = half);
+            faces.iter_mut().filter(|(f, _)| *f == record.face).for_each(|(_, h)| *h = half);
         }
     }
 }
