@@ -221,8 +221,13 @@ op turn(a: halfedge) {
 fn bases() -> Vec<Op> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let entries = std::fs::read_dir(folder).expect("the examples");
-    let mut paths: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|extension| extension == "hedge"));
+    let mut paths: Vec<_> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    paths.retain(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "hedge")
+    });
     paths.sort();
     let mut texts: Vec<_> = paths
         .iter()
@@ -235,7 +240,11 @@ fn bases() -> Vec<Op> {
         let mut sources = Sources::new();
         let file = sources.add("an example", text);
         let analysis = Analysis::of(&sources, file);
-        assert!(!analysis.program.ops.is_empty(), "no ops: {:?}", analysis.diagnostics);
+        assert!(
+            !analysis.program.ops.is_empty(),
+            "no ops: {:?}",
+            analysis.diagnostics
+        );
         for op in analysis.program.ops.into_iter().filter_map(|op| op.diagram) {
             for rule in &op.rules {
                 let mut base = op.clone();
@@ -273,7 +282,10 @@ fn read_back(text: &str) -> Option<(Sources, Op)> {
     let parsed = parse(file, text);
     let mut resolved = resolve(&parsed.tree);
     let faulty = !parsed.diagnostics.is_empty()
-        || resolved.diagnostics.iter().any(|diagnostic| diagnostic.is_error());
+        || resolved
+            .diagnostics
+            .iter()
+            .any(|diagnostic| diagnostic.is_error());
     let op = resolved.program.ops.pop()?.diagram?;
     (!faulty).then_some((sources, op))
 }
@@ -303,11 +315,19 @@ fn elements(mesh: &Mesh, ty: Type) -> Vec<u32> {
 
 /// All choices of the elements given; of two or more only some.
 fn places(op: &Op, mesh: &Mesh, random: &mut Random) -> Vec<Vec<u32>> {
-    let choices: Vec<_> = op.params.iter().map(|param| elements(mesh, param.ty)).collect();
+    let choices: Vec<_> = op
+        .params
+        .iter()
+        .map(|param| elements(mesh, param.ty))
+        .collect();
     match choices.as_slice() {
         [only] => only.iter().map(|&element| vec![element]).collect(),
         many => {
-            let mut pick = || many.iter().map(|choice| random.pick(choice).copied()).collect();
+            let mut pick = || {
+                many.iter()
+                    .map(|choice| random.pick(choice).copied())
+                    .collect()
+            };
             (0..12).filter_map(|_| pick()).collect()
         }
     }
@@ -316,12 +336,18 @@ fn places(op: &Op, mesh: &Mesh, random: &mut Random) -> Vec<Vec<u32>> {
 impl Pool {
     fn new(maps: usize, completions: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
-        let maps = (0..maps).map(|_| random_map(2 + 2 * random.below(7), &mut random)).collect();
+        let maps = (0..maps)
+            .map(|_| random_map(2 + 2 * random.below(7), &mut random))
+            .collect();
         Self { maps, completions }
     }
 
     /// The meshes on which an op is tried, one after the other.
-    fn trials<'a>(&'a self, op: &'a Op, random: &'a mut Random) -> impl Iterator<Item = Trial> + 'a {
+    fn trials<'a>(
+        &'a self,
+        op: &'a Op,
+        random: &'a mut Random,
+    ) -> impl Iterator<Item = Trial> + 'a {
         let rule = &op.rules[0];
         (0..self.completions + self.maps.len()).filter_map(move |at| {
             if at >= self.completions {
@@ -331,12 +357,18 @@ impl Pool {
             }
             let completion = complete(rule, random)?;
             let mut places = places(op, &completion.mesh, random);
-            let meant = rule.params.iter().map(|name| completion.elements[(*name)?.index()]);
+            let meant = rule
+                .params
+                .iter()
+                .map(|name| completion.elements[(*name)?.index()]);
             if let Some(meant) = meant.collect() {
                 places.retain(|place| *place != meant);
                 places.insert(0, meant);
             }
-            Some(Trial { mesh: completion.mesh, places })
+            Some(Trial {
+                mesh: completion.mesh,
+                places,
+            })
         })
     }
 }
@@ -361,7 +393,11 @@ impl Experience {
     fn breaks(&mut self, mesh: &Mesh, place: &[u32], what: String) {
         self.broken += 1;
         let size = mesh.halfedge_count();
-        if self.smallest.as_ref().is_none_or(|(known, _)| size < *known) {
+        if self
+            .smallest
+            .as_ref()
+            .is_none_or(|(known, _)| size < *known)
+        {
             let text = format!("at {place:?} of\n{}{what}", mesh_text(mesh));
             self.smallest = Some((size, text));
         }
@@ -435,7 +471,9 @@ fn experience(op: &Op, plan: Option<&Plan>, trials: impl Iterator<Item = Trial>)
                 let size = mesh.halfedge_count();
                 let before = mesh_text(&mesh);
                 let after = mesh_text(&result);
-                let text = format!("{difference}: at {place:?} of ({size} halfedges)\n{before}it makes\n{after}");
+                let text = format!(
+                    "{difference}: at {place:?} of ({size} halfedges)\n{before}it makes\n{after}"
+                );
                 experience.differences.push(text);
             }
         }
@@ -492,7 +530,9 @@ fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
     match checked {
         Ok(proved) => accepted(&proved, &sources, pool, random, &mut judged),
         Err(diagnostics) => {
-            let code = diagnostics.first().map_or("none", |diagnostic| diagnostic.code);
+            let code = diagnostics
+                .first()
+                .map_or("none", |diagnostic| diagnostic.code);
             let experience = experience(&op, None, pool.trials(&op, random));
             judged.matches = experience.matches;
             let meshes = if experience.broken > 0 {
@@ -525,14 +565,18 @@ fn accepted(
         experience(op, Some(&plan), pool.trials(op, random))
     }));
     let Ok(experience) = run else {
-        judged.complaints.push("compiling or running it panics".into());
+        judged
+            .complaints
+            .push("compiling or running it panics".into());
         return;
     };
     judged.matches = experience.matches;
     judged.applied = experience.applied;
     if let Some((_, smallest)) = experience.smallest {
         let times = experience.broken;
-        judged.complaints.push(format!("accepted, but breaks {times} meshes: {smallest}"));
+        judged
+            .complaints
+            .push(format!("accepted, but breaks {times} meshes: {smallest}"));
     }
     let smallest = experience.differences.into_iter().min_by_key(String::len);
     judged.complaints.extend(smallest);
@@ -583,15 +627,23 @@ fn the_prover_tells_the_truth() {
                 scope.spawn(move || {
                     let numbers = (worker..).step_by(threads);
                     let judge_one = |number: usize| {
-                        let mut random = Random::new(seed.wrapping_mul(1 << 32) + number as u64 + 1);
+                        let mut random =
+                            Random::new(seed.wrapping_mul(1 << 32) + number as u64 + 1);
                         judge(mutant(bases, &mut random)?, pool, &mut random)
                     };
                     let share = wanted / threads + usize::from(worker < wanted % threads);
-                    numbers.filter_map(judge_one).take(share).collect::<Vec<_>>()
+                    numbers
+                        .filter_map(judge_one)
+                        .take(share)
+                        .collect::<Vec<_>>()
                 })
             })
             .collect();
-        judged.extend(workers.into_iter().flat_map(|worker| worker.join().expect("a worker")));
+        judged.extend(
+            workers
+                .into_iter()
+                .flat_map(|worker| worker.join().expect("a worker")),
+        );
     });
     let _ = std::panic::take_hook();
     report(&judged);
@@ -600,12 +652,26 @@ fn the_prover_tells_the_truth() {
         .filter(|judged| !judged.complaints.is_empty())
         .map(|judged| format!("{}{}\n", judged.text, judged.complaints.join("\n")))
         .collect();
-    let shown = complaints.iter().take(number("HEDGEROW_SHOW", 5)).cloned().collect::<Vec<_>>();
-    assert!(complaints.is_empty(), "{} complaints:\n{}", complaints.len(), shown.join("\n"));
+    let shown = complaints
+        .iter()
+        .take(number("HEDGEROW_SHOW", 5))
+        .cloned()
+        .collect::<Vec<_>>();
+    assert!(
+        complaints.is_empty(),
+        "{} complaints:\n{}",
+        complaints.len(),
+        shown.join("\n")
+    );
     let matches: usize = judged.iter().map(|judged| judged.matches).sum();
-    assert!(matches > 50 * wanted, "only {matches} matches: that proves nothing");
+    assert!(
+        matches > 50 * wanted,
+        "only {matches} matches: that proves nothing"
+    );
     let unfounded = judged.iter().find(|judged| {
-        let Verdict::Rejected(code, meshes) = judged.verdict else { return false };
+        let Verdict::Rejected(code, meshes) = judged.verdict else {
+            return false;
+        };
         meshes == Meshes::Survived && !BY_RULE.contains(&code)
     });
     if let Some(judged) = unfounded {
@@ -614,7 +680,9 @@ fn the_prover_tells_the_truth() {
 }
 
 fn report(judged: &[Judged]) {
-    let accepted = judged.iter().filter(|judged| judged.verdict == Verdict::Accepted);
+    let accepted = judged
+        .iter()
+        .filter(|judged| judged.verdict == Verdict::Accepted);
     let (mut sound, mut unmatched, mut applied, mut runs) = (0, 0, 0, 0);
     for judged in accepted {
         sound += usize::from(judged.complaints.is_empty());
@@ -636,21 +704,37 @@ fn report(judged: &[Judged]) {
     }
     let all = judged.len();
     println!("{all} ops");
-    println!("  accepted and sound on every mesh      {sound:>7}   ({unmatched} of them matched nowhere)");
+    println!(
+        "  accepted and sound on every mesh      {sound:>7}   ({unmatched} of them matched nowhere)"
+    );
     println!("    matches rewritten literally         {runs:>7}");
     println!("    applied by the machine              {applied:>7}");
-    println!("  rejected, by code                       broke      lied  unwritable  no match  survived");
+    println!(
+        "  rejected, by code                       broke      lied  unwritable  no match  survived"
+    );
     let mut total = [0; 5];
     for (code, counts) in &codes {
         let [broke, lied, unwritable, unmatched, survived] = counts;
-        let rule = if BY_RULE.contains(code) { "   by rule" } else { "" };
-        println!("    {code:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}{rule}");
+        let rule = if BY_RULE.contains(code) {
+            "   by rule"
+        } else {
+            ""
+        };
+        println!(
+            "    {code:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}{rule}"
+        );
         (0..5).for_each(|at| total[at] += counts[at]);
     }
     let [broke, lied, unwritable, unmatched, survived] = total;
-    println!("    {:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}", "all");
+    println!(
+        "    {:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}",
+        "all"
+    );
     println!("    matches rewritten literally         {rejected_runs:>7}");
-    let slowest = judged.iter().max_by_key(|judged| judged.time).expect("some op");
+    let slowest = judged
+        .iter()
+        .max_by_key(|judged| judged.time)
+        .expect("some op");
     println!("  slowest proof: {} ms", slowest.time.as_millis());
     if std::env::var_os("HEDGEROW_SURVIVORS").is_some() {
         println!("slowest:\n{}", slowest.text);
@@ -661,7 +745,10 @@ fn report(judged: &[Judged]) {
                 all
             };
             for judged in shortest.iter().take(number("HEDGEROW_SURVIVORS", 1)) {
-                println!("rejected as {code}, but no mesh breaks ({} matches):\n{}", judged.matches, judged.text);
+                println!(
+                    "rejected as {code}, but no mesh breaks ({} matches):\n{}",
+                    judged.matches, judged.text
+                );
             }
         }
     }

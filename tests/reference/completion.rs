@@ -59,16 +59,27 @@ impl<'a> Sketch<'a> {
     fn new(rule: &'a Rule) -> Self {
         let unnamed = 3;
         let closed = |vertex: usize| {
-            let star = rule.before.stars.iter().find(|star| star.vertex.name.index() == vertex);
+            let star = rule
+                .before
+                .stars
+                .iter()
+                .find(|star| star.vertex.name.index() == vertex);
             star.is_some_and(|star| {
-                star.spokes.iter().all(|spoke| matches!(spoke, Spoke::Halfedge(_)))
+                star.spokes
+                    .iter()
+                    .all(|spoke| matches!(spoke, Spoke::Halfedge(_)))
             })
         };
         let mut drawn: Vec<usize> = Vec::new();
         for orbit in &rule.before.loops {
             drawn.extend(orbit.items.iter().map(|item| item.from.name.index()));
         }
-        drawn.extend(rule.before.stars.iter().map(|star| star.vertex.name.index()));
+        drawn.extend(
+            rule.before
+                .stars
+                .iter()
+                .map(|star| star.vertex.name.index()),
+        );
         drawn.sort();
         drawn.dedup();
         drawn.retain(|&vertex| !closed(vertex));
@@ -85,7 +96,13 @@ impl<'a> Sketch<'a> {
     }
 
     fn add(&mut self, origin: usize, target: usize) -> usize {
-        self.halves.push(Half { origin, target, twin: None, next: None, hole: None });
+        self.halves.push(Half {
+            origin,
+            target,
+            twin: None,
+            next: None,
+            hole: None,
+        });
         self.halves.len() - 1
     }
 
@@ -97,7 +114,11 @@ impl<'a> Sketch<'a> {
 
     fn some_vertex(&mut self, random: &mut Random) -> usize {
         let unnamed = self.labels - 1 - random.below(3);
-        if random.once_in(2) { *random.pick(&self.open).unwrap_or(&unnamed) } else { unnamed }
+        if random.once_in(2) {
+            *random.pick(&self.open).unwrap_or(&unnamed)
+        } else {
+            unnamed
+        }
     }
 
     fn loops(&mut self, random: &mut Random) -> Option<()> {
@@ -146,7 +167,9 @@ impl<'a> Sketch<'a> {
     /// The number of an outer halfedge: new, or one that lies on a path.
     fn outer(&mut self, name: NameId, ends: [usize; 2], random: &mut Random) -> Option<usize> {
         let half = match random.once_in(2) {
-            true => self.on_a_path(ends, random).unwrap_or_else(|| self.add(ends[0], ends[1])),
+            true => self
+                .on_a_path(ends, random)
+                .unwrap_or_else(|| self.add(ends[0], ends[1])),
             false => self.add(ends[0], ends[1]),
         };
         self.name(name, half)?;
@@ -162,7 +185,10 @@ impl<'a> Sketch<'a> {
         };
         // Vertices inside of paths may still be moved.
         let prev_of = |sketch: &Self, half: usize| {
-            on_paths.iter().copied().find(|&other| is_between(sketch, other) == Some(half))
+            on_paths
+                .iter()
+                .copied()
+                .find(|&other| is_between(sketch, other) == Some(half))
         };
         let mut candidates = on_paths.clone();
         random.shuffle(&mut candidates);
@@ -224,9 +250,9 @@ impl<'a> Sketch<'a> {
                 [None, None] => {
                     let [from, to] = [left, right].map(|name| {
                         let star = self.rule.before.stars.iter().find(|star| {
-                            star.spokes.iter().any(|spoke| {
-                                matches!(spoke, Spoke::Halfedge(half) if half.name == name)
-                            })
+                            star.spokes.iter().any(
+                                |spoke| matches!(spoke, Spoke::Halfedge(half) if half.name == name),
+                            )
                         });
                         star.map(|star| star.vertex.name.index())
                     });
@@ -255,7 +281,9 @@ impl<'a> Sketch<'a> {
     fn stars(&mut self, random: &mut Random) -> Option<()> {
         for star in &self.rule.before.stars {
             for spoke in &star.spokes {
-                let Spoke::Halfedge(name) = spoke else { continue };
+                let Spoke::Halfedge(name) = spoke else {
+                    continue;
+                };
                 let vertex = star.vertex.name.index();
                 match self.named[name.name.index()] {
                     Some(half) if self.halves[half].origin != vertex => return None,
@@ -272,8 +300,9 @@ impl<'a> Sketch<'a> {
 
     /// Pairs what has no twin, with one another or with something new.
     fn twins(&mut self, random: &mut Random) {
-        let mut open: Vec<_> =
-            (0..self.halves.len()).filter(|&half| self.halves[half].twin.is_none()).collect();
+        let mut open: Vec<_> = (0..self.halves.len())
+            .filter(|&half| self.halves[half].twin.is_none())
+            .collect();
         random.shuffle(&mut open);
         while let Some(half) = open.pop() {
             let Half { origin, target, .. } = self.halves[half];
@@ -312,7 +341,9 @@ impl<'a> Sketch<'a> {
             matches!(free, [None, None]) || free == [Some(to), Some(from)]
         };
         for half in 0..count {
-            let Some(next) = self.halves[half].next else { continue };
+            let Some(next) = self.halves[half].next else {
+                continue;
+            };
             if !state(next, self.halves[half].twin?) {
                 return None;
             }
@@ -329,8 +360,9 @@ impl<'a> Sketch<'a> {
             }
         }
         for vertex in 0..self.labels {
-            let spokes: Vec<_> =
-                (0..count).filter(|&half| self.halves[half].origin == vertex).collect();
+            let spokes: Vec<_> = (0..count)
+                .filter(|&half| self.halves[half].origin == vertex)
+                .collect();
             if spokes.is_empty() {
                 continue;
             }
@@ -347,7 +379,9 @@ impl<'a> Sketch<'a> {
             if seen < spokes.len() {
                 // A ring that is closed already, and has to be everything.
                 let mut ring = vec![spokes[0]];
-                while let Some(next) = succeeds[ring[ring.len() - 1]].filter(|&next| next != ring[0]) {
+                while let Some(next) =
+                    succeeds[ring[ring.len() - 1]].filter(|&next| next != ring[0])
+                {
                     ring.push(next);
                 }
                 if seen > 0 || ring.len() < spokes.len() || !self.agrees(vertex, &ring) {
@@ -368,7 +402,12 @@ impl<'a> Sketch<'a> {
 
     /// Whether the ring of a vertex is as its statement says.
     fn agrees(&self, vertex: usize, ring: &[usize]) -> bool {
-        let star = self.rule.before.stars.iter().find(|star| star.vertex.name.index() == vertex);
+        let star = self
+            .rule
+            .before
+            .stars
+            .iter()
+            .find(|star| star.vertex.name.index() == vertex);
         let Some(star) = star else { return true };
         let listed: Vec<_> = star
             .spokes
@@ -381,7 +420,9 @@ impl<'a> Sketch<'a> {
         fn lies(listed: &[Option<usize>], ring: &[usize]) -> bool {
             match (listed, ring) {
                 ([], ring) => ring.is_empty(),
-                ([Some(half), listed @ ..], [spoke, ring @ ..]) => half == spoke && lies(listed, ring),
+                ([Some(half), listed @ ..], [spoke, ring @ ..]) => {
+                    half == spoke && lies(listed, ring)
+                }
                 ([Some(_), ..], []) => false,
                 ([None, rest @ ..], ring) => {
                     lies(rest, ring) || (!ring.is_empty() && lies(listed, &ring[1..]))
@@ -393,7 +434,11 @@ impl<'a> Sketch<'a> {
 
     fn finish(&self, spokes: &[usize], random: &mut Random) -> Option<Completion> {
         let count = self.halves.len();
-        let twin: Vec<_> = self.halves.iter().map(|half| half.twin).collect::<Option<_>>()?;
+        let twin: Vec<_> = self
+            .halves
+            .iter()
+            .map(|half| half.twin)
+            .collect::<Option<_>>()?;
         // The next spoke of h is h.prev.twin, so h follows the twin of its next spoke.
         let mut next = vec![0; count];
         for half in 0..count {
@@ -426,7 +471,10 @@ impl<'a> Sketch<'a> {
         }
         // A loop that is one path has no halfedge of a name: its face is not told.
         for orbit in &self.rule.before.loops {
-            let half = orbit.items.iter().find_map(|item| self.named[item.item.name.index()]);
+            let half = orbit
+                .items
+                .iter()
+                .find_map(|item| self.named[item.item.name.index()]);
             if let Some(half) = half {
                 elements[orbit.face.name.index()] = Some(mesh.face(id(half)).0);
             }

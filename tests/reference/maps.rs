@@ -32,19 +32,25 @@ pub fn mesh_of(next: &[usize], twin: &[usize], holes: &mut dyn FnMut(usize) -> b
             let face = mesh.add_face();
             mesh.set_face_halfedge(face, id(half));
             mesh.set_hole(face, holes(half));
-            orbit(half, &|h| next[h]).into_iter().for_each(|h| mesh.set_face(id(h), face));
+            orbit(half, &|h| next[h])
+                .into_iter()
+                .for_each(|h| mesh.set_face(id(h), face));
         }
         if mesh.edge(id(half)).is_none() {
             let edge = mesh.add_edge();
             mesh.set_edge_halfedge(edge, id(half));
-            orbit(half, &|h| twin[h]).into_iter().for_each(|h| mesh.set_edge(id(h), edge));
+            orbit(half, &|h| twin[h])
+                .into_iter()
+                .for_each(|h| mesh.set_edge(id(h), edge));
         }
         if mesh.vertex(id(half)).is_none() {
             let vertex = mesh.add_vertex();
             let at = f64::from(vertex.0);
             mesh.set_position(vertex, DVec3::new(at, (3.0 * at).sin(), (5.0 * at).cos()));
             mesh.set_vertex_halfedge(vertex, id(half));
-            orbit(half, &|h| twin[prev[h]]).into_iter().for_each(|h| mesh.set_vertex(id(h), vertex));
+            orbit(half, &|h| twin[prev[h]])
+                .into_iter()
+                .for_each(|h| mesh.set_vertex(id(h), vertex));
         }
     }
     mesh

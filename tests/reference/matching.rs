@@ -32,7 +32,9 @@ pub fn matches(rule: &Rule, mesh: &Mesh, bound: &[(NameId, u32)], most: usize) -
         found: Vec::new(),
         most,
     };
-    let all = bound.iter().all(|&(name, element)| search.bind(name, element).is_some());
+    let all = bound
+        .iter()
+        .all(|&(name, element)| search.bind(name, element).is_some());
     if all {
         search.statement();
     }
@@ -42,7 +44,9 @@ pub fn matches(rule: &Rule, mesh: &Mesh, bound: &[(NameId, u32)], most: usize) -
 /// For each parameter that the rule draws, its name and the element given.
 pub fn bound_by(rule: &Rule, arguments: &[u32]) -> Vec<(NameId, u32)> {
     let params = rule.params.iter().zip(arguments);
-    params.filter_map(|(name, &element)| Some(((*name)?, element))).collect()
+    params
+        .filter_map(|(name, &element)| Some(((*name)?, element)))
+        .collect()
 }
 
 #[derive(Clone, Copy)]
@@ -78,9 +82,14 @@ impl<'a> Search<'a> {
             Some(known) => (known == element).then_some(None),
             None => {
                 let kind = self.rule.kind(name);
-                let taken = self.state.elements.iter().enumerate().any(|(other, bound)| {
-                    *bound == Some(element) && self.rule.names[other].kind == kind
-                });
+                let taken = self
+                    .state
+                    .elements
+                    .iter()
+                    .enumerate()
+                    .any(|(other, bound)| {
+                        *bound == Some(element) && self.rule.names[other].kind == kind
+                    });
                 if taken {
                     return None;
                 }
@@ -129,16 +138,34 @@ impl<'a> Search<'a> {
         };
         let before = &self.rule.before;
         let is_bound = |name: NameId| usize::from(self.element(name).is_some());
-        for (at, edge) in before.edges.iter().enumerate().filter(|&(at, _)| !self.edges[at]) {
+        for (at, edge) in before
+            .edges
+            .iter()
+            .enumerate()
+            .filter(|&(at, _)| !self.edges[at])
+        {
             let [left, right] = edge.halfedges.map(|half| is_bound(half.name));
-            offer(4 * (left | right) + 2 * is_bound(edge.edge.name), Statement::Edge(at));
+            offer(
+                4 * (left | right) + 2 * is_bound(edge.edge.name),
+                Statement::Edge(at),
+            );
         }
-        for (at, orbit) in before.loops.iter().enumerate().filter(|&(at, _)| !self.loops[at]) {
+        for (at, orbit) in before
+            .loops
+            .iter()
+            .enumerate()
+            .filter(|&(at, _)| !self.loops[at])
+        {
             let item = orbit.items.iter().any(|item| is_bound(item.item.name) == 1);
             let score = 3 * usize::from(item) + is_bound(orbit.face.name);
             offer(score, Statement::Loop(at));
         }
-        for (at, star) in before.stars.iter().enumerate().filter(|&(at, _)| !self.stars[at]) {
+        for (at, star) in before
+            .stars
+            .iter()
+            .enumerate()
+            .filter(|&(at, _)| !self.stars[at])
+        {
             let spoke = star.spokes.iter().any(|spoke| match spoke {
                 Spoke::Halfedge(half) => is_bound(half.name) == 1,
                 Spoke::Fan(_) | Spoke::Rest(_) => false,
@@ -215,7 +242,9 @@ impl<'a> Search<'a> {
                 continue;
             }
             let cycle: Vec<_> = mesh.loop_from(start).collect();
-            self.with(orbit.face.name, face.0, |this| this.item(orbit, &cycle, [first, 0, 0]));
+            self.with(orbit.face.name, face.0, |this| {
+                this.item(orbit, &cycle, [first, 0, 0])
+            });
         }
     }
 
@@ -258,10 +287,15 @@ impl<'a> Search<'a> {
             Spoke::Halfedge(half) => Some(half.name),
             Spoke::Fan(_) | Spoke::Rest(_) => None,
         };
-        let known = star.spokes.iter().position(|spoke| {
-            halfedge(spoke).is_some_and(|half| self.element(half).is_some())
-        });
-        let named = || star.spokes.iter().position(|spoke| halfedge(spoke).is_some());
+        let known = star
+            .spokes
+            .iter()
+            .position(|spoke| halfedge(spoke).is_some_and(|half| self.element(half).is_some()));
+        let named = || {
+            star.spokes
+                .iter()
+                .position(|spoke| halfedge(spoke).is_some())
+        };
         let first = known.or_else(named).unwrap_or(0);
         let known = halfedge(&star.spokes[first]).and_then(|half| self.element(half));
         let vertex = self.element(star.vertex.name).map(VertexId);
@@ -284,7 +318,9 @@ impl<'a> Search<'a> {
             .filter(|&v| mesh.vertex_halfedge(v).is_none() && vertex.is_none_or(|known| known == v))
             .collect();
         for vertex in isolated {
-            self.with(star.vertex.name, vertex.0, |this| this.spoke(star, &[], [first, 0, 0]));
+            self.with(star.vertex.name, vertex.0, |this| {
+                this.spoke(star, &[], [first, 0, 0])
+            });
         }
     }
 
@@ -300,7 +336,9 @@ impl<'a> Search<'a> {
         match star.spokes[(first + placed) % count] {
             Spoke::Halfedge(half) => {
                 if used < ring.len() {
-                    self.with(half.name, ring[used].0, |this| this.spoke(star, ring, on(used + 1)));
+                    self.with(half.name, ring[used].0, |this| {
+                        this.spoke(star, ring, on(used + 1))
+                    });
                 }
             }
             Spoke::Fan(fan) => {
@@ -331,12 +369,13 @@ impl<'a> Search<'a> {
         self.rule.before.stars.iter().all(|star| {
             let vertex = self.element(star.vertex.name);
             self.rule.names_of(Kind::Halfedge).all(|half| {
-                let starts_here = self.element(half).is_some_and(|bound| {
-                    Some(self.mesh.vertex(HalfedgeId(bound)).0) == vertex
-                });
-                let listed = star.spokes.iter().any(|spoke| {
-                    matches!(spoke, Spoke::Halfedge(listed) if listed.name == half)
-                });
+                let starts_here = self
+                    .element(half)
+                    .is_some_and(|bound| Some(self.mesh.vertex(HalfedgeId(bound)).0) == vertex);
+                let listed = star
+                    .spokes
+                    .iter()
+                    .any(|spoke| matches!(spoke, Spoke::Halfedge(listed) if listed.name == half));
                 !starts_here || listed
             })
         })
@@ -344,7 +383,8 @@ impl<'a> Search<'a> {
 
     /// A match where a loop of `after` would consist of empty paths only is refused.
     fn no_loop_is_left_empty(&self) -> bool {
-        let empty = |name: NameId| matches!(&self.state.runs[name.index()], Some(run) if run.is_empty());
+        let empty =
+            |name: NameId| matches!(&self.state.runs[name.index()], Some(run) if run.is_empty());
         self.rule.after.loops.iter().all(|orbit| {
             let items = orbit.items.iter().map(|item| item.item.name);
             orbit.items.is_empty() || !items.into_iter().all(empty)

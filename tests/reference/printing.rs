@@ -50,7 +50,11 @@ fn side(rule: &Rule, side: &Side, text: &mut String) {
         };
         write!(text, "    {keyword} {}:", word(rule, orbit.face.name)).expect("a string");
         for item in &orbit.items {
-            let bar = if rule.kind(item.item.name) == Kind::Path { '=' } else { '-' };
+            let bar = if rule.kind(item.item.name) == Kind::Path {
+                '='
+            } else {
+                '-'
+            };
             let (from, name) = (word(rule, item.from.name), word(rule, item.item.name));
             write!(text, " {from} {bar}{name}{bar}>").expect("a string");
         }
@@ -58,7 +62,12 @@ fn side(rule: &Rule, side: &Side, text: &mut String) {
     }
     for edge in &side.edges {
         let [left, right] = edge.halfedges.map(|half| word(rule, half.name));
-        writeln!(text, "    edge {}: {left} | {right}", word(rule, edge.edge.name)).expect("a string");
+        writeln!(
+            text,
+            "    edge {}: {left} | {right}",
+            word(rule, edge.edge.name)
+        )
+        .expect("a string");
     }
     for star in &side.stars {
         write!(text, "    vertex {}:", word(rule, star.vertex.name)).expect("a string");
@@ -79,11 +88,20 @@ pub fn mesh_text(mesh: &Mesh) -> String {
     let mut text = String::new();
     for h in mesh.halfedges() {
         let r = mesh.halfedge(h);
-        let hole = if mesh.get_is_hole(r.face) == Some(true) { " (hole)" } else { "" };
+        let hole = if mesh.get_is_hole(r.face) == Some(true) {
+            " (hole)"
+        } else {
+            ""
+        };
         writeln!(
             text,
             "  h{}: next h{} twin h{} vertex v{} edge e{} face f{}{hole}",
-            h.0, r.next.0 as i32, r.twin.0 as i32, r.vertex.0 as i32, r.edge.0 as i32, r.face.0 as i32
+            h.0,
+            r.next.0 as i32,
+            r.twin.0 as i32,
+            r.vertex.0 as i32,
+            r.edge.0 as i32,
+            r.face.0 as i32
         )
         .expect("a string");
     }

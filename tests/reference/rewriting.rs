@@ -27,14 +27,21 @@ pub struct Rewritten {
 
 /// The rewrite of a match; `None` if `after` uses a name that nothing binds.
 pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Rewritten> {
-    let mut rewrite = Rewrite { rule, mesh: mesh.clone(), at: at.clone() };
+    let mut rewrite = Rewrite {
+        rule,
+        mesh: mesh.clone(),
+        at: at.clone(),
+    };
     let positions = rewrite.positions();
     rewrite.allocate();
     rewrite.reassign()?;
     rewrite.place(&positions)?;
     rewrite.erase();
     rewrite.point_at_halfedges();
-    Some(Rewritten { mesh: rewrite.mesh, at: rewrite.at })
+    Some(Rewritten {
+        mesh: rewrite.mesh,
+        at: rewrite.at,
+    })
 }
 
 struct Rewrite<'a> {
@@ -169,11 +176,20 @@ impl Rewrite<'_> {
     fn outer_origins(&mut self) -> Option<()> {
         let after = &self.rule.after;
         let in_a_loop = |name: NameId| {
-            after.loops.iter().flat_map(|orbit| &orbit.items).any(|item| item.item.name == name)
+            after
+                .loops
+                .iter()
+                .flat_map(|orbit| &orbit.items)
+                .any(|item| item.item.name == name)
         };
-        for outer in self.rule.names_of(Kind::Halfedge).filter(|&name| !in_a_loop(name)) {
+        for outer in self
+            .rule
+            .names_of(Kind::Halfedge)
+            .filter(|&name| !in_a_loop(name))
+        {
             let listed = after.stars.iter().find(|star| {
-                let here = |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(half) if half.name == outer);
+                let here =
+                    |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(half) if half.name == outer);
                 star.spokes.iter().any(here)
             });
             let twin = after.edges.iter().find_map(|edge| {
@@ -192,7 +208,8 @@ impl Rewrite<'_> {
                 })
             });
             if let Some(origin) = listed.map(|star| star.vertex.name).or(twin_ends) {
-                self.mesh.set_vertex(self.halfedge(outer)?, self.vertex(origin)?);
+                self.mesh
+                    .set_vertex(self.halfedge(outer)?, self.vertex(origin)?);
             }
         }
         Some(())
@@ -284,9 +301,18 @@ impl Rewrite<'_> {
     ) {
         for half in halfedges {
             let record = self.mesh.halfedge(half);
-            vertices.iter_mut().filter(|(v, _)| *v == record.vertex).for_each(|(_, h)| *h = half);
-            edges.iter_mut().filter(|(e, _)| *e == record.edge).for_each(|(_, h)| *h = half);
-            faces.iter_mut().filter(|(f, _)| *f == record.face).for_each(|(_, h)| *h = half);
+            vertices
+                .iter_mut()
+                .filter(|(v, _)| *v == record.vertex)
+                .for_each(|(_, h)| *h = half);
+            edges
+                .iter_mut()
+                .filter(|(e, _)| *e == record.edge)
+                .for_each(|(_, h)| *h = half);
+            faces
+                .iter_mut()
+                .filter(|(f, _)| *f == record.face)
+                .for_each(|(_, h)| *h = half);
         }
     }
 }

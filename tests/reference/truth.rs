@@ -11,7 +11,10 @@ use super::rewriting::Rewritten;
 /// The first thing that `after` says and that is not so.
 pub fn untrue(rule: &Rule, result: &Rewritten) -> Option<String> {
     let truth = Truth { rule, result };
-    truth.loops().or_else(|| truth.edges()).or_else(|| truth.stars())
+    truth
+        .loops()
+        .or_else(|| truth.edges())
+        .or_else(|| truth.stars())
 }
 
 struct Truth<'a> {
@@ -76,12 +79,16 @@ impl Truth<'_> {
         let mesh = &self.result.mesh;
         for statement in &self.rule.after.edges {
             let edge = EdgeId(self.element(statement.edge.name));
-            let [left, right] =
-                statement.halfedges.map(|half| HalfedgeId(self.element(half.name)));
+            let [left, right] = statement
+                .halfedges
+                .map(|half| HalfedgeId(self.element(half.name)));
             let paired = mesh.get_twin(left) == Some(right) && mesh.get_twin(right) == Some(left);
             let both = mesh.get_edge(left) == Some(edge) && mesh.get_edge(right) == Some(edge);
             if !paired || !both {
-                return Some(format!("the edge {} is another", self.word(statement.edge.name)));
+                return Some(format!(
+                    "the edge {} is another",
+                    self.word(statement.edge.name)
+                ));
             }
         }
         None
@@ -102,7 +109,9 @@ impl Truth<'_> {
             });
             if !turned.any(|ring| self.lies(star, 0, &ring)) {
                 let word = self.word(star.vertex.name);
-                return Some(format!("the spokes of {word} are others, or in another order"));
+                return Some(format!(
+                    "the spokes of {word} are others, or in another order"
+                ));
             }
         }
         None
@@ -116,7 +125,9 @@ impl Truth<'_> {
     /// Whether the spokes of a star from one on are the ring. The spokes of a fan stay together,
     /// but two pieces of one may have changed places.
     fn lies(&self, star: &Star, at: usize, ring: &[HalfedgeId]) -> bool {
-        let Some(spoke) = star.spokes.get(at) else { return ring.is_empty() };
+        let Some(spoke) = star.spokes.get(at) else {
+            return ring.is_empty();
+        };
         match *spoke {
             Spoke::Halfedge(half) => match ring {
                 [first, ring @ ..] => {
@@ -133,7 +144,10 @@ impl Truth<'_> {
                 }
             }
             Spoke::Rest(_) => {
-                let unnamed = ring.iter().take_while(|&&half| !self.is_named(half)).count();
+                let unnamed = ring
+                    .iter()
+                    .take_while(|&&half| !self.is_named(half))
+                    .count();
                 (0..=unnamed).any(|length| self.lies(star, at + 1, &ring[length..]))
             }
         }
