@@ -30,7 +30,10 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
-                say(&show(&path.display().to_string(), &verdicts));
+                let unread = verdicts.is_empty() && !program.analysis.is_sound();
+                if !unread {
+                    say(&show(&path.display().to_string(), &verdicts));
+                }
             }
             Format::Json => files.push(FileReport {
                 file: path.display().to_string(),

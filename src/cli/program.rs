@@ -25,7 +25,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
             .count()
             + 1;
         Failure::usage(format!(
-            "`{shown}` is not UTF-8 text: line {line} has a byte that is none"
+            "`{shown}` is not UTF-8 text: see line {line}"
         ))
     })?;
     if u32::try_from(text.len()).is_err() {
