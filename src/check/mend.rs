@@ -28,7 +28,13 @@ pub(super) fn add_fixes(
         };
         // Problems of a later law may come to light once the names are in order; that does
         // not make the fix wrong, but no longer surely right.
-        left.iter().all(known).then(|| remedy.fix(rule))
+        // What seems to have been forgotten may have been meant where something else is
+        // wrong: nothing is erased before all the rest is right.
+        let good = match remedy {
+            Remedy::Erase(_) => left.is_empty(),
+            Remedy::Keep(_) | Remedy::Pair { .. } => left.iter().all(known),
+        };
+        good.then(|| remedy.fix(rule))
     };
     let mut diagnostics = Vec::new();
     for (at, problem) in problems.into_iter().enumerate() {

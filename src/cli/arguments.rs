@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
-#[command(name = "hedgerow", version, about, after_help = EXIT_CODES)]
+#[command(name = "hedgerow", version, after_help = EXIT_CODES)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
@@ -61,7 +61,7 @@ pub(super) struct RunArguments {
     /// The mesh to run it on (.obj)
     pub mesh: PathBuf,
     /// Where to write the result (.obj)
-    #[arg(short, long)]
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -78,15 +78,21 @@ pub(super) struct ApplyArguments {
     pub op: String,
     /// The mesh (.obj)
     pub mesh: PathBuf,
-    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N, with the file's 1-based
-    /// numbers; by name if the operation has several, as in a=halfedge:1-2
-    #[arg(long = "at", value_name = "[NAME=]PLACE", required = true)]
+    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
+    /// with the numbers of the file, from 1; if the operation
+    /// has several, each by its name: --at a=halfedge:1-2
+    #[arg(
+        long = "at",
+        value_name = "[NAME=]PLACE",
+        required = true,
+        verbatim_doc_comment
+    )]
     pub at: Vec<String>,
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Where to write the result (.obj)
-    #[arg(short, long)]
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]

@@ -32,11 +32,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
-                say(&show(
-                    &path.display().to_string(),
-                    &verdicts,
-                    arguments.verbose,
-                ));
+                let unread = verdicts.is_empty() && !program.analysis.is_sound();
+                if !unread {
+                    let file = path.display().to_string();
+                    say(&show(&file, &verdicts, arguments.verbose));
+                }
             }
             Format::Json => files.push(FileReport {
                 file: path.display().to_string(),
