@@ -28,6 +28,8 @@ pub(super) enum Command {
     Plan(PlanArguments),
     /// Describe a mesh
     Info(InfoArguments),
+    /// Say what a diagnostic means, and what mends it
+    Explain(ExplainArguments),
 }
 
 /// What the answer looks like.
@@ -113,4 +115,10 @@ pub(super) struct InfoArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ExplainArguments {
+    /// The code in brackets, as in error[missing-reassignment]; without one, all are listed
+    pub code: Option<String>,
 }

@@ -9,6 +9,7 @@ mod apply;
 mod arguments;
 mod check;
 mod counts;
+mod explain;
 mod failure;
 mod info;
 mod meshes;
@@ -39,6 +40,7 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
+        Command::Explain(arguments) => explain::explain(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),
         Command::Run(arguments) => run::run(&arguments),
     };
