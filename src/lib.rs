@@ -5,6 +5,7 @@ pub mod cli;
 pub mod compile;
 pub mod diagnostic;
 pub mod diagram;
+pub mod draw;
 pub mod mesh;
 pub mod resolve;
 pub mod rewrite;

@@ -28,6 +28,8 @@ pub(super) enum Command {
     Plan(PlanArguments),
     /// Describe a mesh
     Info(InfoArguments),
+    /// Draw an operation, before and after
+    Draw(DrawArguments),
 }
 
 /// What the answer looks like.
@@ -104,4 +106,14 @@ pub(super) struct InfoArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct DrawArguments {
+    /// A program, and the operation in it if there are several
+    #[arg(value_name = "FILE[::OP]")]
+    pub op: String,
+    /// Where to write the picture (.svg or .png)
+    #[arg(short, long)]
+    pub output: PathBuf,
 }

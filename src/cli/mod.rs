@@ -8,6 +8,7 @@
 mod apply;
 mod arguments;
 mod check;
+mod draw;
 mod failure;
 mod info;
 mod output;
@@ -37,6 +38,7 @@ pub fn main() -> ExitCode {
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),
+        Command::Draw(arguments) => draw::draw(&arguments),
         Command::Run(_) => Ok(()),
     };
     match done {

@@ -73,8 +73,13 @@ pub fn assert_told(text: &str, expected: &str) {
 
 /// A text without the margin of its first line and without empty lines around it.
 pub fn without_margin(text: &str) -> String {
-    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
-    let margin = lines.first().map_or(0, |line| line.len() - line.trim_start().len());
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.trim().is_empty())
+        .collect();
+    let margin = lines
+        .first()
+        .map_or(0, |line| line.len() - line.trim_start().len());
     let mut plain = String::new();
     for line in lines {
         plain += line.get(margin..).unwrap_or(line.trim_start());

@@ -1,0 +1,32 @@
+//! Diagrams and small meshes as pictures.
+//!
+//! [`draw_op`] makes a [`Picture`] of an operation as a textbook has it: before and after side
+//! by side, the same vertex at the same place, halfedges as arrows inside their faces, and
+//! what is kept, reassigned, new and erased told apart by colour and by stroke. A picture is
+//! written as SVG or PNG. Texts are outlines of letters that come along, so no fonts are
+//! needed. Nothing is assumed of a drawing, proved or not: there is always a picture.
+
+// What is drawn.
+mod assigned;
+mod figure;
+mod outer;
+mod place;
+mod status;
+
+// How it is drawn.
+mod curve;
+mod fan;
+mod hatch;
+mod letters;
+mod panel;
+mod room;
+mod shape;
+mod sheet;
+
+// What it is written as.
+mod png;
+mod svg;
+
+pub use png::TooLarge;
+pub use shape::{Picture, TextBox};
+pub use sheet::draw_op;
