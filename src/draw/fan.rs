@@ -10,11 +10,13 @@ const FREE: f64 = 0.5;
 const WIDEST: f64 = 2.0;
 
 /// For each fan of a vertex with a name the angles it spreads between. `drawn` are the
-/// directions of all that is drawn there, `spoke` tells that of a halfedge.
+/// directions of all that is drawn there, `spoke` tells that of a halfedge, `wish` one that a
+/// fan would like.
 pub(super) fn fans(
     star: &Star,
     drawn: &[f64],
     spoke: impl Fn(NameId) -> Option<f64>,
+    wish: impl Fn(NameId) -> Option<f64>,
 ) -> Vec<(NameId, [f64; 2])> {
     let known = |at: usize| match star.spokes[at] {
         Spoke::Halfedge(name) => spoke(name.name),
@@ -41,10 +43,20 @@ pub(super) fn fans(
             .collect();
         cuts.extend([0.0, width]);
         cuts.sort_by(f64::total_cmp);
-        let mut best = (0.0, width);
+        let worth = |pair: &[f64]| {
+            let gap = (pair[1] - pair[0]).min(WIDEST);
+            let middle = from + (pair[0] + pair[1]) / 2.0;
+            let off = wish(fan.name).map_or(0.0, |wish| {
+                let off = turn(wish, middle);
+                off.min(TAU - off)
+            });
+            if gap < 0.5 { gap - TAU } else { gap - 0.8 * off }
+        };
+        let mut best = (0.0, width, f64::MIN);
         for pair in cuts.windows(2) {
-            if pair[1] - pair[0] > best.1 - best.0 + 1e-6 || best == (0.0, width) {
-                best = (pair[0], pair[1]);
+            let worth = worth(pair);
+            if worth > best.2 + 1e-6 {
+                best = (pair[0], pair[1], worth);
             }
         }
         let middle = from + (best.0 + best.1) / 2.0;

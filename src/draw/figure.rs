@@ -1,7 +1,7 @@
 //! A rule as figures: nodes to be placed, strands between them, loops along the strands.
 //!
-//! A strand is an edge, with one halfedge or two, or a path. A path bends at two nodes of
-//! its own; so does an edge from a vertex to itself; edges between the same two vertices bend
+//! A strand is an edge, with one halfedge or two, or a path. A path bends at three nodes of
+//! its own, an edge from a vertex to itself at two; edges between the same two vertices bend
 //! at one each. The nodes of both sides are numbered together, so that what is on both sides
 //! has one place. Nothing is assumed of the drawing: a name that stands twice is taken where
 //! it stands first, and an end that nothing tells is a loose node.
@@ -290,14 +290,15 @@ impl<'a> Figure<'a> {
                 let mut strands = earlier.strands.iter();
                 strands.find(|other| {
                     let same = other.items == strand.items && other.key() == strand.key();
-                    same && (strand.is_path || other.ends() == strand.ends())
+                    same && other.ends() == strand.ends()
                 })
             });
             let bends = match known {
                 Some(known) => known.nodes[1..known.nodes.len() - 1].to_vec(),
                 None => {
                     let count = match () {
-                        () if strand.is_path || from == to => 2,
+                        () if strand.is_path => 3,
+                        () if from == to => 2,
                         () if parallel > 1 => 1,
                         () => 0,
                     };

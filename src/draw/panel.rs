@@ -18,18 +18,25 @@ use crate::diagram::{Kind, LoopKind, NameId};
 const ASIDE: f64 = 10.0;
 /// The radius of a vertex.
 const DOT: f64 = 4.5;
+/// How far a fan reaches.
+const FAN: f64 = 34.0;
 /// The size of the letters.
 pub(super) const LETTERS: f64 = 17.0;
 const SMALL_LETTERS: f64 = 14.0;
+/// How finely a face is searched for room.
+const GRID: u32 = 24;
 
 /// A side while it is drawn.
 pub(super) struct Panel<'a> {
     figure: &'a Figure<'a>,
     side: &'a Side,
     is_after: bool,
+    earlier: Vec<(usize, NameId, [f64; 2])>,
     places: &'a [DVec2],
     curves: Vec<Curve>,
     prefix: String,
+    /// The fans at each node, and the angles they spread between.
+    fans: Vec<(usize, NameId, [f64; 2])>,
     groups: Vec<Group>,
     texts: Vec<Text>,
     /// What is drawn where.
@@ -43,12 +50,19 @@ struct Text {
     label: Label,
     spots: Vec<Spot>,
     ink: Ink,
-    on_paper: bool,
+    /// What it is set off with from the lines below it.
+    ground: Option<Ink>,
 }
 
 impl<'a> Panel<'a> {
-    /// Draws everything but the texts.
-    pub fn new(figure: &'a Figure<'a>, is_after: bool, places: &'a [DVec2], prefix: &str) -> Self {
+    /// Draws everything but the texts: `before`, or `after` an earlier panel.
+    pub fn new(
+        figure: &'a Figure<'a>,
+        earlier: Option<&Panel>,
+        places: &'a [DVec2],
+        prefix: &str,
+    ) -> Self {
+        let is_after = earlier.is_some();
         let side = if is_after {
             &figure.after
         } else {
@@ -62,13 +76,16 @@ impl<'a> Panel<'a> {
             figure,
             side,
             is_after,
+            earlier: earlier.map_or_else(Vec::new, |panel| panel.fans.clone()),
             places,
             curves: side.strands.iter().map(curve).collect(),
             prefix: format!("{prefix}{}", if is_after { "after" } else { "before" }),
+            fans: Vec::new(),
             groups: Vec::new(),
             texts: Vec::new(),
             room: Room::default(),
         };
+        panel.fans = panel.spread();
         for orbit in &side.loops {
             panel.face(orbit);
         }
@@ -78,7 +95,7 @@ impl<'a> Panel<'a> {
         for at in 0..side.strands.len() {
             panel.items(at);
         }
-        panel.fans();
+        panel.draw_fans();
         panel
     }
 
@@ -136,12 +153,9 @@ impl<'a> Panel<'a> {
             let word = self.figure.drawing.rule.name(text.name).text.clone();
             self.room.put(&word, &text.label, at);
             let group = &mut self.groups[text.group];
-            if text.on_paper {
-                let half = text.label.half + DVec2::new(3.0, 0.0);
-                let corners = [(-1., -1.), (1., -1.), (1., 1.), (-1., 1.)];
-                let corners = corners.map(|(x, y)| at + half * DVec2::new(x, y));
-                group.fill(Path::around(&corners), Ink::Paper);
-                group.stroke(Path::around(&corners), Stroke::solid(Ink::Paper, 4.0));
+            if let Some(ground) = text.ground {
+                let halo = Stroke::solid(ground, 8.0);
+                group.stroke(text.label.path.moved(at), halo);
             }
             group.fill(text.label.path.moved(at), text.ink);
         }
@@ -178,8 +192,24 @@ impl<'a> Panel<'a> {
             label,
             spots,
             ink: Ink::Of(self.status(of)),
-            on_paper: word.kind == Kind::Edge,
+            ground: (word.kind == Kind::Edge).then(|| self.ground(of)),
         });
+    }
+
+    /// What lies on both sides of an edge.
+    fn ground(&self, edge: NameId) -> Ink {
+        let mut strands = self.side.strands.iter();
+        let at = strands.position(|strand| strand.edge == Some(edge));
+        let in_faces = |at: usize| {
+            let mut faces = self.side.loops.iter();
+            faces.any(|orbit| {
+                orbit.kind != LoopKind::Hole && orbit.darts.iter().any(|dart| dart.strand == at)
+            })
+        };
+        match at {
+            Some(at) if in_faces(at) => Ink::Face,
+            _ => Ink::Paper,
+        }
     }
 
     fn outline(&self, orbit: &Orbit) -> Vec<DVec2> {
@@ -205,7 +235,7 @@ impl<'a> Panel<'a> {
         let outline = self.outline(orbit);
         let is_hole = orbit.kind == LoopKind::Hole;
         let is_inside = area(&outline) > 0.0;
-        if is_inside {
+        if is_inside && !is_hole {
             self.groups[group].fill(Path::around(&outline), Ink::Face);
         }
         if is_hole {
@@ -235,7 +265,7 @@ impl<'a> Panel<'a> {
             }
         });
         if is_hole && let Some(text) = self.texts.last_mut() {
-            text.on_paper = true;
+            text.ground = Some(Ink::Paper);
         }
     }
 
@@ -256,7 +286,7 @@ impl<'a> Panel<'a> {
             },
         };
         let line = if strand.is_path {
-            curve.waved(3.2, 13.0)
+            curve.waved(2.4, 15.0)
         } else {
             curve.clone()
         };
@@ -267,7 +297,8 @@ impl<'a> Panel<'a> {
                 self.groups.len() - 1
             }
         };
-        draw(&mut self.groups[group], &line, status, 1.7);
+        let width = if strand.is_path { 1.2 } else { 1.7 };
+        draw(&mut self.groups[group], &line, status, width);
         self.room
             .draw(&curve, if strand.is_path { 4.0 } else { 1.5 });
         if let Some(edge) = strand.edge {
@@ -322,73 +353,96 @@ impl<'a> Panel<'a> {
             Some((orbit, at))
         });
         let Some((orbit, at)) = orbit else {
-            return [15.0, 15.0];
+            return self.outer_trims(dart);
         };
         let count = orbit.darts.len();
         let neighbor = |step: usize| self.along(orbit.darts[(at + step) % count]);
         let (here, before, behind) = (self.along(dart), neighbor(count - 1), neighbor(1));
-        let corner = |into: DVec2, out: DVec2| {
-            let open = turn(angle(out), angle(-into));
-            let trim = if open < PI {
-                (ASIDE + 1.0) / (open / 2.0).tan()
-            } else {
-                0.0
-            };
-            trim.clamp(7.0, 60.0)
-        };
+        let corner = |into: DVec2, out: DVec2| clear(turn(angle(out), angle(-into)));
         [
             corner(before.end_direction(), here.start_direction()) + 5.0,
             corner(here.end_direction(), behind.start_direction()) + 5.0,
         ]
     }
 
-    fn fans(&mut self) {
+    /// The same for a halfedge outside of all loops: up to the next spoke on its left.
+    fn outer_trims(&self, dart: Dart) -> [f64; 2] {
+        let curve = self.along(dart);
+        let nodes = self.side.nodes(dart);
+        let (start, end) = (angle(curve.start_direction()), angle(-curve.end_direction()));
+        let trim = |node: usize, open: &dyn Fn(f64) -> f64| {
+            let angles = self.directions(node);
+            let gap = angles.into_iter().map(open).fold(TAU, f64::min);
+            let mut fans = self.fans.iter().filter(|(at, ..)| *at == node);
+            let fan = fans.any(|(_, _, [from, to])| open((from + to) / 2.0) < gap && gap < PI);
+            clear(gap).max(if fan { FAN } else { 10.0 }) + 5.0
+        };
+        [
+            trim(nodes[0], &|other| turn(start, other)),
+            trim(nodes[nodes.len() - 1], &|other| turn(other, end)),
+        ]
+    }
+
+    /// Where the fans spread; one that has been drawn before, as near to there as may be.
+    fn spread(&self) -> Vec<(usize, NameId, [f64; 2])> {
         let view = if self.is_after {
             &self.figure.drawing.after
         } else {
             &self.figure.drawing.before
         };
+        let mut all = Vec::new();
         for star in &view.side().stars {
             let Some(node) = self.figure.vertex(star.vertex.name) else {
                 continue;
             };
-            let center = self.places[node];
             let spoke = |name: NameId| {
                 let dart = self.side.darts[name.index()]?;
                 Some(angle(self.along(dart).start_direction()))
             };
-            for (fan, [from, to]) in fans(star, &self.directions(node), spoke) {
-                let status = self.status(fan);
-                let group = self.group(fan);
-                let stubs = ((to - from) / 0.5).round().clamp(2.0, 5.0) as usize;
-                for stub in 0..=stubs {
-                    let angle = from + (to - from) * stub as f64 / stubs as f64;
-                    let way = direction(angle);
-                    let line = Curve::through([center + way * 9.0, center + way * 34.0]);
-                    let mut stroke = stroke(status, 1.3);
-                    stroke.dash = None;
-                    self.groups[group].stroke(Path::along(&line), stroke);
-                    self.room.draw(&line, 1.0);
-                }
-                let arc = Curve::arc(center, 22.0, from - 0.12, to + 0.12);
-                let mut band = stroke(status, 6.0);
-                band.opacity = 0.45;
-                band.dash = None;
-                self.groups[group].stroke(Path::along(&arc), band);
-                self.room.draw(&arc, 3.0);
-                self.text(group, fan, LETTERS, |label| {
-                    let spot = |step: usize| {
-                        let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
-                        let way =
-                            direction((from + to) / 2.0 + sign * 0.1 * step.div_ceil(2) as f64);
-                        Spot {
-                            at: center + way * (40.0 + reach(label.half, way)),
-                            cost: step as f64,
-                        }
-                    };
-                    (0..16).map(spot).collect()
-                });
+            let wish = |fan: NameId| {
+                let mut earlier = self.earlier.iter();
+                let (_, _, [from, to]) = earlier.find(|(_, name, _)| *name == fan)?;
+                Some((from + to) / 2.0)
+            };
+            let fans = fans(star, &self.directions(node), spoke, wish);
+            all.extend(fans.into_iter().map(|(fan, sector)| (node, fan, sector)));
+        }
+        all
+    }
+
+    fn draw_fans(&mut self) {
+        for (node, fan, [from, to]) in self.fans.clone() {
+            let center = self.places[node];
+            let status = self.status(fan);
+            let group = self.group(fan);
+            let stubs = ((to - from) / 0.5).round().clamp(2.0, 5.0) as usize;
+            for stub in 0..=stubs {
+                let angle = from + (to - from) * stub as f64 / stubs as f64;
+                let way = direction(angle);
+                let line = Curve::through([center + way * 9.0, center + way * FAN]);
+                let mut stroke = stroke(status, 1.2);
+                stroke.dash = None;
+                self.groups[group].stroke(Path::along(&line), stroke);
+                self.room.draw(&line, 1.0);
             }
+            let arc = Curve::arc(center, FAN * 0.66, from - 0.12, to + 0.12);
+            let mut band = stroke(status, 6.0);
+            band.opacity = 0.4;
+            band.dash = None;
+            self.groups[group].stroke(Path::along(&arc), band);
+            self.room.draw(&arc, 3.0);
+            self.text(group, fan, LETTERS, |label| {
+                let spot = |step: usize| {
+                    let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
+                    let middle = (from + to) / 2.0;
+                    let way = direction(middle + sign * 0.1 * step.div_ceil(2) as f64);
+                    Spot {
+                        at: center + way * (FAN + 6.0 + reach(label.half, way)),
+                        cost: step as f64,
+                    }
+                };
+                (0..16).map(spot).collect()
+            });
         }
     }
 
@@ -428,6 +482,16 @@ impl<'a> Panel<'a> {
     }
 }
 
+/// How much of two halfedges is left out at a corner that is open so wide.
+fn clear(open: f64) -> f64 {
+    let trim = if open < PI {
+        (ASIDE + 1.0) / (open / 2.0).tan()
+    } else {
+        0.0
+    };
+    trim.clamp(7.0, 60.0)
+}
+
 /// Twice the area of a polygon, positive if it runs counterclockwise.
 fn area(outline: &[DVec2]) -> f64 {
     let count = outline.len();
@@ -449,8 +513,8 @@ fn stroke(status: Status, width: f64) -> Stroke {
 /// Draws a line; what is new as with a marker behind it.
 pub(super) fn draw(group: &mut Group, curve: &Curve, status: Status, width: f64) {
     if status == Status::New {
-        let mut band = Stroke::solid(Ink::Of(status), width + 6.0);
-        band.opacity = 0.2;
+        let mut band = Stroke::solid(Ink::Of(status), width + 5.0);
+        band.opacity = 0.17;
         group.stroke(Path::along(curve), band);
     }
     group.stroke(Path::along(curve), stroke(status, width));
@@ -506,41 +570,45 @@ fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
     spots
 }
 
-/// Spots inside a polygon, those with most room first.
-fn inner_spots(outline: &[DVec2]) -> Vec<Spot> {
+/// Points inside a polygon, and how far each is from its sides.
+fn inner_points(outline: &[DVec2]) -> Vec<(DVec2, f64)> {
     let (low, high) = outline.iter().fold(
         (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)),
         |(low, high), &at| (low.min(at), high.max(at)),
     );
+    let sides = (0..outline.len()).map(|i| [outline[i], outline[(i + 1) % outline.len()]]);
+    let sides: Vec<_> = sides.collect();
     let room = |at: DVec2| {
-        let edges = (0..outline.len()).map(|i| [outline[i], outline[(i + 1) % outline.len()]]);
-        edges
-            .map(|edge| super::curve::distance(at, edge))
-            .fold(f64::MAX, f64::min)
+        let far = sides.iter().map(|side| super::curve::distance(at, *side));
+        far.fold(f64::MAX, f64::min)
     };
-    let steps = 24;
-    let mut spots = Vec::new();
-    for row in 1..steps {
-        for column in 1..steps {
-            let part = DVec2::new(f64::from(column), f64::from(row)) / f64::from(steps);
-            let at = low + (high - low) * part;
-            if inside(at, outline) {
-                spots.push((at, room(at)));
-            }
-        }
-    }
-    let most = spots.iter().map(|(_, room)| *room).fold(0.0, f64::max);
-    let good: Vec<_> = spots
-        .iter()
-        .filter(|(_, room)| *room > most - 1.0)
-        .map(|(at, _)| *at)
-        .collect();
+    let steps = 1..GRID;
+    let points = steps.clone().flat_map(|row| steps.clone().map(move |column| (column, row)));
+    points
+        .map(|(column, row)| low + (high - low) * DVec2::new(column.into(), row.into()) / f64::from(GRID))
+        .filter(|&at| inside(at, outline))
+        .map(|at| (at, room(at)))
+        .collect()
+}
+
+/// The radius of the widest circle inside a polygon, about.
+pub(super) fn widest_circle(outline: &[DVec2]) -> f64 {
+    let points = inner_points(outline).into_iter();
+    points.map(|(_, room)| room).fold(0.0, f64::max)
+}
+
+/// Spots inside a polygon, those with most room first.
+fn inner_spots(outline: &[DVec2]) -> Vec<Spot> {
+    let points = inner_points(outline);
+    let most = points.iter().map(|(_, room)| *room).fold(0.0, f64::max);
+    let good = points.iter().filter(|(_, room)| *room > most - 1.0);
+    let good: Vec<_> = good.map(|(at, _)| *at).collect();
     let center = good.iter().copied().sum::<DVec2>() / good.len().max(1) as f64;
     let mut all = vec![Spot {
         at: center,
         cost: 0.0,
     }];
-    all.extend(spots.into_iter().map(|(at, room)| Spot {
+    all.extend(points.into_iter().map(|(at, room)| Spot {
         at,
         cost: 1.0 + (most - room) * 0.5 + (at - center).length() * 0.2,
     }));

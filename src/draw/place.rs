@@ -19,6 +19,9 @@ use super::outer::outside;
 const SWEEPS: usize = 600;
 /// How much longer than an edge a path is.
 const PATH_WEIGHT: f64 = 2.0;
+/// How long and how wide the petal of a path is that closes.
+const PETAL: f64 = 1.35;
+const SPREAD: f64 = 1.5;
 /// Nodes nearer to each other than this look like one.
 const NEAR: f64 = 0.12;
 
@@ -240,6 +243,7 @@ fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
             places[node] = Some(at);
         }
     }
+    bend_paths(figure, places);
     let side = &figure.after;
     let mut all = places.to_vec();
     settle(side, &mut all, &pulls(side));
@@ -256,6 +260,42 @@ fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
         }
     }
     bend_beside(figure, places);
+}
+
+/// Bends the paths that get other ends: like before, but drawn along with the end that moves;
+/// a path that closes becomes a petal on the side where it was.
+fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
+    for strand in figure.after.strands.iter().filter(|strand| strand.is_path) {
+        let mut earlier = figure.before.strands.iter();
+        let Some(old) = earlier.find(|other| other.items == strand.items) else {
+            continue;
+        };
+        let ([from, to], [old_from, old_to]) = (strand.ends(), old.ends());
+        let ends = [places[from], places[to], places[old_from], places[old_to]];
+        let [Some(a), Some(b), Some(old_a), Some(old_b)] = ends else {
+            continue;
+        };
+        if strand.nodes == old.nodes {
+            continue;
+        }
+        let count = old.nodes.len();
+        let inner = 1..count - 1;
+        let olds: Vec<_> = inner.clone().filter_map(|at| places[old.nodes[at]]).collect();
+        let middle = olds.iter().copied().sum::<DVec2>() / olds.len().max(1) as f64;
+        let away = (middle - a).normalize_or(DVec2::X);
+        for (at, &old_place) in inner.zip(&olds) {
+            let t = at as f64 / (count - 1) as f64;
+            let place = if from == to {
+                let length = PETAL * (PI * t).sin().sqrt();
+                a + away.rotate(DVec2::from_angle((0.5 - t) * SPREAD)) * length
+            } else {
+                old_place + (a - old_a) * (1.0 - t).powi(2) + (b - old_b) * t.powi(2)
+            };
+            if let Some(&node) = strand.nodes.get(at) {
+                places[node] = Some(place);
+            }
+        }
+    }
 }
 
 /// Bends what is bent in `after` only: strands side by side apart, strands from a vertex
@@ -278,7 +318,8 @@ fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
         let (Some(a), Some(b)) = (places[from], places[to]) else {
             continue;
         };
-        if bends.is_empty() || !bends.iter().all(is_new) {
+        let is_placed = strand.is_path && bends.iter().all(|&bend| places[bend].is_some());
+        if bends.is_empty() || is_placed || !bends.iter().all(is_new) {
             continue;
         }
         let ends = [from.min(to), from.max(to)];

@@ -8,7 +8,7 @@ use glam::DVec2;
 use super::curve::{Curve, direction};
 use super::figure::{Figure, Node};
 use super::letters::{Label, Style, name, words};
-use super::panel::{LETTERS, Panel, beyond_dot, harpoon, widest_gap};
+use super::panel::{LETTERS, Panel, beyond_dot, harpoon, widest_circle, widest_gap};
 use super::place::places;
 use super::room::{Room, Spot};
 use super::shape::{Group, Ink, Path, Picture, Step, Stroke, TextBox};
@@ -18,6 +18,7 @@ use crate::diagram::{Drawing, NameId, Op, Rule};
 /// The room around everything, and between the two sides.
 const MARGIN: f64 = 26.0;
 const BETWEEN: f64 = 112.0;
+const MOST_BETWEEN: f64 = 260.0;
 /// The size of captions.
 const CAPTION: f64 = 15.0;
 /// How much larger a figure is made whose texts overlap, and how often.
@@ -44,6 +45,11 @@ pub fn draw_op(op: &Op) -> Picture {
         })
         .collect();
     let mut sheet = Sheet::new(&op.name);
+    for (label, _) in &rows {
+        let above = words(&op.name, Style::Italic, LETTERS).half.x;
+        let below = words(label.as_deref().unwrap_or(""), Style::Upright, CAPTION).half.x;
+        sheet.between = sheet.between.max((2.0 * above.max(below) + 30.0).min(MOST_BETWEEN));
+    }
     let width = rows
         .iter()
         .map(|(_, row)| row.size().x)
@@ -51,7 +57,8 @@ pub fn draw_op(op: &Op) -> Picture {
     for (label, row) in rows {
         sheet.row(&op.name, label.as_deref(), row, width);
     }
-    sheet.finish(2.0 * width + BETWEEN)
+    let whole = 2.0 * width + sheet.between;
+    sheet.finish(whole)
 }
 
 /// The two sides of a rule, at the same places.
@@ -81,7 +88,9 @@ impl Row {
 
     fn drawn(figure: &Figure, unit: &[DVec2], scale: f64, prefix: &str) -> Self {
         let places: Vec<_> = unit.iter().map(|&at| at * scale).collect();
-        let panels = [false, true].map(|is_after| Panel::new(figure, is_after, &places, prefix));
+        let before = Panel::new(figure, None, &places, prefix);
+        let after = Panel::new(figure, Some(&before), &places, prefix);
+        let panels = [before, after];
         let crossings = panels.iter().map(Panel::crossings).sum();
         let labels = vertex_labels(figure, &panels);
         let rule = figure.drawing.rule;
@@ -142,29 +151,20 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DV
         let word = &rule.name(vertex).text;
         let label = name(word, LETTERS);
         let center = panels[0].place(vertex);
-        let spot = |step: usize| {
+        let spot = |step: usize, far: f64| {
             let way = direction(wanted + TAU * step as f64 / 48.0);
-            let at = center + way * beyond_dot(&label, way);
-            let turn = step.min(48 - step) as f64;
-            let others = (0..2).filter(|&side| shown[side]);
-            let cost: f64 = others.map(|side| rooms[side].cost(at, label.half)).sum();
-            Spot {
-                at,
-                cost: cost + turn,
-            }
-        };
-        let far = |step: usize| {
-            let near = spot(step);
-            let at = center + (near.at - center) * 1.9;
+            let at = center + way * (beyond_dot(&label, way) + far);
             let others = (0..2).filter(|&side| shown[side]);
             let cost: f64 = others.map(|side| rooms[side].cost(at, label.half)).sum();
             let turn = step.min(48 - step) as f64;
-            Spot {
-                at,
-                cost: cost + turn + 30.0,
-            }
+            let cost = cost + turn + far * 1.2;
+            Spot { at, cost }
         };
-        let spots: Vec<_> = (0..48).map(spot).chain((0..48).map(far)).collect();
+        let spots: Vec<_> = [0.0, 6.0, 14.0, 24.0, 36.0]
+            .into_iter()
+            .flat_map(|far| (0..48).map(move |step| (step, far)))
+            .map(|(step, far)| spot(step, far))
+            .collect();
         let at = Room::default().best(label.half, &spots);
         for side in (0..2).filter(|&side| shown[side]) {
             rooms[side].put(word, &label, at);
@@ -174,21 +174,27 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DV
     labels
 }
 
-/// How many units of a picture the radius of the figure is.
+/// How many units of a picture the radius of the figure is: so many that edges are long and
+/// faces wide enough for arrows and names.
 fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
     let mut scale: f64 = 128.0;
+    let mut want = |wanted: f64, length: f64| {
+        if length > 0.05 {
+            scale = scale.max(wanted / length);
+        }
+    };
     for side in [&figure.before, &figure.after] {
         for strand in &side.strands {
-            for pair in strand.nodes.windows(2) {
-                let length = (places[pair[0]] - places[pair[1]]).length();
-                let wanted = if strand.nodes.len() > 2 { 62.0 } else { 122.0 };
-                if length > 0.05 {
-                    scale = scale.max(wanted / length);
-                }
-            }
+            let pairs = strand.nodes.windows(2);
+            let lengths = pairs.map(|pair| (places[pair[0]] - places[pair[1]]).length());
+            want(122.0, lengths.sum());
+        }
+        for orbit in &side.loops {
+            let nodes = side.around(&orbit.darts).into_iter();
+            want(46.0, widest_circle(&nodes.map(|node| places[node]).collect::<Vec<_>>()));
         }
     }
-    scale.min(340.0)
+    scale.min(320.0)
 }
 
 fn bounds((low, high): (DVec2, DVec2), (groups, room): &(Vec<Group>, Room)) -> (DVec2, DVec2) {
@@ -219,6 +225,7 @@ fn bounds((low, high): (DVec2, DVec2), (groups, room): &(Vec<Group>, Room)) -> (
 
 struct Sheet {
     picture: Picture,
+    between: f64,
     y: f64,
     statuses: BTreeSet<Status>,
 }
@@ -230,6 +237,7 @@ impl Sheet {
                 title: title.to_string(),
                 ..Picture::default()
             },
+            between: BETWEEN,
             y: MARGIN,
             statuses: BTreeSet::new(),
         }
@@ -239,7 +247,7 @@ impl Sheet {
         let size = row.size();
         let middle = self.y + size.y / 2.0;
         for (side, (groups, room)) in row.sides.into_iter().enumerate() {
-            let left = MARGIN + (width - size.x) / 2.0 + side as f64 * (width + BETWEEN);
+            let left = MARGIN + (width - size.x) / 2.0 + side as f64 * (width + self.between);
             let by = DVec2::new(left, self.y) - row.low;
             self.picture
                 .groups
@@ -255,9 +263,9 @@ impl Sheet {
             self.words(caption, Style::Upright, CAPTION, Ink::Muted, at);
         }
         let from = MARGIN + width + 24.0;
-        let to = MARGIN + width + BETWEEN - 24.0;
+        let to = MARGIN + width + self.between - 24.0;
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
-        let center = MARGIN + width + BETWEEN / 2.0;
+        let center = MARGIN + width + self.between / 2.0;
         self.words(
             op,
             Style::Italic,
@@ -277,7 +285,7 @@ impl Sheet {
     fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
         // A long name is set smaller rather than into the figures.
         let mut label = words(text, style, size);
-        let most = BETWEEN / 2.0 + 8.0;
+        let most = self.between / 2.0 - 6.0;
         if label.half.x > most {
             label = words(text, style, size * most / label.half.x);
         }
@@ -313,20 +321,21 @@ impl Sheet {
             .into_iter()
             .filter(|status| self.statuses.contains(status))
             .collect();
-        if !statuses.is_empty() {
-            let step = 118.0_f64.min(width / statuses.len() as f64);
-            let mut x = MARGIN + (width - step * statuses.len() as f64) / 2.0;
-            for status in statuses {
-                let at = DVec2::new(x, self.y);
-                let mut group = Group::default();
-                let line = Curve::through([at, at + DVec2::X * 30.0]);
-                harpoon(&mut group, &line, status);
-                self.picture.groups.push(group);
-                let label = words(status.word(), Style::Upright, CAPTION);
-                let middle = at + DVec2::new(38.0 + label.half.x, 0.0);
-                self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle);
-                x += step;
-            }
+        let labels: Vec<_> = statuses
+            .into_iter()
+            .map(|status| (status, words(status.word(), Style::Upright, CAPTION)))
+            .collect();
+        let widths = labels.iter().map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
+        let mut x = MARGIN + (width - widths.sum::<f64>() + 30.0) / 2.0;
+        for (status, label) in labels {
+            let at = DVec2::new(x, self.y);
+            let mut group = Group::default();
+            let line = Curve::through([at, at + DVec2::X * 30.0]);
+            harpoon(&mut group, &line, status);
+            self.picture.groups.push(group);
+            let middle = at + DVec2::new(38.0 + label.half.x, 0.0);
+            self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle);
+            x += 38.0 + 2.0 * label.half.x + 30.0;
         }
         self.picture.size = DVec2::new(width + 2.0 * MARGIN, self.y + 22.0);
         self.picture
