@@ -149,9 +149,9 @@ fn end_of_after(rule: &Rule) -> Option<Span> {
         .stars
         .iter()
         .flat_map(|star| &star.spokes)
-        .filter_map(|spoke| match spoke {
-            Spoke::Rest(span) => Some(span.after()),
-            Spoke::Halfedge(name) | Spoke::Fan(name) => Some(name.span.after()),
+        .map(|spoke| match spoke {
+            Spoke::Rest(span) => span.after(),
+            Spoke::Halfedge(name) | Spoke::Fan(name) => name.span.after(),
         });
     let assignments = rule
         .assignments

@@ -171,14 +171,13 @@ impl Law<'_> {
             );
             let message = format!("{twins} {} not reassigned", is_or_are(names.len()));
             let list = enumerate(rule, &names);
-            let mut diagnostic =
-                Diagnostic::error("missing-reassignment", message, missing[0].span).saying(
-                    format!("the edge {} is drawn here", rule.quoted(edge.edge.name)),
-                );
-            if let [_, second] = missing.as_slice() {
-                diagnostic = diagnostic.label(second.span, "");
-            }
-            diagnostic = diagnostic
+            let drawn = missing.iter().map(|half| half.span).reduce(Span::to);
+            let drawn = drawn.unwrap_or(edge.span);
+            let diagnostic = Diagnostic::error("missing-reassignment", message, drawn)
+                .saying(format!(
+                    "the edge {} is drawn here",
+                    rule.quoted(edge.edge.name)
+                ))
                 .label(
                     after_keyword(drawing),
                     format!("no edge statement here names {list}"),

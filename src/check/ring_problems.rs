@@ -72,6 +72,30 @@ impl Case<'_> {
         problems
     }
 
+    /// A drawn halfedge that still starts at an erased vertex.
+    pub(super) fn spoke_of_erased(&self, vertex: NameId, cycle: &[Step]) -> Problem {
+        let rule = self.drawing.rule;
+        let text = rule.quoted(vertex);
+        let starts = |step: &Step| match step {
+            Step::Port(Port::Out(item)) => Some(*item),
+            Step::Port(Port::In(_)) | Step::Arc(_) => None,
+        };
+        let item = cycle.iter().find_map(starts);
+        let spoke = item.map_or_else(|| "a spoke".to_owned(), |item| rule.quoted(item));
+        let drawn = item.and_then(|item| self.drawing.after.mention(item));
+        let message = format!("{spoke} would still start at {text}, which is erased");
+        let mut diagnostic =
+            Diagnostic::error("stale-vertex", message, drawn.unwrap_or(rule.after.span));
+        if let Some(erased) = self.drawing.erased(vertex) {
+            diagnostic = diagnostic.label(erased, format!("{text} is erased here"));
+        }
+        diagnostic
+            .note(format!(
+                "list {spoke} in the vertex statement of the vertex where it starts now"
+            ))
+            .into()
+    }
+
     /// An arc whose end the drawing takes away.
     pub(super) fn cut_arc(&self, arc: Arc) -> Problem {
         let rule = self.drawing.rule;

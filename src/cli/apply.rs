@@ -3,17 +3,19 @@
 use serde::Serialize;
 
 use super::arguments::{ApplyArguments, Format};
+use super::counts::Counts;
 use super::failure::Failure;
-use super::output::{say, say_json};
+use super::output::{complain_of, say, say_json};
 use super::place::{self, Place};
+use super::program::settings;
 use super::program::{self, Program};
-use super::values;
 use crate::diagram::Param;
 use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers, read_obj,
     write_obj,
 };
-use crate::rewrite::{Machine, Outcome, Plan, Trap};
+use crate::rewrite::Plan;
+use crate::run::{self, Applied, Argument};
 
 /// Applies one operation at one place of a mesh.
 pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
@@ -21,81 +23,76 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     let program = program::read(path)?;
     let op = program::find_op(&program, name)?;
     let Some(plan) = &program.analysis.plans[op] else {
-        super::output::complain_of(&program.analysis.diagnostics, &program.sources);
+        complain_of(&program.analysis.diagnostics, &program.sources);
         return Err(Failure::NotProved);
     };
-    let params = &program.analysis.program.ops[op].params;
     let mut obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
-    let args = slots(params, arguments, &mut obj)?;
-    let mut machine = Machine::new(&[]);
-    machine.remember_created();
+    let values = values(&program, op, arguments, &mut obj)?;
     let before = Counts::of(&obj.mesh);
-    let outcome = machine
-        .apply(&mut obj.mesh, plan, &args)
-        .map_err(|trap| trapped(&program, plan, &trap))?;
-    let reason = match outcome {
-        Outcome::Applied { result } => {
+    let applied = run::apply(&program.analysis.program, op, plan, &mut obj.mesh, &values).map_err(
+        |failure| {
+            complain_of(&[failure.diagnostic], &program.sources);
+            Failure::Silent(2.into())
+        },
+    )?;
+    match applied {
+        Applied::Done { result, created } => {
             write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
-            let report = Report::applied(plan, &obj, result, machine.created(), before);
-            return match arguments.format {
-                Format::Json => say_json(&report),
-                Format::Human => {
-                    say(&report.show());
-                    Ok(())
-                }
-            };
+            let report = Report::applied(plan, &obj, result, &created, before);
+            match arguments.format {
+                Format::Json => say_json(&report)?,
+                Format::Human => say(&report.show()),
+            }
+            Ok(())
         }
-        Outcome::Refused { reason } => {
-            reason.and_then(|reason| plan.refusals.get(usize::from(reason)))
+        Applied::Refused(reason) => {
+            if arguments.format == Format::Json {
+                say_json(&Report::refused(plan, &reason, before))?;
+            }
+            Err(Failure::Refused(reason))
         }
-    };
-    let reason = reason
-        .map_or("the diagram does not match here", |refusal| &refusal.reason)
-        .to_string();
-    if arguments.format == Format::Json {
-        say_json(&Report::refused(plan, &reason, before))?;
     }
-    Err(Failure::Refused(reason))
 }
 
-fn trapped(program: &Program, plan: &Plan, trap: &Trap) -> Failure {
-    let place = trap
-        .trace
-        .first()
-        .and_then(|site| plan.places.get(site.place? as usize));
-    let place = place.map(|span| {
-        let source = program.sources.get(span.file);
-        let (line, column) = source.line_column(span.start as usize);
-        format!("{}:{line}:{column}: ", source.name())
-    });
-    Failure::usage(format!("{}{}", place.unwrap_or_default(), trap.message))
-}
-
-/// The slots of the parameters, from `--at`, `--set` and the defaults.
-fn slots(params: &[Param], arguments: &ApplyArguments, obj: &mut Obj) -> Result<Vec<u64>, Failure> {
-    let places = places(params, &arguments.at)?;
-    let mut set = values::read_all(params, &arguments.set)?;
-    let mut slots = Vec::new();
-    for (param, place) in params.iter().zip(places) {
+/// The arguments, from `--at` and `--set`.
+fn values(
+    program: &Program,
+    op: usize,
+    arguments: &ApplyArguments,
+    obj: &mut Obj,
+) -> Result<Vec<(String, Argument)>, Failure> {
+    let params = &program.analysis.program.ops[op].params;
+    let mut texts = settings(&arguments.set)?;
+    if let Some((name, _)) = texts.iter().find(|(name, _)| {
+        params
+            .iter()
+            .any(|param| param.name == *name && param.ty.is_element())
+    }) {
+        return Err(Failure::usage(format!(
+            "`{name}` is an element: give --at {name}=PLACE"
+        )));
+    }
+    for (param, place) in params.iter().zip(places(params, &arguments.at)?) {
         match place {
-            Some(place) => slots.push(u64::from(place.find(obj).map_err(Failure::usage)?)),
-            None => match set.remove(&param.name) {
-                Some(value) => slots.extend(value),
-                None => slots.extend(values::default(param).ok_or_else(|| {
-                    let place = if param.ty.is_element() {
-                        format!("--at {}={}:…", param.name, param.ty.word())
-                    } else {
-                        format!("--set {}=…", param.name)
-                    };
-                    Failure::usage(format!(
-                        "the parameter `{}` is missing: give {place}",
-                        param.name
-                    ))
-                })?),
-            },
+            Some(place) => texts.push((
+                param.name.clone(),
+                place.find(obj).map_err(Failure::usage)?.to_string(),
+            )),
+            None if param.ty.is_element() => {
+                let message = format!(
+                    "the parameter `{0}` is missing: give --at {0}={1}:…",
+                    param.name,
+                    param.ty.word()
+                );
+                return Err(Failure::usage(message));
+            }
+            None => {}
         }
     }
-    Ok(slots)
+    run::arguments(&program.analysis.program, op, &texts).map_err(|errors| {
+        complain_of(&errors, &program.sources);
+        Failure::Silent(2.into())
+    })
 }
 
 /// For each parameter the place that `--at` gives it.
@@ -147,25 +144,6 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
     Ok(places)
 }
 
-#[derive(Clone, Copy, Serialize)]
-struct Counts {
-    vertices: usize,
-    edges: usize,
-    faces: usize,
-    boundary_loops: usize,
-}
-
-impl Counts {
-    fn of(mesh: &Mesh) -> Self {
-        Self {
-            vertices: mesh.vertex_count(),
-            edges: mesh.edge_count(),
-            faces: mesh.face_count(),
-            boundary_loops: mesh.hole_count(),
-        }
-    }
-}
-
 /// What `apply` did. Elements are named as `--at` would name them in the written file.
 #[derive(Serialize)]
 struct Report {
@@ -196,23 +174,20 @@ impl Report {
     fn applied(
         plan: &Plan,
         obj: &Obj,
-        result: Option<u32>,
+        result: Option<(ElementKind, u32)>,
         created: &[(ElementKind, u32)],
         before: Counts,
     ) -> Self {
         let numbers = obj.written_numbers();
-        let name = |kind, id| element(&obj.mesh, &numbers, kind, id);
+        let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
         Self {
             op: plan.name.clone(),
             applied: true,
             refused: None,
-            result: plan
-                .result
-                .zip(result)
-                .and_then(|(kind, id)| name(kind, id)),
+            result: result.and_then(name),
             created: created
                 .iter()
-                .filter_map(|&(kind, id)| name(kind, id))
+                .filter_map(|&element| name(element))
                 .collect(),
             before,
             after: Counts::of(&obj.mesh),

@@ -68,19 +68,20 @@ fn show(file: &str, verdicts: &[Verdict]) -> String {
                 .rule
                 .as_ref()
                 .map_or(verdict.op.clone(), |rule| format!("{} {rule}", verdict.op));
-            rows.push(vec![
-                "  proved".into(),
-                name,
-                cases(rule),
-                change(rule),
-                cost(rule),
-            ]);
+            let mut row = vec!["  proved".into(), name];
+            row.extend(show_rule(rule));
+            rows.push(row);
         }
     }
     if rows.is_empty() {
         return format!("{file}: no operations");
     }
     format!("{file}\n{}", table(&rows, &[]))
+}
+
+/// What was established of a rule, in three parts.
+pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
+    [cases(rule), change(rule), cost(rule)]
 }
 
 fn cases(rule: &RuleVerdict) -> String {

@@ -8,6 +8,7 @@
 mod apply;
 mod arguments;
 mod check;
+mod counts;
 mod draw;
 mod failure;
 mod info;
@@ -15,7 +16,9 @@ mod output;
 mod place;
 mod plan;
 mod program;
-mod values;
+mod progress;
+mod run;
+mod view;
 
 use std::process::ExitCode;
 
@@ -38,8 +41,9 @@ pub fn main() -> ExitCode {
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
-        Command::Run(_) => Ok(()),
+        Command::View(arguments) => view::view(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

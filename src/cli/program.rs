@@ -106,3 +106,14 @@ fn find(what: &str, names: &[&str], name: Option<&str>) -> Result<usize, Failure
             }),
     }
 }
+
+/// Parts every `NAME=VALUE` of `--set`.
+pub(super) fn settings(texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
+    let part = |text: &String| match text.split_once('=') {
+        Some((name, value)) => Ok((name.to_string(), value.to_string())),
+        None => Err(Failure::usage(format!(
+            "`{text}` is no setting: write NAME=VALUE"
+        ))),
+    };
+    texts.iter().map(part).collect()
+}

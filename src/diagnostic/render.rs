@@ -11,6 +11,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
+/// The longest line that is shown, in bytes; of longer ones only the place is told.
+const WIDEST: usize = 400;
+
 /// How to print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rendering {
@@ -73,8 +76,9 @@ impl Page<'_> {
         let head = format!("{word}[{}]", diagnostic.code);
         let head = self.painted(&head, colour);
         self.line(&format!("{head}: {}", diagnostic.message));
-        if let Some(drawn) = self.drawn(&diagnostic.labels, colour) {
-            self.out.push_str(&drawn);
+        match self.drawn(&diagnostic.labels, colour) {
+            Some(drawn) => self.out.push_str(&drawn),
+            None => self.listed(&diagnostic.labels),
         }
         for note in &diagnostic.notes {
             self.remark("note", note);
@@ -86,10 +90,25 @@ impl Page<'_> {
         self.line("");
     }
 
-    /// The text with its labels; nothing where no label points into a text.
+    /// The places of labels in words.
+    fn listed(&mut self, labels: &[diagnostic::Label]) {
+        for label in in_order(labels) {
+            let place = place_in_words(label.span, self.texts.sources);
+            let colon = if label.text.is_empty() { "" } else { ": " };
+            if let Some(place) = place {
+                self.line(&format!("  at {place}{colon}{}", label.text));
+            }
+        }
+    }
+
+    /// The text with its labels; nothing where no label points into a text, or where a line
+    /// is too long to be looked at.
     fn drawn(&mut self, labels: &[diagnostic::Label], colour: Color) -> Option<String> {
         let (primary, _) = labels.split_first()?;
         let place = self.texts.place(primary.span)?;
+        if labels.iter().any(|label| self.texts.is_wide(label.span)) {
+            return None;
+        }
         let config = Config::new()
             .with_color(self.colour)
             .with_index_type(IndexType::Char)
@@ -163,11 +182,15 @@ fn fix_place(fix: &Fix, sources: &Sources) -> String {
     let Some(edit) = fix.edits.first() else {
         return String::new();
     };
-    let Some(source) = source_of(sources, edit.span.file) else {
-        return String::new();
-    };
-    let (line, column) = source.line_column(edit.span.start as usize);
-    format!(" ({}:{line}:{column})", source.name())
+    let place = place_in_words(edit.span, sources);
+    place.map_or_else(String::new, |place| format!(" ({place})"))
+}
+
+/// `file:line:column`
+fn place_in_words(span: Span, sources: &Sources) -> Option<String> {
+    let source = source_of(sources, span.file)?;
+    let (line, column) = source.line_column(span.start as usize);
+    Some(format!("{}:{line}:{column}", source.name()))
 }
 
 fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
@@ -190,6 +213,20 @@ impl Texts<'_> {
         let before = text[..start].chars().count();
         let within = text[start..end].chars().count();
         Some((span.file, before..before + within))
+    }
+
+    /// Whether the first or the last line of a span is longer than anyone reads.
+    fn is_wide(&self, span: Span) -> bool {
+        let Some(source) = source_of(self.sources, span.file) else {
+            return false;
+        };
+        let lines = source.lines();
+        [span.start, span.end].into_iter().any(|offset| {
+            let line = lines.line(offset as usize);
+            let start = lines.start(line).unwrap_or(0);
+            let end = lines.start(line + 1).unwrap_or(source.text().len());
+            end - start > WIDEST
+        })
     }
 }
 
@@ -215,5 +252,90 @@ impl Cache<FileId> for &mut Texts<'_> {
 
     fn display<'a>(&self, file: &'a FileId) -> Option<impl fmt::Display + 'a> {
         source_of(self.sources, *file).map(|source| source.name().to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAIN: Rendering = Rendering {
+        colour: false,
+        most: 2,
+    };
+
+    #[test]
+    fn any_span_in_any_text_is_rendered() {
+        let texts = ["", "\n", "aé𝄞\r\nz\u{2028}\u{1b}[31m\ty", "\u{FEFF}x", "é"];
+        let mut sources = Sources::new();
+        let files: Vec<_> = texts.iter().map(|text| sources.add("a", *text)).collect();
+        let files = files.into_iter().chain([FileId(99)]);
+        for file in files {
+            for start in 0..16 {
+                for end in start..18 {
+                    let span = Span::new(file, start, end);
+                    let other = Span::new(FileId(2), end, end + start);
+                    let found = Diagnostic::error("a-code", "said", span).label(other, "other");
+                    let found = found.label(span.after(), "after").fix("mend", span, "");
+                    for colour in [false, true] {
+                        let how = Rendering { colour, most: 1 };
+                        let text = render(std::slice::from_ref(&found), &sources, how);
+                        assert!(text.contains("said") && text.contains("mend"), "{text}");
+                        assert!(colour || !text.contains('\u{1b}'), "{text}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn each_file_is_shown_once_and_remarks_follow() {
+        let mut sources = Sources::new();
+        let one = sources.add("one.hedge", "edge e: a | é\nedge f: b | c\n");
+        let two = sources.add("two.hedge", "é\nuse x\n");
+        let found = Diagnostic::error("missing-thing", "`f` is missing", Span::new(one, 20, 21))
+            .saying("needed")
+            .label(Span::new(two, 3, 6), "elsewhere")
+            .label(Span::new(one, 0, 4), "drawn here")
+            .note("a note")
+            .fix("insert `g`", Span::new(one, 15, 15), "g");
+        assert_eq!(
+            render(&[found], &sources, PLAIN),
+            "\
+error[missing-thing]: `f` is missing
+   ╭─[ one.hedge:2:6 ]
+   │
+ 1 │ edge e: a | é
+   │ ──┬─
+   │   ╰─── drawn here
+ 2 │ edge f: b | c
+   │      ┬
+   │      ╰── needed
+   │
+   ├─[ two.hedge:2:1 ]
+   │
+ 2 │ use x
+   │ ─┬─
+   │  ╰─── elsewhere
+───╯
+  note: a note
+  help: insert `g` (one.hedge:2:1)
+
+"
+        );
+    }
+
+    #[test]
+    fn what_is_not_shown_is_counted() {
+        let mut sources = Sources::new();
+        let span = Span::new(sources.add("a", "b"), 0, 1);
+        let error = Diagnostic::error("e", "m", span);
+        let warning = Diagnostic::warning("w", "m", span);
+        let all = [&error, &error, &error, &warning, &warning].map(Clone::clone);
+        let text = render(&all, &sources, PLAIN);
+        assert!(
+            text.ends_with("… and 1 more error and 2 more warnings\n"),
+            "{text}"
+        );
     }
 }

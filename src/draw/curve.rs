@@ -35,15 +35,16 @@ impl Curve {
         let mut samples = vec![points[0]];
         for at in 0..count - 1 {
             let (from, to) = (points[at], points[at + 1]);
+            // At the ends it goes on as the parabola through the last three points.
             let before = if at == 0 {
-                from * 2.0 - to
+                (from - to) * 3.0 + points[2]
             } else {
                 points[at - 1]
             };
             let behind = if at + 2 < count {
                 points[at + 2]
             } else {
-                to * 2.0 - from
+                (to - from) * 3.0 + points[at - 1]
             };
             let steps = ((to - from).length() / STEP).clamp(2.0, 80.0) as usize;
             for step in 1..=steps {

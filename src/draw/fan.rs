@@ -50,7 +50,11 @@ pub(super) fn fans(
                 let off = turn(wish, middle);
                 off.min(TAU - off)
             });
-            if gap < 0.5 { gap - TAU } else { gap - 0.8 * off }
+            if gap < 0.5 {
+                gap - TAU
+            } else {
+                gap - 0.8 * off
+            }
         };
         let mut best = (0.0, width, f64::MIN);
         for pair in cuts.windows(2) {

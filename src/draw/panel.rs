@@ -369,7 +369,10 @@ impl<'a> Panel<'a> {
     fn outer_trims(&self, dart: Dart) -> [f64; 2] {
         let curve = self.along(dart);
         let nodes = self.side.nodes(dart);
-        let (start, end) = (angle(curve.start_direction()), angle(-curve.end_direction()));
+        let (start, end) = (
+            angle(curve.start_direction()),
+            angle(-curve.end_direction()),
+        );
         let trim = |node: usize, open: &dyn Fn(f64) -> f64| {
             let angles = self.directions(node);
             let gap = angles.into_iter().map(open).fold(TAU, f64::min);
@@ -431,19 +434,31 @@ impl<'a> Panel<'a> {
             band.dash = None;
             self.groups[group].stroke(Path::along(&arc), band);
             self.room.draw(&arc, 3.0);
-            self.text(group, fan, LETTERS, |label| {
-                let spot = |step: usize| {
-                    let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
-                    let middle = (from + to) / 2.0;
-                    let way = direction(middle + sign * 0.1 * step.div_ceil(2) as f64);
-                    Spot {
-                        at: center + way * (FAN + 6.0 + reach(label.half, way)),
-                        cost: step as f64,
-                    }
-                };
-                (0..16).map(spot).collect()
-            });
+            self.fan_name(group, fan, center, (from + to) / 2.0);
         }
+    }
+
+    /// The name of a fan; it comes before all others, since it has but one place.
+    fn fan_name(&mut self, group: usize, fan: NameId, center: DVec2, middle: f64) {
+        let word = self.figure.drawing.rule.name(fan);
+        if !word.named {
+            return;
+        }
+        let label = name(&word.text, LETTERS);
+        let spot = |step: usize| {
+            let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
+            let way = direction(middle + sign * 0.1 * step.div_ceil(2) as f64);
+            Spot {
+                at: center + way * (FAN + 6.0 + reach(label.half, way)),
+                cost: step as f64,
+            }
+        };
+        let at = self
+            .room
+            .best(label.half, &(0..16).map(spot).collect::<Vec<_>>());
+        self.room.put(&word.text, &label, at);
+        let ink = Ink::Of(self.status(fan));
+        self.groups[group].fill(label.path.moved(at), ink);
     }
 
     fn vertex(&mut self, vertex: NameId, label: &Label, at: DVec2) {
@@ -583,9 +598,13 @@ fn inner_points(outline: &[DVec2]) -> Vec<(DVec2, f64)> {
         far.fold(f64::MAX, f64::min)
     };
     let steps = 1..GRID;
-    let points = steps.clone().flat_map(|row| steps.clone().map(move |column| (column, row)));
+    let points = steps
+        .clone()
+        .flat_map(|row| steps.clone().map(move |column| (column, row)));
     points
-        .map(|(column, row)| low + (high - low) * DVec2::new(column.into(), row.into()) / f64::from(GRID))
+        .map(|(column, row)| {
+            low + (high - low) * DVec2::new(column.into(), row.into()) / f64::from(GRID)
+        })
         .filter(|&at| inside(at, outline))
         .map(|at| (at, room(at)))
         .collect()

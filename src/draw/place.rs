@@ -21,7 +21,7 @@ const SWEEPS: usize = 600;
 const PATH_WEIGHT: f64 = 2.0;
 /// How long and how wide the petal of a path is that closes.
 const PETAL: f64 = 1.35;
-const SPREAD: f64 = 1.5;
+const SPREAD: f64 = 1.15;
 /// Nodes nearer to each other than this look like one.
 const NEAR: f64 = 0.12;
 
@@ -280,7 +280,10 @@ fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
         }
         let count = old.nodes.len();
         let inner = 1..count - 1;
-        let olds: Vec<_> = inner.clone().filter_map(|at| places[old.nodes[at]]).collect();
+        let olds: Vec<_> = inner
+            .clone()
+            .filter_map(|at| places[old.nodes[at]])
+            .collect();
         let middle = olds.iter().copied().sum::<DVec2>() / olds.len().max(1) as f64;
         let away = (middle - a).normalize_or(DVec2::X);
         for (at, &old_place) in inner.zip(&olds) {

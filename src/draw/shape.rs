@@ -110,12 +110,14 @@ pub(super) enum Ink {
     Face,
     /// What is there for orientation only.
     Muted,
+    /// A face of a mesh, from dark to bright; the same by day and by night.
+    Shade(u8),
     /// An element, by what becomes of it.
     Of(Status),
 }
 
 impl Ink {
-    /// All inks.
+    /// The inks that change between day and night.
     pub const ALL: [Ink; 7] = [
         Ink::Paper,
         Ink::Face,
@@ -133,6 +135,10 @@ impl Ink {
             Ink::Paper => [0xffffff, 0x15181d],
             Ink::Face => [0xf1f4f9, 0x20252d],
             Ink::Muted => [0x8b939e, 0x7c8591],
+            Ink::Shade(bright) => {
+                let [red, green, blue] = [178, 205, 236].map(|most| most * u32::from(bright) / 255);
+                [red << 16 | green << 8 | blue; 2]
+            }
             Ink::Of(Status::Kept) => [0x3a4048, 0xd3d8df],
             Ink::Of(Status::Reassigned) => [0x0065b3, 0x6db9ff],
             Ink::Of(Status::New) => [0x00794f, 0x43d69c],
@@ -146,6 +152,7 @@ impl Ink {
             Ink::Paper => "paper",
             Ink::Face => "face",
             Ink::Muted => "muted",
+            Ink::Shade(_) => "shade",
             Ink::Of(status) => status.word(),
         }
     }

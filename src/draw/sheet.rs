@@ -47,8 +47,12 @@ pub fn draw_op(op: &Op) -> Picture {
     let mut sheet = Sheet::new(&op.name);
     for (label, _) in &rows {
         let above = words(&op.name, Style::Italic, LETTERS).half.x;
-        let below = words(label.as_deref().unwrap_or(""), Style::Upright, CAPTION).half.x;
-        sheet.between = sheet.between.max((2.0 * above.max(below) + 30.0).min(MOST_BETWEEN));
+        let below = words(label.as_deref().unwrap_or(""), Style::Upright, CAPTION)
+            .half
+            .x;
+        sheet.between = sheet
+            .between
+            .max((2.0 * above.max(below) + 30.0).min(MOST_BETWEEN));
     }
     let width = rows
         .iter()
@@ -191,7 +195,10 @@ fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
         }
         for orbit in &side.loops {
             let nodes = side.around(&orbit.darts).into_iter();
-            want(46.0, widest_circle(&nodes.map(|node| places[node]).collect::<Vec<_>>()));
+            want(
+                46.0,
+                widest_circle(&nodes.map(|node| places[node]).collect::<Vec<_>>()),
+            );
         }
     }
     scale.min(320.0)
@@ -325,7 +332,9 @@ impl Sheet {
             .into_iter()
             .map(|status| (status, words(status.word(), Style::Upright, CAPTION)))
             .collect();
-        let widths = labels.iter().map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
+        let widths = labels
+            .iter()
+            .map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
         let mut x = MARGIN + (width - widths.sum::<f64>() + 30.0) / 2.0;
         for (status, label) in labels {
             let at = DVec2::new(x, self.y);

@@ -14,7 +14,7 @@ use super::parameter::Parameter;
 use super::report::not_yet;
 use super::suggestion::suggest;
 use super::typing::Typing;
-use super::words::quoted;
+use super::words::{a_type, quoted};
 
 /// The conditions of a rule of `op`.
 pub(super) fn requires(
@@ -76,6 +76,11 @@ pub(super) fn assignments(
         else {
             continue;
         };
+        if names.find(&target.ident.text).is_none() && is_listed_new(after, target) {
+            // That it is drawn nowhere is told where it is listed.
+            typing.report.fail();
+            continue;
+        }
         let Some((target, access, ty)) = assigned(target, attribute, names, typing) else {
             // What is wrong on the right is told as well.
             typing.whole(value);
@@ -105,6 +110,14 @@ pub(super) fn assignments(
         }));
     }
     assignments
+}
+
+/// Whether `new` lists a name.
+fn is_listed_new(after: &tree::Side, name: &tree::Name) -> bool {
+    after.statements.iter().any(|statement| match statement {
+        Statement::New(listed, _) => listed.iter().any(|new| new.ident.text == name.ident.text),
+        _ => false,
+    })
 }
 
 /// The element and the attribute that are assigned.
@@ -149,7 +162,7 @@ impl Typing<'_> {
             self.report.fail();
             return None;
         }
-        let element = super::words::a_type(ty);
+        let element = a_type(ty);
         let message = format!("{element} has no attribute `{}`", name.text);
         let error = Diagnostic::error("unknown-attribute", message, name.span);
         let known = attributes_of(ty);

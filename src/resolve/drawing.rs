@@ -85,7 +85,7 @@ impl<'a> Drawing<'a> {
 
     /// Draws an orbit; `false` if the statement is none.
     fn orbit(&mut self, statement: &Statement) -> bool {
-        // A word without a number has lost its kind, and the report says so.
+        // What has no number or is not whole has been told of before.
         let drawn = match statement {
             Statement::Loop(l) => self.face(l),
             Statement::Edge {
@@ -166,19 +166,9 @@ impl<'a> Drawing<'a> {
             };
             items.push(LoopItem { from, item });
         }
-        let Some(first) = items.first().map(|item| item.from) else {
-            let message = format!("the loop of `{word}` has no halfedges");
-            self.report
-                .add(Diagnostic::error("empty-orbit", message, l.span));
-            return None;
-        };
-        let end = match &l.end {
-            Some(end) => self.refer(end)?,
-            None => {
-                self.unended(word, first, l.span);
-                return None;
-            }
-        };
+        // The parser lets no loop pass without a halfedge and an end.
+        let first = items.first()?.from;
+        let end = self.refer(l.end.as_ref()?)?;
         if end.name != first.name {
             self.open_loop(word, first, end);
         }
@@ -202,19 +192,6 @@ impl<'a> Drawing<'a> {
         let error = Diagnostic::error("open-loop", message, end.span)
             .label(first.span, "it begins here")
             .fix(format!("end at `{begins}`"), end.span, begins);
-        self.report.add(error);
-    }
-
-    fn unended(&mut self, face: &str, first: Ref, span: Span) {
-        let begins = &self.names.get(first.name).text;
-        let message = format!("the loop of `{face}` does not end; it begins at `{begins}`");
-        let error = Diagnostic::error("open-loop", message, span.after())
-            .label(first.span, "it begins here")
-            .fix(
-                format!("end at `{begins}`"),
-                span.after(),
-                format!(" {begins}"),
-            );
         self.report.add(error);
     }
 
@@ -243,9 +220,7 @@ impl<'a> Drawing<'a> {
             });
         }
         if spokes.is_empty() {
-            let message = format!("the vertex `{}` has no spokes", star.name.ident.text);
-            self.report
-                .add(Diagnostic::error("empty-orbit", message, star.span));
+            // Nor a vertex without spokes.
             return None;
         }
         self.side.stars.push(Star {

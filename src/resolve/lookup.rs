@@ -41,7 +41,7 @@ impl Typing<'_> {
         let local = self.scopes.find(word).map(|(number, l)| (number, l.ty));
         if let Place::Rule(names) = self.place
             && let Some(id) = names.find(word)
-            && !local.is_some_and(|(number, _)| number as usize >= names.params())
+            && local.is_none_or(|(number, _)| (number as usize) < names.params())
         {
             return self.drawn(names, id, span);
         }

@@ -63,7 +63,10 @@ impl Typing<'_> {
                 .label(left_written.span, format!("this is {}", a_type(left.ty)))
                 .label(right_written.span, format!("this is {}", a_type(right.ty)));
             let written = [(left_written, &left), (right_written, &right)];
-            self.report.add(place_note(error, &written));
+            self.report.add(match op {
+                BinaryOp::Equal | BinaryOp::NotEqual => error,
+                _ => place_note(error, &written),
+            });
             return None;
         };
         let (mut left, mut right) = (left, right);

@@ -20,9 +20,10 @@ pub struct Op {
     pub name: String,
     /// Where its name stands.
     pub span: Span,
-    /// Its parameters.
+    /// Its parameters. One whose type could not be understood counts as a real; there is
+    /// no diagram then.
     pub params: Vec<Param>,
-    /// The type of its result.
+    /// The type of its result; `None` also if it could not be found out.
     pub result: Option<Type>,
     /// Its diagrams; `None` if they could not be resolved (a diagnostic says why).
     pub diagram: Option<diagram::Op>,
@@ -104,13 +105,16 @@ pub enum StatementKind {
         then: Block,
         otherwise: Block,
     },
-    /// An op call as a statement: refusals are counted. `must` stops at a refusal.
+    /// An op call as a statement: refusals are counted. `must` stops at a refusal. There
+    /// is an argument for each parameter; defaults are filled in.
     Apply {
         op: usize,
         args: Vec<Expr>,
         must: bool,
     },
     /// `if let m = split(e) { … } else { … }`; without a variable, `if split(e) { … }`.
+    /// The variable is set before `then` and keeps its value after the statement, so
+    /// `let m = must split(e)` is this with an empty `then` and a failing `otherwise`.
     IfApply {
         op: usize,
         args: Vec<Expr>,

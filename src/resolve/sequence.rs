@@ -79,10 +79,8 @@ impl Typing<'_> {
                     Ok(collection) => Some(collection),
                     Err(value) => {
                         let ty = value.ty;
-                        match self.field((&**base, value), field, expr.span) {
-                            Some(value) => self.not_a_sequence(expr, value.ty, sequences_of(ty)),
-                            None => None,
-                        }
+                        let value = self.field((&**base, value), field, expr.span)?;
+                        self.not_a_sequence(expr, value.ty, ty)
                     }
                 }
             }
@@ -114,24 +112,24 @@ impl Typing<'_> {
     /// An expression that is none of the forms of a sequence.
     fn no_sequence(&mut self, expr: &tree::Expr) -> Option<Collection> {
         let value = self.expression(expr)?;
-        self.not_a_sequence(expr, value.ty, sequences_of(value.ty))
+        self.not_a_sequence(expr, value.ty, value.ty)
     }
 
-    fn not_a_sequence(
-        &mut self,
-        expr: &tree::Expr,
-        ty: Type,
-        instead: &[&str],
-    ) -> Option<Collection> {
+    /// Says so, and what sequences there are of the type `of`, or else of the mesh.
+    fn not_a_sequence(&mut self, expr: &tree::Expr, ty: Type, of: Type) -> Option<Collection> {
         let message = format!("{} is {}, not a sequence", subject(expr), a_type(ty));
         let error = Diagnostic::error("not-a-sequence", message, expr.span);
-        let error = if instead.is_empty() {
-            let words = WHOLE_MESH.map(|(known, _)| known);
-            error.note(format!("the sequences of the mesh are {}", quoted(&words)))
-        } else {
-            error.note(format!("its sequences are {}", quoted(instead)))
-        };
-        self.report.add(error);
+        self.report.add(match sequences_of(of) {
+            [] => {
+                let words = WHOLE_MESH.map(|(known, _)| known);
+                error.note(format!("the sequences of the mesh are {}", quoted(&words)))
+            }
+            words => error.note(format!(
+                "the sequences of {} are {}",
+                a_type(of),
+                quoted(words)
+            )),
+        });
         None
     }
 

@@ -62,19 +62,15 @@ impl Assembler {
 
     /// Consecutive registers. Of none, some register that is not to be used.
     pub fn block(&mut self, width: u16) -> Reg {
-        let reg = self.take(width);
+        let reg = self.or_too_large(|registers| registers.take(width));
         self.registers.live.push((reg, width));
         reg
     }
 
-    fn take(&mut self, width: u16) -> Reg {
-        match self.registers.take(width) {
-            Some(reg) => reg,
-            None => {
-                self.too_large = true;
-                Reg(0)
-            }
-        }
+    fn or_too_large(&mut self, take: impl FnOnce(&mut Registers) -> Option<Reg>) -> Reg {
+        let reg = take(&mut self.registers);
+        self.too_large |= reg.is_none();
+        reg.unwrap_or(Reg(0))
     }
 
     /// The moment, to be released.
@@ -154,7 +150,7 @@ impl Assembler {
         if let Some(&reg) = self.constant_registers.get(&bits) {
             return reg;
         }
-        let reg = self.take(1);
+        let reg = self.or_too_large(|registers| registers.take_fresh());
         self.constants.push((reg, bits));
         self.constant_registers.insert(bits, reg);
         reg
@@ -212,6 +208,18 @@ struct Registers {
 }
 
 impl Registers {
+    /// A register that never was anything else: a constant is loaded before all code that
+    /// used registers that are free by now.
+    fn take_fresh(&mut self) -> Option<Reg> {
+        let most = self.most.checked_add(1)?;
+        let start = usize::from(self.most);
+        self.taken.resize(self.taken.len().max(start + 1), false);
+        self.taken[start] = true;
+        let reg = Reg(self.most);
+        self.most = most;
+        Some(reg)
+    }
+
     fn take(&mut self, width: u16) -> Option<Reg> {
         let mut start = self.first_free;
         let mut end = start;
@@ -261,10 +269,16 @@ mod tests {
         let seven = asm.constant_int(7);
         asm.release(mark);
         assert_eq!((param, a, b, seven), (Reg(0), Reg(1), Reg(4), Reg(5)));
-        assert_eq!(asm.block(5), Reg(6), "five in a row fit only behind");
+        let eight = asm.constant_int(8);
+        assert_eq!(
+            eight,
+            Reg(6),
+            "a free register may have been written to before"
+        );
+        assert_eq!(asm.block(5), Reg(7), "five in a row fit only behind");
         assert_eq!(asm.vec(), Reg(1));
         assert_eq!(asm.constant_int(7), seven);
-        assert_eq!(asm.finish().unwrap().registers, 11);
+        assert_eq!(asm.finish().unwrap().registers, 12);
     }
 
     #[test]

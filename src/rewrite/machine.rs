@@ -71,6 +71,11 @@ impl<'p> Machine<'p> {
         self.created.as_deref().unwrap_or_default()
     }
 
+    /// The window of the last run: what its registers hold.
+    pub fn window(&self) -> &[u64] {
+        &self.stack
+    }
+
     /// For each operation what became of the calls so far.
     pub fn counts(&self) -> &[Count] {
         &self.counts

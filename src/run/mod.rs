@@ -20,9 +20,11 @@ mod lower;
 mod prepare;
 mod visit;
 
+mod apply;
 mod argument;
 mod report;
 
+pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};

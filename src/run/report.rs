@@ -94,7 +94,7 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
 }
 
 /// The diagnostic of a trap: it points at the innermost place that is known.
-fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
+pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     let known: Vec<(&Site, Span)> = trap
         .trace
         .iter()
@@ -137,7 +137,7 @@ fn span(prepared: &Prepared, site: &Site) -> Option<Span> {
 }
 
 /// The stable name of a failure.
-fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
+pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
     match &trap.message {
         Message::Gone(_) => "element-gone",
         Message::Missing(_) => "no-element",

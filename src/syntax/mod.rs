@@ -4,12 +4,15 @@
 //! comments for a formatter, and a diagnostic for everything else. It knows how things are
 //! written and nothing of what they mean; `resolve` takes it from there.
 
-pub mod tree;
+mod token;
+
+mod text;
 
 mod lex;
+
+pub mod tree;
+
 mod parse;
-mod text;
-mod token;
 
 pub use lex::{Comment, CommentKind};
 pub use parse::{Parsed, parse};

@@ -3,10 +3,10 @@
 use hedgerow::diagram::{Kind, NameId, Spoke, Type};
 use hedgerow::resolve::StatementKind;
 
-use crate::told::{assert_told, resolved};
+use crate::told::{resolved, told};
 
 /// Operations and a script, as they are published.
-const PROGRAM: &str = r#"
+pub const PROGRAM: &str = r#"
 /// Rotates an edge between two triangles by one corner.
 op flip(e: edge) {
   before {
@@ -114,7 +114,7 @@ script remesh(target: real = 0, iterations: int = 5) {
 
 #[test]
 fn the_published_program_resolves() {
-    assert_told(PROGRAM, "");
+    assert_eq!(told(PROGRAM), "");
     let (resolved, _) = resolved(PROGRAM);
     assert_eq!(resolved.program.ops.len(), 5);
     assert!(resolved.program.ops.iter().all(|op| op.diagram.is_some()));
@@ -169,8 +169,10 @@ fn must_gives_a_value_or_stops() {
         "op o(v: vertex) -> v {
            before { vertex v: a * } after { keep v }
          }
-         script s {
-           for v in vertices { let w = must o(v) print w.position }
+         script s() {
+           for v in vertices { let w = must o(v)
+             print w.position
+           }
          }",
     );
     assert_eq!(resolved.diagnostics, []);

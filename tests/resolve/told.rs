@@ -62,28 +62,3 @@ fn tell(diagnostic: &Diagnostic, sources: &Sources, told: &mut String) {
         *told += "\n";
     }
 }
-
-/// Asserts that exactly `expected` is said about `text`; the margin of both is ignored.
-#[track_caller]
-pub fn assert_told(text: &str, expected: &str) {
-    let told = told(&without_margin(text));
-    let expected = without_margin(expected);
-    assert_eq!(told, expected, "told:\n{told}\nexpected:\n{expected}");
-}
-
-/// A text without the margin of its first line and without empty lines around it.
-pub fn without_margin(text: &str) -> String {
-    let lines: Vec<&str> = text
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .collect();
-    let margin = lines
-        .first()
-        .map_or(0, |line| line.len() - line.trim_start().len());
-    let mut plain = String::new();
-    for line in lines {
-        plain += line.get(margin..).unwrap_or(line.trim_start());
-        plain += "\n";
-    }
-    plain
-}

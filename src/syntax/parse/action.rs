@@ -1,13 +1,13 @@
 //! Statements of scripts, functions and tests, and the blocks they stand in.
 
 use super::drawing::mark;
-use super::expression::expression;
+use super::expression::{broken_value, expression};
 use super::failure::Phrase;
 use super::input::{Rule, Scene};
 use super::name::{ident, text, type_word};
 use super::recover;
 use crate::syntax::token::TokenKind as T;
-use crate::syntax::tree::{Action, ActionKind, Block, Expr, ExprKind, Ident};
+use crate::syntax::tree::{Action, ActionKind, Block, Expr, Ident};
 use chumsky::prelude::*;
 
 /// The two rules that need each other.
@@ -89,10 +89,13 @@ fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
 
 /// A value in the head of a statement; where it cannot be read, the block behind it still is.
 fn head<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
-    let broken = recover::header().map(|span| Expr {
-        kind: ExprKind::Broken,
-        span,
-    });
+    let broken = recover::header().map(broken_value);
+    expression.clone().recover_with(via_parser(broken)).boxed()
+}
+
+/// A value at the end of a statement; where it cannot be read, the statement still stands.
+fn tail<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Expr> {
+    let broken = recover::action_value().map(broken_value);
     expression.clone().recover_with(via_parser(broken)).boxed()
 }
 
@@ -104,7 +107,7 @@ fn binding<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
         .then(ident())
         .then(ty.or_not())
         .then_ignore(just(T::Equals))
-        .then(expression.clone())
+        .then(tail(expression))
         .map(|(((mutable, name), ty), value)| ActionKind::Let {
             mutable,
             name,
@@ -229,7 +232,7 @@ fn assertion<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
 fn value_or_assignment<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
     let assigned = just(T::Equals)
         .labelled(Phrase::Operator)
-        .ignore_then(expression.clone());
+        .ignore_then(tail(expression));
     expression
         .clone()
         .then(assigned.or_not())

@@ -1,7 +1,8 @@
 //! One side of an op: the statements of a drawing.
 
+use super::expression::broken_value;
 use super::failure::Phrase;
-use super::input::{Rule, Scene};
+use super::input::{Extra, Rule, Scene, Tokens};
 use super::name::{ident, listed_name, name, word};
 use super::recover;
 use crate::source::Span;
@@ -134,9 +135,7 @@ fn arrow<'t>() -> Rule<'t, (Arrow, Span)> {
 }
 
 /// `each i { … }`
-fn each<'t, O: 't>(
-    period: impl Parser<'t, super::input::Tokens<'t>, O, super::input::Extra<'t>> + 't,
-) -> Rule<'t, (Ident, O)> {
+fn each<'t, O: 't>(period: impl Parser<'t, Tokens<'t>, O, Extra<'t>> + 't) -> Rule<'t, (Ident, O)> {
     just(T::Each)
         .ignore_then(ident())
         .then(period.delimited_by(just(T::LeftBrace), just(T::RightBrace)))
@@ -202,11 +201,13 @@ fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
 
 /// `v.position = …`
 fn assignment<'t>(expression: Rule<'t, Expr>) -> Rule<'t, Statement> {
-    name()
+    let broken = recover::drawing_value().map(broken_value);
+    recover::assignment_ahead()
+        .ignore_then(name())
         .then_ignore(just(T::Dot))
         .then(word())
         .then_ignore(just(T::Equals))
-        .then(expression)
+        .then(expression.recover_with(via_parser(broken)))
         .map_with(|((target, attribute), value), scene| Statement::Assign {
             target,
             attribute,

@@ -5,6 +5,7 @@
 use super::failure::{Failure, Mistake, Phrase};
 use super::input::{Rule, Scene, slice};
 use super::name::{ident, int_here, name, text, word};
+use super::recover;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
@@ -64,10 +65,11 @@ fn signed<'t>(sign: T, op: UnaryOp, operand: Rule<'t, Expr>) -> Rule<'t, Expr> {
 
 /// Operands with operators of one rank between them, grouped from the left.
 fn chain<'t>(operand: Rule<'t, Expr>, operator: Rule<'t, BinaryOp>) -> Rule<'t, Expr> {
+    let missing = empty().map_with(|(), scene: &mut Scene<'t, '_>| broken_value(scene.span()));
+    let right = operand.clone().recover_with(via_parser(missing));
     operand
-        .clone()
         .foldl_with(
-            operator.then(operand).repeated(),
+            operator.then(right).repeated(),
             |left, (op, right), scene| {
                 if is_comparison(op) {
                     comparison(left, op, right, scene)
@@ -77,6 +79,12 @@ fn chain<'t>(operand: Rule<'t, Expr>, operator: Rule<'t, BinaryOp>) -> Rule<'t, 
             },
         )
         .boxed()
+}
+
+/// What stands for a value that could not be read.
+pub(super) fn broken_value(span: Span) -> Expr {
+    let kind = ExprKind::Broken;
+    Expr { kind, span }
 }
 
 fn binary(left: Expr, op: BinaryOp, right: Expr) -> Expr {
@@ -89,7 +97,8 @@ fn binary(left: Expr, op: BinaryOp, right: Expr) -> Expr {
 
 /// A comparison of a comparison is a mistake, unless parentheses say that it is meant.
 fn comparison(left: Expr, op: BinaryOp, right: Expr, scene: &mut Scene) -> Expr {
-    if let ExprKind::Binary(inner, first, _) = &left.kind
+    if right.kind != ExprKind::Broken
+        && let ExprKind::Binary(inner, first, _) = &left.kind
         && is_comparison(*inner)
         && first.span.start == left.span.start
     {
@@ -130,10 +139,10 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
         ExprKind::Real(value.unwrap_or(f64::MAX))
     });
     let text = text().map(|(text, _)| ExprKind::Text(text));
-    let parenthesised = expression
-        .clone()
-        .delimited_by(just(T::LeftParen), just(T::RightParen))
-        .map(|inner| inner.kind);
+    let inside = expression.clone().map(|inner| inner.kind);
+    let inside = inside.then_ignore(recover::right_paren());
+    let broken = recover::parentheses().map(|_| ExprKind::Broken);
+    let parenthesised = just(T::LeftParen).ignore_then(inside.recover_with(via_parser(broken)));
     let call = call(expression.clone());
     let must = just(T::Must)
         .ignore_then(called(call.clone()))
@@ -197,7 +206,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
     let after_first = each
         .map(|each| (Vec::new(), Some(each)))
         .or(rest.map(|rest| (rest, None)));
-    let arguments = expression
+    let inside = expression
         .then(after_first)
         .map(|(first, (rest, each))| Arguments {
             values: std::iter::once(first).chain(rest).collect(),
@@ -210,10 +219,14 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
                 each: None,
             })
         })
-        .delimited_by(
-            just(T::LeftParen).labelled(Phrase::Operator),
-            just(T::RightParen),
-        );
+        .then_ignore(recover::right_paren());
+    let broken = recover::parentheses().map(|span| Arguments {
+        values: vec![broken_value(span)],
+        each: None,
+    });
+    let arguments = just(T::LeftParen)
+        .labelled(Phrase::Operator)
+        .ignore_then(inside.recover_with(via_parser(broken)));
     name()
         .then(arguments.or_not())
         .validate(|(name, arguments), _, emitter| {

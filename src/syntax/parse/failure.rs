@@ -68,7 +68,7 @@ impl Phrase {
             Self::Vertex => &["a vertex"],
             Self::Index => &["an index like `i+1`"],
             Self::Value => &["a value"],
-            Self::DrawingStatement => &["the next statement"],
+            Self::DrawingStatement => &["a statement"],
             Self::Statement => &["a statement"],
             Self::Text => &["a text in quotes"],
             Self::Operator => &["an operator"],
@@ -224,4 +224,4 @@ impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
 }
 
 /// So many kinds fit into the bits of [`Wanted`].
-const _: () = assert!(TokenKind::Comment as u8 as u32 <= u128::BITS - 1);
+const _: () = assert!((TokenKind::Comment as u32) < u128::BITS);

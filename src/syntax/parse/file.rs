@@ -4,7 +4,7 @@ use super::cut::cut;
 use super::depth::{DEEPEST, too_deep};
 use super::input::{self, Rule, Source};
 use super::item::item;
-use super::report::{Around, report, unclosed};
+use super::report::{Around, report};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 use crate::syntax::lex::{Comment, CommentKind, Lexed, lex};
@@ -119,12 +119,8 @@ impl Reading<'_, '_> {
         if failures.is_empty() {
             return item.unwrap_or(Item::Broken(whole));
         }
-        let around = Around {
-            text: self.text,
-            item: inside,
-            next: self.tokens.get(range.end).copied(),
-            unclosed: unclosed(inside),
-        };
+        let next = self.tokens.get(range.end).copied();
+        let around = Around::new(self.text, inside, next);
         let told = failures.into_iter().map(|failure| report(failure, &around));
         self.diagnostics.extend(told);
         item.unwrap_or(Item::Broken(whole))

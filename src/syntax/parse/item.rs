@@ -9,7 +9,8 @@ use super::recover;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
-    Attr, Condition, Expr, Fn, Ident, Item, Op, Param, Rule as Alternative, Script, Side, Test, Use,
+    Attr, Block, Condition, Expr, Fn, Ident, Item, Op, Param, Rule as Alternative, Script, Side,
+    Test, Use,
 };
 use chumsky::input::Emitter;
 use chumsky::prelude::*;
@@ -92,12 +93,26 @@ fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
         .collect::<Vec<_>>()
         .map(|params| params.into_iter().flatten().collect())
         .delimited_by(just(T::LeftParen), mark(T::RightParen))
+        .recover_with(via_parser(recover::item_head().map(|_| Vec::new())))
         .boxed()
 }
 
 /// `-> real`
 fn result<'t>(word: Rule<'t, Ident>) -> Rule<'t, Option<Ident>> {
-    just(T::Arrow).ignore_then(word).or_not().boxed()
+    let word = word
+        .map(Some)
+        .recover_with(via_parser(empty().map(|()| None)));
+    just(T::Arrow)
+        .ignore_then(word)
+        .or_not()
+        .map(Option::flatten)
+        .boxed()
+}
+
+/// The block of an item, whatever stands before it.
+fn body<'t>(code: &Code<'t>) -> Rule<'t, Block> {
+    let later = recover::to_braces().ignore_then(code.block.clone());
+    code.block.clone().recover_with(via_parser(later)).boxed()
 }
 
 /// `fn name(…) -> type { … }`
@@ -106,7 +121,7 @@ fn function<'t>(code: &Code<'t>) -> Rule<'t, Fn> {
         .ignore_then(ident())
         .then(params(code))
         .then(result(type_word()))
-        .then(code.block.clone())
+        .then(body(code))
         .map_with(|(((name, params), result), body), scene| Fn {
             docs: Vec::new(),
             name,
@@ -123,7 +138,7 @@ fn script<'t>(code: &Code<'t>) -> Rule<'t, Script> {
     just(T::Script)
         .ignore_then(ident())
         .then(params(code))
-        .then(code.block.clone())
+        .then(body(code))
         .map_with(|((name, params), body), scene| Script {
             docs: Vec::new(),
             name,
@@ -149,8 +164,10 @@ fn test<'t>(code: &Code<'t>) -> Rule<'t, Test> {
 
 /// `op name(…) -> result keeps … { … }`
 fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
+    let levels = ident().separated_by(just(T::Comma)).at_least(1).collect();
+    let levels = levels.recover_with(via_parser(empty().map(|()| Vec::new())));
     let keeps = just(T::Keeps)
-        .ignore_then(ident().separated_by(just(T::Comma)).at_least(1).collect())
+        .ignore_then(levels)
         .or_not()
         .map(|keeps: Option<Vec<Ident>>| keeps.unwrap_or_default());
     just(T::Op)
@@ -180,18 +197,22 @@ enum Part {
     Broken,
 }
 
-/// The braces of an op: its parts, or its rules.
+/// The braces of an op: its parts, or its rules. A closing brace with another part behind
+/// it closes nothing.
 fn rules<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Vec<Alternative>> {
     let rule = just(T::Rule)
         .ignore_then(ident())
-        .then(parts(part(expression), recover::begins_part_of_rule))
+        .then(parts(part(expression), just(T::RightBrace).boxed()))
         .validate(|(name, parts), scene, emitter| {
             let mut rule = assembled(parts, scene.span(), emitter).0;
             rule.name = Some(name);
             rule
         });
     let part = part(expression).or(rule.map(Part::Rule)).boxed();
-    parts(part, recover::begins_part)
+    let another = select! { kind if recover::begins_part(kind) => () };
+    let stray = just(T::RightBrace).then(another).rewind();
+    let end = just(T::RightBrace).and_is(stray.not()).boxed();
+    parts(part, end)
         .validate(|parts, scene, emitter| {
             let (alone, mut rules) = assembled(parts, scene.span(), emitter);
             if rules.is_empty() {
@@ -219,19 +240,18 @@ fn part<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Part> {
     .boxed()
 }
 
-/// Parts in braces. A closing brace with another part behind it closes nothing.
-fn parts<'t>(part: Rule<'t, Part>, begins: fn(T) -> bool) -> Rule<'t, Vec<Part>> {
-    let another = select! { kind if begins(kind) => () };
-    let stray = just(T::RightBrace).then(another).rewind();
-    let end = just(T::RightBrace).and_is(stray.not());
+/// Parts in braces, up to a closing brace that is an `end`.
+fn parts<'t>(part: Rule<'t, Part>, end: Rule<'t, T>) -> Rule<'t, Vec<Part>> {
+    let open = just(T::LeftBrace).ignored();
+    let later = recover::to_braces().ignore_then(open.or_not().ignored());
+    let open = open.recover_with(via_parser(later));
     let broken = recover::part().map(|_| Part::Broken);
     let parts = end
         .not()
         .ignore_then(part.recover_with(via_parser(broken)))
         .repeated()
         .collect();
-    mark(T::LeftBrace)
-        .ignore_then(parts)
+    open.ignore_then(parts)
         .then_ignore(mark(T::RightBrace))
         .boxed()
 }

@@ -5,17 +5,27 @@
 //! nothing nests deeper than the stack allows, and the time is linear in the text. Within
 //! an item, a statement that cannot be read is skipped and stands in the tree as `Broken`.
 
-mod action;
+mod file;
+
 mod cut;
 mod depth;
-mod drawing;
-mod expression;
-mod failure;
-mod file;
-mod input;
+
 mod item;
+
+mod drawing;
+
+mod action;
+
+mod expression;
+
 mod name;
+
 mod recover;
+
+mod failure;
+
 mod report;
+
+mod input;
 
 pub use file::{Parsed, parse};

@@ -57,7 +57,7 @@ pub(super) fn listed_name<'t>() -> Rule<'t, Name> {
 fn subscript<'t>() -> Rule<'t, Index> {
     let int = select! { T::Int => () }.map_with(|(), scene| int_here(scene));
     let sign = just(T::Plus).to(1).or(just(T::Minus).to(-1));
-    let offset = sign.clone().then(int.clone());
+    let offset = sign.then(int);
     let moved = ident()
         .then(offset.or_not())
         .map(|(variable, offset)| (Some(variable), offset.unwrap_or((1, 0))));

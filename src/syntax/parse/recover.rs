@@ -19,11 +19,6 @@ pub(super) fn begins_part(kind: T) -> bool {
     matches!(kind, T::Before | T::Require | T::Guard | T::After | T::Rule)
 }
 
-/// Whether a token begins a part of one rule of an op.
-pub(super) fn begins_part_of_rule(kind: T) -> bool {
-    begins_part(kind) && kind != T::Rule
-}
-
 fn begins_drawing_statement(kind: T) -> bool {
     matches!(
         kind,
@@ -50,22 +45,59 @@ fn begins_action(kind: T) -> bool {
 
 /// Skips what is left of a statement of a drawing.
 pub(super) fn drawing_statement<'t>() -> Rule<'t, Span> {
-    skip(|input, kind, level| {
-        begins_drawing_statement(kind)
-            || begins_part(kind)
-            || kind == T::RightBrace && level == 0
-            || kind.is_name() && begins_assignment(input)
-    })
+    skip(follows_drawing_statement)
+}
+
+/// Skips the value of a statement of a drawing.
+pub(super) fn drawing_value<'t>() -> Rule<'t, Span> {
+    skip_from_first(follows_drawing_statement)
+}
+
+fn follows_drawing_statement(input: &mut Input, kind: T, level: usize) -> bool {
+    begins_drawing_statement(kind)
+        || begins_part(kind)
+        || kind == T::RightBrace && level == 0
+        || kind.is_name() && begins_assignment(input)
 }
 
 /// Skips what is left of a statement of a block.
 pub(super) fn action<'t>() -> Rule<'t, Span> {
-    skip(|input, kind, level| {
-        level == 0
-            && (kind == T::RightBrace
-                || begins_action(kind)
-                || matches!(kind, T::For | T::If | T::Must | T::Word) && begins_line(input))
+    skip(follows_action)
+}
+
+/// Skips the value of a statement of a block.
+pub(super) fn action_value<'t>() -> Rule<'t, Span> {
+    skip_from_first(follows_action)
+}
+
+fn follows_action(input: &mut Input, kind: T, level: usize) -> bool {
+    level == 0
+        && (kind == T::RightBrace
+            || begins_action(kind)
+            || matches!(kind, T::For | T::If | T::Must | T::Word) && begins_line(input))
+}
+
+/// Skips what is left of a pair of parentheses, and the one that closes it if there is one
+/// before the next statement or brace.
+pub(super) fn parentheses<'t>() -> Rule<'t, Span> {
+    custom(|input: &mut Input<'t, '_>| {
+        let start = input.cursor();
+        let mut level = 0_usize;
+        while let Some(kind) = input.peek() {
+            if ends_parentheses(kind) {
+                break;
+            }
+            input.skip();
+            match kind {
+                T::LeftParen => level += 1,
+                T::RightParen if level == 0 => break,
+                T::RightParen => level -= 1,
+                _ => {}
+            }
+        }
+        Ok(input.span_since(&start))
     })
+    .boxed()
 }
 
 /// Skips what is left of a part of an op.
@@ -73,7 +105,41 @@ pub(super) fn part<'t>() -> Rule<'t, Span> {
     skip(|_, kind, level| begins_part(kind) || kind == T::RightBrace && level == 0)
 }
 
-/// Skips to the block that follows a header.
+/// Skips what is left of the head of an item.
+pub(super) fn item_head<'t>() -> Rule<'t, Span> {
+    skip_from_first(|_, kind, _| {
+        matches!(kind, T::LeftBrace | T::RightBrace | T::Arrow | T::Keeps) || begins_part(kind)
+    })
+}
+
+/// The end of a pair of parentheses; its lack is forgiven where no value goes on.
+pub(super) fn right_paren<'t>() -> Rule<'t, ()> {
+    let lack = custom(|input: &mut Input<'t, '_>| {
+        let start = input.cursor();
+        match input.peek() {
+            Some(kind) if !ends_parentheses(kind) => Err(Failure::at(input.span_since(&start))),
+            _ => Ok(()),
+        }
+    });
+    just(T::RightParen)
+        .ignored()
+        .recover_with(via_parser(lack))
+        .boxed()
+}
+
+fn ends_parentheses(kind: T) -> bool {
+    matches!(kind, T::LeftBrace | T::RightBrace)
+        || begins_action(kind)
+        || begins_drawing_statement(kind)
+        || begins_part(kind)
+}
+
+/// Skips to the braces of an item.
+pub(super) fn to_braces<'t>() -> Rule<'t, Span> {
+    skip_from_first(|_, kind, _| matches!(kind, T::LeftBrace | T::RightBrace) || begins_part(kind))
+}
+
+/// Skips to the block that follows the head of a statement.
 pub(super) fn header<'t>() -> Rule<'t, Span> {
     skip_from_first(|_, kind, _| {
         matches!(kind, T::LeftBrace | T::RightBrace | T::Where | T::By) || begins_action(kind)
@@ -131,6 +197,24 @@ fn skipping<'t>(stop: Stop, first_goes: bool) -> Rule<'t, Span> {
             }
         }
         Ok(input.span_since(&start))
+    })
+    .boxed()
+}
+
+/// Reads nothing, and fails where no assignment begins: so that what fails is the start of
+/// the statement.
+pub(super) fn assignment_ahead<'t>() -> Rule<'t, ()> {
+    custom(|input: &mut Input<'t, '_>| {
+        let start = input.save();
+        let named = input.next().is_some_and(T::is_name);
+        let goes_on = matches!(input.peek(), Some(T::Dot | T::LeftBracket));
+        let first = input.span_since(start.cursor());
+        input.rewind(start);
+        if named && goes_on {
+            Ok(())
+        } else {
+            Err(Failure::at(first))
+        }
     })
     .boxed()
 }

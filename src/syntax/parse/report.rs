@@ -13,8 +13,47 @@ pub(super) struct Around<'t> {
     pub item: &'t [Token],
     /// The token behind the item, if any.
     pub next: Option<Token>,
-    /// The last brace of the item that nothing closes.
-    pub unclosed: Option<Token>,
+    /// For each token of the item, the brace that is open before it, and one more for the
+    /// end.
+    pub open: Vec<Option<Token>>,
+}
+
+impl<'t> Around<'t> {
+    /// Looks around in an item of a file.
+    pub(super) fn new(text: &'t str, item: &'t [Token], next: Option<Token>) -> Self {
+        let open = open_braces(item);
+        Self {
+            text,
+            item,
+            next,
+            open,
+        }
+    }
+
+    /// The innermost brace that is open at a place, if braces are missing in this item.
+    fn open_at(&self, span: Span) -> Option<Token> {
+        let never_closed = self.open.last().copied().flatten();
+        let before = |token: &Token| token.span.start < span.start;
+        let at = self.item.partition_point(before);
+        never_closed.and(self.open.get(at).copied().flatten())
+    }
+}
+
+fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
+    let mut open: Vec<Token> = Vec::new();
+    let mut at = Vec::with_capacity(tokens.len() + 1);
+    for &token in tokens {
+        at.push(open.last().copied());
+        match token.kind {
+            T::LeftBrace => open.push(token),
+            T::RightBrace => {
+                open.pop();
+            }
+            _ => {}
+        }
+    }
+    at.push(open.last().copied());
+    at
 }
 
 /// Tells a failure in words.
@@ -58,7 +97,10 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
         None => end_of(around),
     };
     let wanted = listed(&wanted(&failure));
-    let place = failure.context.and_then(|context| place(context, around));
+    let anew = starts_anew(&failure);
+    let closes = failure.wanted.has(T::RightBrace);
+    let context = failure.context.filter(|_| !anew && !closes);
+    let place = context.and_then(|context| place(context, around));
     let mut message = if wanted.is_empty() {
         format!("unexpected {found}")
     } else {
@@ -67,9 +109,10 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     if let Some(place) = place {
         message = format!("{message} {place}");
     }
-    let span = match starts_anew(&failure) {
-        true => failure.span,
-        false => behind_the_last_line(failure.span, around),
+    let span = if anew {
+        failure.span
+    } else {
+        behind_the_last_line(failure.span, around)
     };
     let told = Diagnostic::error("syntax-error", message, span);
     let told = if wanted.is_empty() {
@@ -77,24 +120,23 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     } else {
         told.saying(format!("expected {wanted}"))
     };
-    match around.unclosed {
-        Some(open) if failure.wanted.has(T::RightBrace) => {
-            let mark = open.kind;
-            told.label(open.span, format!("this {mark} is not closed"))
-        }
+    match around.open_at(failure.span) {
+        Some(open) if closes => told.label(open.span, "this `{` is not closed"),
         _ => told,
     }
 }
 
 /// Whether something whole could have begun here, so that nothing is missing before.
 fn starts_anew(failure: &Failure) -> bool {
-    let mut phrases = failure.wanted.phrases();
-    phrases.any(|phrase| {
-        matches!(
-            phrase,
-            Phrase::Item | Phrase::Part | Phrase::DrawingStatement | Phrase::Statement
-        )
-    })
+    let phrases: Vec<_> = failure.wanted.phrases().collect();
+    let something = !phrases.is_empty() || failure.wanted.tokens().next().is_some();
+    !something
+        || phrases.into_iter().any(|phrase| {
+            matches!(
+                phrase,
+                Phrase::Item | Phrase::Part | Phrase::DrawingStatement | Phrase::Statement
+            )
+        })
 }
 
 /// Where to point if what was found stands on a later line than what it should have
@@ -173,19 +215,4 @@ fn place(context: Span, around: &Around) -> Option<String> {
         Some(name) => format!("in the {keyword}{sort} {name}"),
         None => format!("in the {keyword}{sort}"),
     })
-}
-
-/// The last brace of an item that nothing closes.
-pub(super) fn unclosed(tokens: &[Token]) -> Option<Token> {
-    let mut open: Vec<Token> = Vec::new();
-    for &token in tokens {
-        match token.kind {
-            T::LeftBrace => open.push(token),
-            T::RightBrace => {
-                open.pop();
-            }
-            _ => {}
-        }
-    }
-    open.pop()
 }

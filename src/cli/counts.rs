@@ -1,0 +1,36 @@
+//! How many elements a mesh has, before and after.
+
+use serde::Serialize;
+
+use crate::mesh::Mesh;
+
+/// The numbers of elements of a mesh.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct Counts {
+    pub vertices: usize,
+    pub edges: usize,
+    pub faces: usize,
+    pub boundary_loops: usize,
+}
+
+impl Counts {
+    /// Counts the elements of a mesh.
+    pub fn of(mesh: &Mesh) -> Self {
+        Self {
+            vertices: mesh.vertex_count(),
+            edges: mesh.edge_count(),
+            faces: mesh.face_count(),
+            boundary_loops: mesh.hole_count(),
+        }
+    }
+
+    /// The numbers with their names.
+    pub fn rows(self) -> [(&'static str, usize); 4] {
+        [
+            ("vertices", self.vertices),
+            ("edges", self.edges),
+            ("faces", self.faces),
+            ("boundary loops", self.boundary_loops),
+        ]
+    }
+}

@@ -1,0 +1,168 @@
+//! `hedgerow run`
+
+use std::time::Instant;
+
+use serde::Serialize;
+
+use super::arguments::{Format, RunArguments};
+use super::counts::Counts;
+use super::failure::Failure;
+use super::output::{complain_of, say, say_json, table};
+use super::program::{self, settings};
+use super::progress::Progress;
+use crate::mesh::{read_obj, write_obj};
+use crate::run::{self, OpReport, prepare};
+
+/// Runs a script on a mesh.
+pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
+    let started = Instant::now();
+    let (path, name) = program::part(&arguments.script);
+    let program = program::read_sound(path)?;
+    let script = program::find_script(&program, name)?;
+    let complain = |diagnostics: &[_], code: u8| {
+        complain_of(diagnostics, &program.sources);
+        Failure::Silent(code.into())
+    };
+    let prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
+        .map_err(|errors| complain(&errors, 1))?;
+    let values = prepared
+        .arguments(&settings(&arguments.set)?)
+        .map_err(|errors| complain(&errors, 2))?;
+    let compile = started.elapsed().as_secs_f64();
+
+    let started = Instant::now();
+    let mut obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let load = started.elapsed().as_secs_f64();
+    let before = Counts::of(&obj.mesh);
+
+    let started = Instant::now();
+    let name = program.analysis.program.scripts[script].name.clone();
+    let mut progress = Progress::new(&name, arguments.format == Format::Json);
+    let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);
+    progress.finish();
+    let report = report.map_err(|failure| complain(&[failure.diagnostic], 1))?;
+    let run = started.elapsed().as_secs_f64();
+
+    let started = Instant::now();
+    write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
+    let save = started.elapsed().as_secs_f64();
+
+    let report = Report {
+        script: name,
+        ops: report.ops.into_iter().map(Op::from).collect(),
+        before,
+        after: Counts::of(&obj.mesh),
+        seconds: Seconds {
+            load,
+            compile,
+            run,
+            save,
+        },
+    };
+    match arguments.format {
+        Format::Json => say_json(&report),
+        Format::Human => {
+            say(&report.show());
+            Ok(())
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Report {
+    script: String,
+    ops: Vec<Op>,
+    before: Counts,
+    after: Counts,
+    seconds: Seconds,
+}
+
+#[derive(Serialize)]
+struct Op {
+    op: String,
+    applied: u64,
+    refused: u64,
+    reasons: Vec<Reason>,
+}
+
+#[derive(Serialize)]
+struct Reason {
+    reason: String,
+    times: u64,
+}
+
+#[derive(Serialize)]
+struct Seconds {
+    load: f64,
+    compile: f64,
+    run: f64,
+    save: f64,
+}
+
+impl From<OpReport> for Op {
+    fn from(report: OpReport) -> Self {
+        let refused = report.refused.iter().map(|(_, times)| times).sum();
+        let reasons = report
+            .refused
+            .into_iter()
+            .map(|(reason, times)| Reason { reason, times });
+        Self {
+            op: report.name,
+            applied: report.applied,
+            refused,
+            reasons: reasons.collect(),
+        }
+    }
+}
+
+impl Report {
+    fn show(&self) -> String {
+        let mut parts = Vec::new();
+        if !self.ops.is_empty() {
+            parts.push(self.show_ops());
+        }
+        parts.push(self.show_counts());
+        let Seconds {
+            load,
+            compile,
+            run,
+            save,
+        } = self.seconds;
+        parts.push(format!(
+            "seconds: load {load:.3}, compile {compile:.3}, run {run:.3}, save {save:.3}"
+        ));
+        parts.join("\n\n")
+    }
+
+    fn show_ops(&self) -> String {
+        let mut rows = vec![["op", "applied", "refused", ""].map(String::from).to_vec()];
+        for op in &self.ops {
+            rows.push(vec![
+                op.op.clone(),
+                op.applied.to_string(),
+                op.refused.to_string(),
+            ]);
+            for reason in &op.reasons {
+                rows.push(vec![
+                    String::new(),
+                    String::new(),
+                    reason.times.to_string(),
+                    reason.reason.clone(),
+                ]);
+            }
+        }
+        table(&rows, &[false, true, true, false])
+    }
+
+    fn show_counts(&self) -> String {
+        let mut rows = vec![["", "before", "after"].map(String::from).to_vec()];
+        for ((name, before), (_, after)) in self.before.rows().into_iter().zip(self.after.rows()) {
+            rows.push(vec![
+                name.to_string(),
+                before.to_string(),
+                after.to_string(),
+            ]);
+        }
+        table(&rows, &[false, true, true])
+    }
+}

@@ -1,0 +1,123 @@
+//! One call of an operation, from outside of any script.
+
+use super::report::{Failure, diagnostic};
+use super::{Argument, Report, prepare};
+use crate::diagnostic::Diagnostic;
+use crate::mesh::{ElementKind, Mesh};
+use crate::resolve::{Program, Script, Variable};
+use crate::rewrite::{Machine, Outcome, Plan, Trap, Unwatched};
+
+/// What became of a call.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Applied {
+    /// The operation has been applied.
+    Done {
+        /// What it returned.
+        result: Option<(ElementKind, u32)>,
+        /// What it created, in that order.
+        created: Vec<(ElementKind, u32)>,
+    },
+    /// It does not apply here, and the mesh is as it was; the reason.
+    Refused(String),
+}
+
+/// Reads the arguments of an operation, each a name and a text; see [`apply`].
+///
+/// # Errors
+/// One diagnostic for each argument that does not fit, and for each that is missing.
+pub fn arguments(
+    program: &Program,
+    op: usize,
+    texts: &[(String, String)],
+) -> Result<Vec<(String, Argument)>, Vec<Diagnostic>> {
+    prepare(&parameters_alone(program, op), 0, &[])?.arguments(texts)
+}
+
+/// Applies an operation of a program. Parameters that are not given take their defaults.
+///
+/// # Errors
+/// The arguments do not fit the parameters, or an expression of the operation has no value
+/// here; the mesh is as it was.
+pub fn apply(
+    program: &Program,
+    op: usize,
+    plan: &Plan,
+    mesh: &mut Mesh,
+    arguments: &[(String, Argument)],
+) -> Result<Applied, Box<Failure>> {
+    let failure = |diagnostic| {
+        Box::new(Failure {
+            diagnostic,
+            report: Report::default(),
+        })
+    };
+    let parameters = parameters_alone(program, op);
+    let prepared = prepare(&parameters, 0, &[]).map_err(|mut errors| failure(errors.remove(0)))?;
+    let mut code = prepared.code().clone();
+    let slots = prepared
+        .slots(mesh, arguments, &mut code.texts)
+        .map_err(failure)?;
+    let mut machine = Machine::new(&[]);
+    machine.remember_created();
+    let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));
+    machine
+        .run(mesh, &code, &slots, &mut Unwatched)
+        .map_err(trapped)?;
+    let slots = machine.window().to_vec();
+    let outcome = machine
+        .apply(mesh, plan, &slots)
+        .map_err(|trap| failure(in_plan(plan, trap, &prepared)))?;
+    Ok(match outcome {
+        Outcome::Applied { result } => {
+            let created = machine.created().to_vec();
+            Applied::Done {
+                result: plan.result.zip(result),
+                created,
+            }
+        }
+        Outcome::Refused { reason } => {
+            let known = reason.and_then(|reason| plan.refusals.get(usize::from(reason)));
+            let reason = known.map_or("the diagram does not match here", |known| &known.reason);
+            Applied::Refused(reason.to_owned())
+        }
+    })
+}
+
+/// A script that has the parameters of an operation, and does nothing: running it leaves
+/// their values in the window.
+fn parameters_alone(program: &Program, op: usize) -> Program {
+    let scripts = program.ops.get(op).map(|op| Script {
+        name: op.name.clone(),
+        span: op.span,
+        docs: Vec::new(),
+        params: op.params.clone(),
+        variables: op
+            .params
+            .iter()
+            .map(|param| Variable {
+                name: param.name.clone(),
+                ty: param.ty,
+                span: param.span,
+            })
+            .collect(),
+        body: Vec::new(),
+    });
+    Program {
+        ops: Vec::new(),
+        scripts: scripts.into_iter().collect(),
+    }
+}
+
+/// A trap in the code of the operation itself, at its place there.
+fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared) -> Diagnostic {
+    let place = trap
+        .trace
+        .first()
+        .and_then(|site| plan.places.get(site.place? as usize))
+        .copied();
+    let message = trap.message.to_string();
+    match place {
+        Some(span) => Diagnostic::error("run-time-error", message, span),
+        None => diagnostic(prepared, trap),
+    }
+}

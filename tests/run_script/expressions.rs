@@ -1,0 +1,190 @@
+//! What expressions are worth.
+
+use super::*;
+use hedgerow::mesh::shape;
+
+/// Each line of a script that prints an expression, and what it should print.
+fn check(mesh: &mut Mesh, cases: &[(&str, &str)]) {
+    let body: String = cases
+        .iter()
+        .map(|(expr, _)| format!("print {expr}\n"))
+        .collect();
+    let expected: Vec<_> = cases.iter().map(|&(_, text)| text).collect();
+    assert_eq!(printed(mesh, &body), expected);
+}
+
+#[test]
+fn numbers() {
+    check(
+        &mut shape::cube(),
+        &[
+            ("1 + 2 * 3 - 4", "3"),
+            ("-7 div 2", "-4"),
+            ("-7 mod 2", "1"),
+            ("7 / 2", "3.5"),
+            ("1 / 3", "0.3333333333333333"),
+            ("abs(-3), abs(-2.5)", "3 2.5"),
+            (
+                "min(1, 2), max(1, 2), min(1.5, 2.0), max(1.5, 2.0)",
+                "1 2 1.5 2",
+            ),
+            (
+                "sqrt(16.0), pow(2.0, 10.0), floor(1.5), ceil(1.5)",
+                "4 1024 1 2",
+            ),
+            ("round(2.5), round(3.5)", "2 4"),
+            (
+                "sin(0.0), cos(0.0), tan(0.0), asin(0.0), acos(1.0)",
+                "0 1 0 0 0",
+            ),
+            ("exp(0.0), log(1.0), atan2(0.0, 1.0)", "1 0 0"),
+            ("mix(1.0, 3.0, 0.25)", "1.5"),
+            ("-(1.5)", "-1.5"),
+            ("1 < 2, 2 <= 1, 1 == 1, 1 != 1", "true false true false"),
+            ("1.5 < 2.0, 2.0 >= 1.0, 1.5 == 1.5", "true true true"),
+            ("if 1 < 2 { 10 } else { 20 }", "10"),
+        ],
+    );
+}
+
+#[test]
+fn truth() {
+    check(
+        &mut shape::cube(),
+        &[
+            (
+                "true and false, true or false, not true",
+                "false true false",
+            ),
+            // The right side would trap.
+            ("false and 1 div 0 == 1, true or 1 div 0 == 1", "false true"),
+            ("true == false", "false"),
+            ("\"a\", \"b c\"", "a b c"),
+        ],
+    );
+}
+
+#[test]
+fn vectors() {
+    check(
+        &mut shape::cube(),
+        &[
+            ("vec3(1, 2, 3) + vec3(1, 1, 1)", "(2, 3, 4)"),
+            ("vec3(1, 2, 3) - vec3(1, 1, 1)", "(0, 1, 2)"),
+            (
+                "2 * vec3(1, 2, 3), vec3(1, 2, 3) / 2",
+                "(2, 4, 6) (0.5, 1, 1.5)",
+            ),
+            ("-vec3(1, 2, 3)", "(-1, -2, -3)"),
+            ("dot(vec3(1, 2, 3), vec3(1, 1, 1))", "6"),
+            ("cross(vec3(1, 0, 0), vec3(0, 1, 0))", "(0, 0, 1)"),
+            (
+                "length(vec3(3, 4, 0)), normalize(vec3(0, 0, 9))",
+                "5 (0, 0, 1)",
+            ),
+            ("distance(vec3(0, 0, 0), vec3(0, 3, 4))", "5"),
+            ("angle(vec3(1, 0, 0), vec3(2, 0, 0))", "0"),
+            ("mix(vec3(0, 0, 0), vec3(2, 4, 6), 0.5)", "(1, 2, 3)"),
+            ("vec3(1, 2, 3).y", "2"),
+            ("vec3(1, 2, 3) == vec3(1, 2, 3)", "true"),
+        ],
+    );
+}
+
+#[test]
+fn questions_and_navigation() {
+    let body = "for e in edges where boundary(e) {
+           let h = if boundary(e.halfedge) { e.halfedge.twin } else { e.halfedge }
+           print boundary(h), boundary(h.twin), boundary(h.vertex), boundary(h.face)
+           print h.next.prev == h, h.twin.twin == h, h.target == h.twin.vertex
+           print h.edge == e, h.edge.halfedge.edge == e, h.face.halfedge.face == h.face
+           print h.vertex.halfedge.vertex == h.vertex, adjacent(h.vertex, h.target)
+           print degree(h.face), degree(h.twin.face), link_condition(e)
+           print length(e) == length(h), distance(h.vertex, h.target) == length(e)
+           print midpoint(e) == (h.vertex.position + h.target.position) / 2
+           print abs(area(h.face) - 2) < 0.001, normal(h.face), length(centroid(h.face)) < 0.001
+           print length(normal(h.vertex))
+           return
+         }";
+    let lines = printed(&mut shape::single_polygon(4), body);
+    assert_eq!(
+        lines,
+        [
+            "false true true false",
+            "true true true",
+            "true true true",
+            "true true",
+            "4 4 false",
+            "true true",
+            "true",
+            "true (0, 0, 1) true",
+            "1",
+        ]
+    );
+}
+
+#[test]
+fn aggregates_over_the_mesh() {
+    check(
+        &mut shape::cube(),
+        &[
+            ("count(vertices), count(halfedges), count(edges)", "8 24 12"),
+            ("count(faces), count(holes)", "6 0"),
+            ("sum(1 for e in edges), sum(0.5 for e in edges)", "12 6"),
+            ("sum(v.position for v in vertices)", "(0, 0, 0)"),
+            ("mean(length(e) for e in edges)", "2"),
+            ("mean(degree(v) for v in vertices)", "3"),
+            ("mean(v.position for v in vertices)", "(0, 0, 0)"),
+            ("min(v.position.x for v in vertices)", "-1"),
+            ("max(v.position.x for v in vertices)", "1"),
+            ("max(degree(v) for v in vertices)", "3"),
+            ("min(degree(f) for f in faces)", "4"),
+            ("any(v.position.x > 0 for v in vertices)", "true"),
+            ("all(v.position.x > 0 for v in vertices)", "false"),
+            (
+                "all(v.position.x > 0 for v in vertices where v.position.x > 0)",
+                "true",
+            ),
+            ("count(true for v in vertices where v.position.x > 0)", "4"),
+            ("sum(count(v.neighbors) for v in vertices)", "24"),
+            ("sum(1 for h in holes), any(true for h in holes)", "0 false"),
+        ],
+    );
+    check(
+        &mut shape::grid(2, 2),
+        &[
+            ("count(faces), count(holes)", "4 1"),
+            ("sum(degree(h) for h in holes)", "8"),
+        ],
+    );
+}
+
+#[test]
+fn aggregates_around_an_element() {
+    check(
+        &mut shape::grid(2, 2),
+        &[
+            ("sum(count(v.halfedges) for v in vertices)", "24"),
+            ("sum(count(v.edges) for v in vertices)", "24"),
+            ("sum(count(v.faces) for v in vertices)", "16"),
+            ("sum(count(v.neighbors) for v in vertices)", "24"),
+            ("sum(count(f.halfedges) for f in faces)", "16"),
+            ("sum(count(f.vertices) for f in faces)", "16"),
+            ("sum(count(f.edges) for f in faces)", "16"),
+            ("sum(count(e.vertices) for e in edges)", "24"),
+            ("sum(count(e.faces) for e in edges)", "16"),
+            (
+                "all(all(adjacent(v, w) for w in v.neighbors) for v in vertices)",
+                "true",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn long_sums_and_deep_blocks_run() {
+    let sum = vec!["1"; 200].join(" + ");
+    let (open, close) = ("repeat 1 { if true { ".repeat(40), "} }".repeat(40));
+    let body = format!("print {sum}\n{open} for e in edges {{ flip(e) }} {close}\nprint 2");
+    assert_eq!(printed(&mut shape::cube(), &body), ["200", "2"]);
+}
