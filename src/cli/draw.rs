@@ -66,18 +66,14 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
     let ops = analysis.program.ops.iter().zip(verdicts(analysis));
     let ops = ops.zip(&analysis.plans).enumerate();
     let ops = ops.filter(|(at, _)| only.is_none_or(|only| only == *at));
-    let section = |(_, ((op, verdict), plan))| {
-        let (op, verdict): (&crate::resolve::Op, Verdict) = (op, verdict);
-        let plan: &Option<crate::rewrite::Plan> = plan;
-        Section {
-            name: op.name.clone(),
-            docs: op.diagram.iter().flat_map(|op| op.docs.clone()).collect(),
-            picture: op.diagram.as_ref().map(draw_op),
-            verdict: show_verdict(&verdict),
-            plan: plan.as_ref().map(show_plan),
-        }
-    };
-    Ok(ops.map(section).collect())
+    let sections = ops.map(|(_, ((op, verdict), plan))| Section {
+        name: op.name.clone(),
+        docs: op.diagram.iter().flat_map(|op| op.docs.clone()).collect(),
+        picture: op.diagram.as_ref().map(draw_op),
+        verdict: show_verdict(&verdict),
+        plan: plan.as_ref().map(show_plan),
+    });
+    Ok(sections.collect())
 }
 
 fn show_verdict(verdict: &Verdict) -> String {
