@@ -6,7 +6,7 @@ use super::curve::turn;
 use crate::diagram::{NameId, Spoke, Star};
 
 /// How much is left free beside a spoke, and how wide a fan spreads at most.
-const FREE: f64 = 0.5;
+const FREE: f64 = 0.4;
 const WIDEST: f64 = 2.0;
 
 /// For each fan of a vertex with a name the angles it spreads between. `drawn` are the

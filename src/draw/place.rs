@@ -285,7 +285,9 @@ fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
             .filter_map(|at| places[old.nodes[at]])
             .collect();
         let middle = olds.iter().copied().sum::<DVec2>() / olds.len().max(1) as f64;
-        let away = (middle - a).normalize_or(DVec2::X);
+        // Also away from the middle of the figure, which leaves room between two petals.
+        let away = (middle - a).normalize_or(DVec2::X) + middle.normalize_or_zero() * 0.7;
+        let away = away.normalize_or(DVec2::X);
         for (at, &old_place) in inner.zip(&olds) {
             let t = at as f64 / (count - 1) as f64;
             let place = if from == to {

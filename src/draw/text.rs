@@ -12,7 +12,7 @@ use super::status::Status;
 use crate::diagram::{Drawing, NameId, Op, Rule};
 
 /// How many characters the radius of a figure is, across and down.
-const UNIT: DVec2 = DVec2::new(17.0, 8.0);
+const UNIT: DVec2 = DVec2::new(16.0, 8.0);
 /// The largest drawing in characters, across and down.
 const MOST: DVec2 = DVec2::new(160.0, 80.0);
 /// What stands between the two sides.
@@ -161,6 +161,7 @@ impl Canvas {
 
     fn draw(&mut self, curve: &Curve, is_path: bool) {
         let steps = (curve.length() * 3.0).clamp(1.0, 4000.0) as usize;
+        let mut last_row = None;
         for step in 0..=steps {
             let (at, way) = curve.at(curve.length() * step as f64 / steps as f64);
             let slope = (way.y * 2.0).abs() / way.x.abs().max(1e-9);
@@ -171,7 +172,14 @@ impl Canvas {
                 () if (way.x > 0.0) == (way.y > 0.0) => '╲',
                 () => '╱',
             };
-            if let Some(cell) = self.index(at.x.round() as i64, at.y.round() as i64) {
+            // One mark a row where a line is slanted, or it would be as thick as wide.
+            let row = at.y.round() as i64;
+            let is_slanted = slope > 0.7;
+            if is_slanted && last_row == Some(row) {
+                continue;
+            }
+            last_row = Some(row);
+            if let Some(cell) = self.index(at.x.round() as i64, row) {
                 self.cells[cell] = mark;
             }
         }
@@ -203,9 +211,21 @@ impl Canvas {
             }
         }
         let Some((_, cells)) = best else { return };
+        if let (Some(&first), Some(&last)) = (cells.first(), cells.last()) {
+            self.clear([first, last]);
+        }
         for (letter, cell) in text.chars().zip(&cells[1..]) {
             self.cells[*cell] = letter;
             self.taken[*cell] = true;
+        }
+    }
+
+    /// Takes lines away from the sides of a name, so that they do not read as letters.
+    fn clear(&mut self, sides: [usize; 2]) {
+        for side in sides {
+            if !self.taken[side] && self.cells[side] != '─' {
+                self.cells[side] = ' ';
+            }
         }
     }
 
