@@ -9,6 +9,7 @@ mod apply;
 mod arguments;
 mod check;
 mod counts;
+mod draw;
 mod explain;
 mod failure;
 mod info;
@@ -19,6 +20,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod view;
 
 use std::process::ExitCode;
 
@@ -43,6 +45,8 @@ pub fn main() -> ExitCode {
         Command::Explain(arguments) => explain::explain(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Draw(arguments) => draw::draw(&arguments),
+        Command::View(arguments) => view::view(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
