@@ -42,6 +42,7 @@ fn every_law_has_its_page() {
         "ends_agree",
         "vertices_are_orbits",
         "new_is_placed",
+        "properties",
         "reach",
     ];
     for law in laws {
