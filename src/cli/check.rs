@@ -76,13 +76,9 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             let name = label.map_or(verdict.op.clone(), |label| {
                 format!("{} {label}", verdict.op)
             });
-            rows.push(vec![
-                "  proved".into(),
-                name,
-                cases(rule),
-                change(rule),
-                cost(rule),
-            ]);
+            let mut row = vec!["  proved".into(), name];
+            row.extend(show_rule(rule));
+            rows.push(row);
             below.push(if verbose { details(rule) } else { Vec::new() });
         }
     }
@@ -114,6 +110,11 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
     let told = lines.into_iter().filter(|(_, text)| !text.is_empty());
     told.map(|(what, text)| format!("      {what}: {text}"))
         .collect()
+}
+
+/// What was established of a rule, in three parts.
+pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
+    [cases(rule), change(rule), cost(rule)]
 }
 
 fn cases(rule: &RuleVerdict) -> String {
