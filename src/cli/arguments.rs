@@ -13,8 +13,11 @@ pub(super) struct Arguments {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 all is well; 1 something is not proved, or a script failed;
-2 bad usage, or a file that cannot be read or written; 3 the operation was refused.";
+Exit codes:
+  0  all is well
+  1  something is not proved, or a script failed
+  2  bad usage, or a file that cannot be read or written
+  3  the operation was refused";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -89,7 +92,7 @@ pub(super) struct ApplyArguments {
     /// has several, each by its name: --at a=halfedge:1-2
     #[arg(
         long = "at",
-        value_name = "[NAME=]PLACE",
+        value_name = "PLACE",
         required = true,
         verbatim_doc_comment
     )]
