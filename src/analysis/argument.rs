@@ -15,7 +15,7 @@ pub struct RuleArgument {
 }
 
 /// The arguments for every proved op of a file, in order.
-pub fn arguments(analysis: &Analysis) -> Vec<RuleArgument> {
+pub fn why_proved(analysis: &Analysis) -> Vec<RuleArgument> {
     let mut arguments = Vec::new();
     for proved in analysis.proved.iter().flatten() {
         let op = proved.op();

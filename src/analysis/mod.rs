@@ -8,6 +8,6 @@ mod program;
 mod verdict;
 
 pub use crate::check::{Argument, Counterexample};
-pub use argument::{RuleArgument, arguments};
+pub use argument::{RuleArgument, why_proved};
 pub use program::Analysis;
 pub use verdict::{RuleVerdict, Verdict, verdicts};

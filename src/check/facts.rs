@@ -1,7 +1,8 @@
 //! What a proof establishes besides validity: the change of the counts, and the cost.
 
 use super::matching::{Claim, Step};
-use crate::diagram::{Drawing, Kind, NameId, Rule};
+use super::properties::{SizeChange, degree_changes, kept, size_changes};
+use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
 
 /// What was established of a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,6 +13,12 @@ pub struct Facts {
     pub change: Change,
     /// What the time grows with, in words; nothing if it is constant.
     pub grows_with: Vec<String>,
+    /// Everything that is kept besides validity, declared or not.
+    pub keeps: Vec<Property>,
+    /// How the degrees of the vertices that live on change.
+    pub degrees: Vec<SizeChange>,
+    /// How the numbers of sides of the faces that live on change.
+    pub sizes: Vec<SizeChange>,
 }
 
 /// How the numbers of elements change. Faces count holes too.
@@ -52,10 +59,15 @@ impl Change {
 impl Facts {
     /// Reads the facts of a proved rule off its drawing and its matching.
     pub(super) fn of(drawing: &Drawing, matching: &[Step], cases: usize) -> Self {
+        let change = Change::of(drawing.rule);
+        let grows_with = grows_with(drawing, matching);
         Self {
             cases,
-            change: Change::of(drawing.rule),
-            grows_with: grows_with(drawing, matching),
+            change,
+            keeps: kept(drawing, change, &grows_with),
+            grows_with,
+            degrees: degree_changes(drawing),
+            sizes: size_changes(drawing),
         }
     }
 }

@@ -18,7 +18,8 @@
 //! 8. [`new_is_placed`].
 //!
 //! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
-//! [`reach`] finds the order in which the names are bound. Only this layer makes a
+//! [`properties`] holds what `keeps` claims against the drawing, and [`reach`] finds the
+//! order in which the names are bound. Only this layer makes a
 //! [`Proved`], and only that can be compiled. Nothing here knows the machine.
 
 mod argument;
@@ -36,6 +37,7 @@ mod next_is_permutation;
 mod nothing_dangles;
 mod port;
 mod problem;
+mod properties;
 mod proved;
 mod reach;
 mod ring_problems;
@@ -48,5 +50,6 @@ mod witness;
 
 pub use argument::Argument;
 pub use facts::{Change, Facts, moved_fans, moved_paths};
+pub use properties::SizeChange;
 pub use proved::{Proof, Proved, Rejection, check, examine};
 pub use witness::{Counterexample, Outcome, try_out};

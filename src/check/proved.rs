@@ -9,7 +9,7 @@ use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
     ends_agree, mend, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
-    reach, twin_is_involution, vertices_are_orbits,
+    properties, reach, twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
@@ -125,8 +125,10 @@ impl From<Vec<Problem>> for Broken {
 /// group that fails is told, in full.
 fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
-    stop_at(names_are_accounted_for::test(&drawing))?;
-    let mut problems = next_is_permutation::test(&drawing);
+    // A name written for another is missing in one place and too many in the other: both
+    // are told.
+    let mut problems = names_are_accounted_for::test(&drawing);
+    problems.extend(next_is_permutation::test(&drawing));
     problems.extend(twin_is_involution::test(&drawing));
     stop_at(problems)?;
     let mut problems = nothing_dangles::test(&drawing);
@@ -136,6 +138,15 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let rings = vertices_are_orbits::test(&drawing)?;
     let matching = reach::matching(op, &drawing)?;
     let facts = Facts::of(&drawing, &matching, rings.cases);
+    let Facts {
+        keeps,
+        change,
+        grows_with,
+        ..
+    } = &facts;
+    stop_at(properties::broken_claims(
+        op, &drawing, keeps, *change, grows_with,
+    ))?;
     Ok(Proof {
         matching,
         facts,

@@ -6,15 +6,18 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
-#[command(name = "hedgerow", version, about, after_help = EXIT_CODES)]
+#[command(name = "hedgerow", version, after_help = EXIT_CODES)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 all is well; 1 something is not proved, or a script failed;
-2 bad usage, or a file that cannot be read or written; 3 the operation was refused.";
+Exit codes:
+  0  all is well
+  1  something is not proved, or a script failed
+  2  bad usage, or a file that cannot be read or written
+  3  the operation was refused";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -28,6 +31,12 @@ pub(super) enum Command {
     Plan(PlanArguments),
     /// Describe a mesh
     Info(InfoArguments),
+    /// Say what a diagnostic means, and what mends it
+    Explain(ExplainArguments),
+    /// Draw an operation, before and after
+    Draw(DrawArguments),
+    /// Make a picture of a mesh
+    View(ViewArguments),
 }
 
 /// What the answer looks like.
@@ -45,13 +54,15 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Write a smallest mesh for each rejected rule that breaks one: as .halfedges, which
-    /// `info` reads, and as .obj where that can hold it
+    /// Write what rejected rules break: .halfedges for `info`, and .obj
     #[arg(long, value_name = "DIR")]
     pub witness: Option<PathBuf>,
-    /// Print the argument for what is proved, law by law
+    /// Print why what is proved holds, law by law
     #[arg(long)]
     pub explain: bool,
+    /// Also show what each operation keeps, and how degrees and sizes change
+    #[arg(short, long)]
+    pub verbose: bool,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -65,7 +76,7 @@ pub(super) struct RunArguments {
     /// The mesh to run it on (.obj)
     pub mesh: PathBuf,
     /// Where to write the result (.obj)
-    #[arg(short, long)]
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -82,15 +93,21 @@ pub(super) struct ApplyArguments {
     pub op: String,
     /// The mesh (.obj)
     pub mesh: PathBuf,
-    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N, with the file's 1-based
-    /// numbers; by name if the operation has several, as in a=halfedge:1-2
-    #[arg(long = "at", value_name = "[NAME=]PLACE", required = true)]
+    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
+    /// with the numbers of the file, from 1; if the operation
+    /// has several, each by its name: --at a=halfedge:1-2
+    #[arg(
+        long = "at",
+        value_name = "PLACE",
+        required = true,
+        verbatim_doc_comment
+    )]
     pub at: Vec<String>,
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Where to write the result (.obj)
-    #[arg(short, long)]
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
@@ -111,4 +128,50 @@ pub(super) struct InfoArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ExplainArguments {
+    /// The code in brackets, as in error[missing-reassignment]; without one, all are listed
+    pub code: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct DrawArguments {
+    /// A program, and the operation in it if there are several
+    #[arg(value_name = "FILE[::OP]")]
+    pub op: String,
+    /// Where to write the picture (.svg or .png)
+    #[arg(short, long)]
+    pub output: Option<PathBuf>,
+    /// What to draw it as, if not as the end of the output's name says
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub drawn: Option<Drawn>,
+    /// One page for all operations of the file: pictures, proofs and plans
+    #[arg(long, conflicts_with = "drawn")]
+    pub html: bool,
+}
+
+/// What an operation is drawn as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Drawn {
+    /// A picture
+    Svg,
+    /// Lines and letters, for terminals
+    Text,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ViewArguments {
+    /// The mesh (.obj)
+    pub mesh: PathBuf,
+    /// Where to write the picture (.png or .svg)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// Width and height of the picture
+    #[arg(long, value_parser = clap::value_parser!(u32).range(16..=16384))]
+    pub size: Option<u32>,
+    /// Where to look from, as a direction
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub from: Option<String>,
 }

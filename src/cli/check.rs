@@ -1,5 +1,7 @@
 //! `hedgerow check`
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
@@ -7,17 +9,17 @@ use super::failure::Failure;
 use super::output::{complain_of, say, say_json, table};
 use super::program;
 use super::witness::Witnesses;
-use crate::analysis::{RuleArgument, RuleVerdict, Verdict, arguments, verdicts};
+use crate::analysis::{RuleArgument, RuleVerdict, Verdict, verdicts, why_proved};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
 
 /// Proves the operations of files, or says why they break a mesh.
-pub(super) fn check(asked: &CheckArguments) -> Result<(), Failure> {
+pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     let mut sound = true;
     let mut unreadable = None;
     let mut files = Vec::new();
     let mut witnesses = Witnesses::default();
-    for path in &asked.files {
+    for path in &arguments.files {
         let program = match program::read(path) {
             Ok(program) => program,
             Err(failure) => {
@@ -29,15 +31,19 @@ pub(super) fn check(asked: &CheckArguments) -> Result<(), Failure> {
         };
         sound &= program.analysis.is_sound();
         let verdicts = verdicts(&program.analysis);
-        if let Some(folder) = &asked.witness {
+        if let Some(folder) = &arguments.witness {
             witnesses.write(folder, &program.analysis.counterexamples)?;
         }
-        match asked.format {
+        match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
-                say(&show(&path.display().to_string(), &verdicts));
-                if asked.explain {
-                    for argument in arguments(&program.analysis) {
+                let unread = verdicts.is_empty() && !program.analysis.is_sound();
+                if !unread {
+                    let file = path.display().to_string();
+                    say(&show(&file, &verdicts, arguments.verbose));
+                }
+                if arguments.explain {
+                    for argument in why_proved(&program.analysis) {
                         say(&explained(&argument));
                     }
                 }
@@ -54,7 +60,7 @@ pub(super) fn check(asked: &CheckArguments) -> Result<(), Failure> {
             }),
         }
     }
-    if asked.format == Format::Json {
+    if arguments.format == Format::Json {
         say_json(&Report {
             proved: sound && unreadable.is_none(),
             files,
@@ -67,30 +73,58 @@ pub(super) fn check(asked: &CheckArguments) -> Result<(), Failure> {
     }
 }
 
-fn show(file: &str, verdicts: &[Verdict]) -> String {
+fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     let mut rows = Vec::new();
+    let mut below = Vec::new();
     for verdict in verdicts {
         if !verdict.proved {
             rows.push(vec!["  not proved".to_string(), verdict.op.clone()]);
+            below.push(Vec::new());
         }
         for rule in &verdict.rules {
-            let name = rule
-                .rule
-                .as_ref()
-                .map_or(verdict.op.clone(), |rule| format!("{} {rule}", verdict.op));
-            rows.push(vec![
-                "  proved".into(),
-                name,
-                cases(rule),
-                change(rule),
-                cost(rule),
-            ]);
+            let label = rule.rule.as_ref();
+            let name = label.map_or(verdict.op.clone(), |label| {
+                format!("{} {label}", verdict.op)
+            });
+            let mut row = vec!["  proved".into(), name];
+            row.extend(show_rule(rule));
+            rows.push(row);
+            below.push(if verbose { details(rule) } else { Vec::new() });
         }
     }
     if rows.is_empty() {
         return format!("{file}: no operations");
     }
-    format!("{file}\n{}", table(&rows, &[]))
+    let rows = table(&rows, &[]);
+    let lines = rows.lines().map(String::from).zip(below);
+    let lines = lines.flat_map(|(line, below)| std::iter::once(line).chain(below));
+    std::iter::once(file.to_string())
+        .chain(lines)
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// What a rule keeps, and how degrees and sizes change, on lines of their own.
+fn details(rule: &RuleVerdict) -> Vec<String> {
+    let changes = |changes: &BTreeMap<String, String>| {
+        let changes = changes
+            .iter()
+            .map(|(element, change)| format!("{element} {change}"));
+        changes.collect::<Vec<_>>().join(", ")
+    };
+    let lines = [
+        ("keeps", rule.keeps.join(", ")),
+        ("degrees", changes(&rule.degrees)),
+        ("sides", changes(&rule.sizes)),
+    ];
+    let told = lines.into_iter().filter(|(_, text)| !text.is_empty());
+    told.map(|(what, text)| format!("      {what}: {text}"))
+        .collect()
+}
+
+/// What was established of a rule, in three parts.
+pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
+    [cases(rule), change(rule), cost(rule)]
 }
 
 fn explained(argument: &RuleArgument) -> String {

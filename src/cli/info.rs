@@ -6,11 +6,15 @@ use serde::Serialize;
 
 use super::arguments::{Format, InfoArguments};
 use super::failure::Failure;
+use super::meshes;
 use super::output::{say, say_json, table};
-use crate::mesh::{Bin, Element, Lengths, Measures, Summary, read_dump, read_obj};
+use crate::mesh::{Bin, Element, Lengths, Measures, Summary, read_dump};
 
 /// How many bars of a histogram are shown.
 const MOST_BARS: usize = 12;
+
+/// How many of them go into a line of 80 columns.
+const BARS_IN_A_LINE: usize = 5;
 
 /// Describes a mesh, or the tables of a dump.
 pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
@@ -22,7 +26,7 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
     {
         return describe_dump(&shown, arguments);
     }
-    let obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let obj = meshes::read(&arguments.mesh)?;
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
         Format::Json => say_json(&summary),
@@ -111,9 +115,9 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
         row("components", measures.components),
         row("genus", measures.genus),
         row("Euler characteristic", measures.euler_characteristic),
-        row("degrees", histogram(&measures.degrees)),
-        row("face sizes", histogram(&measures.face_sizes)),
     ];
+    rows.extend(histogram("degrees", &measures.degrees));
+    rows.extend(histogram("face sizes", &measures.face_sizes));
     if let Some(Lengths {
         min,
         mean,
@@ -130,7 +134,7 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
             ),
         ));
     }
-    rows.push(row("area", format!("{:.6}", measures.area)));
+    rows.push(row("area", format!("{:.6}", measures.area + 0.0)));
     rows
 }
 
@@ -139,7 +143,7 @@ fn row(name: &str, value: impl ToString) -> Vec<String> {
 }
 
 /// `3: 12  4: 120  5: 9`, size by size.
-fn histogram(bins: &[Bin]) -> String {
+fn histogram(name: &str, bins: &[Bin]) -> Vec<Vec<String>> {
     let mut bars: Vec<_> = bins
         .iter()
         .take(MOST_BARS)
@@ -150,8 +154,10 @@ fn histogram(bins: &[Bin]) -> String {
         bars.push(format!("more: {more}"));
     }
     if bars.is_empty() {
-        "none".into()
-    } else {
-        bars.join("  ")
+        bars.push("none".into());
     }
+    let lines = bars.chunks(BARS_IN_A_LINE).enumerate();
+    lines
+        .map(|(at, bars)| row(if at == 0 { name } else { "" }, bars.join("  ")))
+        .collect()
 }

@@ -1,7 +1,8 @@
 //! An op: parameters, result, and its rules one by one.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{self, Kind, Type};
+use crate::diagram::{self, Kind, Property, Type};
+use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
@@ -15,17 +16,8 @@ use super::rule::{Context, resolve_rule};
 use super::suggestion::suggest;
 use super::words::quoted;
 
-/// What an op keeps, in words that `keeps` knows.
-const PROPERTIES: [&str; 8] = [
-    "map",
-    "surface",
-    "simple",
-    "triangles",
-    "quads",
-    "euler",
-    "boundary",
-    "constant_time",
-];
+/// Levels whose keeping is not proved yet.
+const LEVELS: [&str; 2] = ["surface", "simple"];
 
 /// What a call of an op needs to know.
 #[derive(Clone, Debug)]
@@ -59,7 +51,7 @@ pub(super) fn resolve_op(
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);
-    check_keeps(&op.keeps, report);
+    let keeps = properties(&op.keeps, report);
     rule_names(&op.rules, report);
     if op.rules.is_empty() {
         let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
@@ -99,6 +91,7 @@ pub(super) fn resolve_op(
         docs: op.docs.clone(),
         params: public.clone(),
         result: result_type,
+        keeps,
         rules,
         span: op.span,
     });
@@ -117,24 +110,31 @@ pub(super) fn resolve_op(
     (signature, resolved)
 }
 
-/// `keeps` is a claim; who cannot prove it must say so.
-fn check_keeps(keeps: &[Ident], report: &mut Report) {
-    let mut unknown = false;
+/// The properties that `keeps` claims. Levels are a claim that nobody proves yet; `map` is
+/// what the checker always proves.
+fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
+    let mut properties = Vec::new();
     for word in keeps {
-        if !PROPERTIES.contains(&word.text.as_str()) {
-            let message = format!("there is no property `{}` to keep", word.text);
-            let error = Diagnostic::error("unknown-property", message, word.span);
-            let error = suggest(error, &word.text, word.span, PROPERTIES)
-                .note(format!("the properties are {}", quoted(&PROPERTIES)));
-            report.add(error);
-            unknown = true;
+        let known = |property: &Property| property.word() == word.text;
+        match Property::ALL.into_iter().find(known) {
+            Some(property) => properties.push((property, word.span)),
+            None if word.text == "map" => {}
+            None if LEVELS.contains(&word.text.as_str()) => {
+                let message = format!("that an op keeps `{}` is not checked yet", word.text);
+                report.add(Diagnostic::warning("not-yet", message, word.span));
+            }
+            None => {
+                let message = format!("there is no property `{}` to keep", word.text);
+                let error = Diagnostic::error("unknown-property", message, word.span);
+                let words = Property::ALL.map(Property::word);
+                let words = [&words[..], &["map"], &LEVELS].concat();
+                let error = suggest(error, &word.text, word.span, words.iter().copied())
+                    .note(format!("the properties are {}", quoted(&words)));
+                report.add(error);
+            }
         }
     }
-    if let ([first, .., last] | [first @ last], false) = (keeps, unknown) {
-        let message = "what `keeps` claims is not checked yet";
-        let span = first.span.to(last.span);
-        report.add(Diagnostic::warning("not-yet", message, span));
-    }
+    properties
 }
 
 /// Two rules of an op have two names.

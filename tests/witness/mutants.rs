@@ -115,19 +115,19 @@ type Add<'a> = &'a mut dyn FnMut(&dyn Fn(&mut Rule));
 
 fn missing(rule: &Rule, add: Add) {
     for at in 0..rule.after.loops.len() {
-        add(&|rule| drop(rule.after.loops.remove(at)));
+        add(&|rule| _ = rule.after.loops.remove(at));
     }
     for at in 0..rule.after.edges.len() {
-        add(&|rule| drop(rule.after.edges.remove(at)));
+        add(&|rule| _ = rule.after.edges.remove(at));
     }
     for at in 0..rule.after.stars.len() {
-        add(&|rule| drop(rule.after.stars.remove(at)));
+        add(&|rule| _ = rule.after.stars.remove(at));
     }
     for at in 0..rule.before.stars.len() {
-        add(&|rule| drop(rule.before.stars.remove(at)));
+        add(&|rule| _ = rule.before.stars.remove(at));
     }
     for at in 0..rule.before.edges.len() {
-        add(&|rule| drop(rule.before.edges.remove(at)));
+        add(&|rule| _ = rule.before.edges.remove(at));
     }
     for at in 0..rule.erased.len() {
         add(&|rule| _ = rule.erased.remove(at));

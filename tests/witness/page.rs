@@ -1,7 +1,7 @@
 //! Pages of operations: the rejected ones with what they do to a smallest mesh (`text`), the
 //! proved ones with the argument (`argument`).
 
-use hedgerow::analysis::{Analysis, arguments};
+use hedgerow::analysis::{Analysis, why_proved};
 use hedgerow::check::{Outcome, examine};
 use hedgerow::mesh::{Level, validate, validate_level};
 use hedgerow::source::Sources;
@@ -27,7 +27,7 @@ fn answer(case: &Case) -> String {
 
 fn argument(analysis: &Analysis) -> String {
     let mut lines = Vec::new();
-    for rule in arguments(analysis) {
+    for rule in why_proved(analysis) {
         for law in rule.laws {
             lines.push(law.law.to_owned());
             lines.extend(law.lines.iter().map(|line| format!("  {line}")));
