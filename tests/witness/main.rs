@@ -2,7 +2,10 @@
 
 #[path = "../pages/mod.rs"]
 mod pages;
+#[path = "../reference/mod.rs"]
+mod reference;
 
+mod confirmed;
 mod files;
 mod mutants;
 mod page;

@@ -73,7 +73,7 @@ fn what_is_rejected_breaks_a_mesh() {
 }
 
 /// The ops of the examples.
-fn examples() -> Vec<Op> {
+pub fn examples() -> Vec<Op> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let mut paths: Vec<_> = fs::read_dir(folder)
         .unwrap()

@@ -45,7 +45,7 @@ impl Place {
         place.edges(drawing);
         place.faces(drawing, &sketch);
         validate(&place.mesh).ok()?;
-        place.fans(drawing)?;
+        place.fans(drawing, sketch.late)?;
         if place.is_refused(drawing) {
             return None;
         }
@@ -155,7 +155,7 @@ impl Place {
     }
 
     /// Binds the fans, or finds that a vertex statement does not agree with the mesh.
-    fn fans(&mut self, drawing: &Drawing) -> Option<()> {
+    fn fans(&mut self, drawing: &Drawing, late: bool) -> Option<()> {
         for star in &drawing.rule.before.stars {
             let vertex = self.elements[star.vertex.name.index()].map(VertexId)?;
             let listed = |spoke: &Spoke| match spoke {
@@ -183,7 +183,9 @@ impl Place {
                 }
                 let stop = turned[place + 1..].iter().find_map(listed);
                 let from = at;
-                while at < ring.len() && Some(ring[at]) != stop {
+                let next = turned.get(place + 1);
+                let leaves = late && next.is_some_and(|next| listed(next).is_none());
+                while !leaves && at < ring.len() && Some(ring[at]) != stop {
                     at += 1;
                 }
                 if let Spoke::Fan(fan) = spoke {

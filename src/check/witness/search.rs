@@ -10,7 +10,7 @@ use super::literal::{Carried, carry_out};
 use super::outside::{Further, Join, joins_of, ways};
 use super::place::Place;
 use super::sketch::{HalfedgeRole, Shape, Sketch, VertexRole};
-use crate::diagram::{Drawing, Kind, NameId};
+use crate::diagram::{Drawing, Kind, NameId, Spoke};
 use crate::mesh::{Invalid, validate};
 
 /// What a search found.
@@ -143,7 +143,21 @@ impl Search<'_> {
             let may_be_empty = self.drawing.may_be_empty(path);
             usize::from(!may_be_empty)
         });
-        let broken = self.sizes(&shapes, &combinations);
+        let broken = self.sizes(&shapes, &combinations).or_else(|| {
+            let late = |(added, shape): &Sized| {
+                let shape = shape.clone();
+                (
+                    *added,
+                    Shape {
+                        late: true,
+                        ..shape
+                    },
+                )
+            };
+            let late: Vec<_> = shapes.iter().map(late).collect();
+            let ambiguous = self.has_fans_side_by_side();
+            ambiguous.then(|| self.sizes(&late, &combinations))?
+        });
         if broken.is_some() || self.valid > 0 {
             return broken;
         }
@@ -152,6 +166,15 @@ impl Search<'_> {
             joined.extend(self.joined(shape));
         }
         self.sizes(&joined, &combinations)
+    }
+
+    fn has_fans_side_by_side(&self) -> bool {
+        let mut stars = self.drawing.rule.before.stars.iter();
+        stars.any(|star| {
+            let count = star.spokes.len();
+            let is_fan = |at: usize| !matches!(star.spokes[at % count], Spoke::Halfedge(_));
+            count > 1 && (0..count).any(|at| is_fan(at) && is_fan(at + 1))
+        })
     }
 
     /// Lengths of the paths, from the least on.

@@ -18,6 +18,8 @@ pub(super) struct Shape {
     pub glued: Vec<[usize; 2]>,
     /// Outer halfedges that lie on a path, at a place.
     pub on_path: Vec<(NameId, NameId, usize)>,
+    /// Of two fans side by side, which nothing parts, whether the second has all the spokes.
+    pub late: bool,
 }
 
 /// Where a halfedge comes from.
@@ -74,6 +76,8 @@ pub(super) struct Sketch {
     pub vertex_of: Vec<Option<usize>>,
     /// For each name the halfedges of the path, or the spokes of the fan.
     pub runs: Vec<Vec<usize>>,
+    /// Of two fans side by side, whether the second has all the spokes.
+    pub late: bool,
 }
 
 impl Sketch {
@@ -86,6 +90,7 @@ impl Sketch {
             half_of: vec![None; count],
             vertex_of: vec![None; count],
             runs: vec![Vec::new(); count],
+            late: shape.late,
         };
         sketch.loops(drawing, shape)?;
         for &(outer, path, place) in &shape.on_path {
