@@ -32,7 +32,7 @@ fn a_flip_keeps_everything() {
     let flip = verdict(include_str!("../examples/flip.hedge"));
     assert_eq!(
         flip.keeps,
-        ["triangles", "quads", "euler", "boundary", "constant_time"]
+        ["triangles", "euler", "boundary", "constant_time"]
     );
     let degrees: Vec<_> = flip
         .degrees
@@ -87,4 +87,20 @@ fn unknown_properties_are_suggested() {
             .iter()
             .any(|fix| fix.edits[0].text == "euler")
     );
+}
+
+#[test]
+fn an_op_with_a_part_that_cannot_be_read_does_not_run() {
+    let broken = DISSOLVE
+        .replace("KEEPS", "")
+        .replace("  after {", "  require degree( > 2\n  after {");
+    let analysis = analyse(&format!(
+        "{broken}\n{}",
+        include_str!("../examples/flip.hedge")
+    ));
+    assert!(!analysis.is_sound());
+    let dissolve = analysis.op("dissolve").expect("its name is known");
+    assert!(analysis.plans[dissolve].is_none(), "its `require` is lost");
+    let flip = analysis.op("flip").expect("the next op is untouched");
+    assert!(analysis.plans[flip].is_some());
 }

@@ -37,7 +37,14 @@ impl Analysis {
         let mut plans = Vec::new();
         let mut counterexamples = Vec::new();
         for op in &program.ops {
-            let (proof, plan) = match op.diagram.as_ref().map(examine) {
+            // Where a part could not be read, what is left is another operation.
+            let whole = op.diagram.as_ref().filter(|diagram| {
+                let inside = |error: &Diagnostic| diagram.span.touches(error.span().start as usize);
+                !diagnostics
+                    .iter()
+                    .any(|told| told.is_error() && inside(told))
+            });
+            let (proof, plan) = match whole.map(examine) {
                 Some(Ok(proof)) => {
                     let plan = compile(&proof, sources);
                     if plan.is_err() {

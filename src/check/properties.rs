@@ -129,8 +129,9 @@ fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
         orbit.kind == LoopKind::Face && (drawn > size || (paths == 0 && drawn != size))
     });
     if impossible {
-        // The rule does not match where all faces have that size.
-        return None;
+        return Some(format!(
+            "the drawing does not match where all faces have {size} sides"
+        ));
     }
     let faces = drawing
         .rule

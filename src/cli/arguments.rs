@@ -132,7 +132,7 @@ pub(super) struct InfoArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// The code in brackets, as in error[missing-reassignment]; without one, all are listed
+    /// The code, such as missing-reassignment; without one, all are listed
     pub code: Option<String>,
 }
 

@@ -87,3 +87,14 @@ fn the_mesh_itself_may_be_written_over() {
     assert_eq!(bench.files(), ["square.obj"]);
     bench.succeeds(&["info", "square.obj"]);
 }
+
+#[test]
+fn pictures_go_nowhere_either() {
+    let bench = Bench::with_square();
+    fs::create_dir(bench.path("folder.svg")).unwrap();
+    for output in ["nowhere/p.svg", "folder.svg", "picture", "picture.obj"] {
+        bench.fails(2, &["draw", &flip(), "-o", output], output);
+        bench.fails(2, &["view", "square.obj", "-o", output], output);
+    }
+    assert_eq!(bench.files(), ["folder.svg", "square.obj"]);
+}

@@ -309,7 +309,7 @@ impl<'a> Sketch<'a> {
             let fits = |other: &usize| {
                 self.halves[*other].origin == target && self.halves[*other].target == origin
             };
-            let partner = open.iter().position(|other| fits(other));
+            let partner = open.iter().position(fits);
             let twin = match partner {
                 Some(place) if random.once_in(2) => open.remove(place),
                 _ => self.add(target, origin),

@@ -81,12 +81,11 @@ pub enum Outcome {
 }
 
 /// Codes of what has nothing to do with the mesh: there is nothing to carry out.
-const BESIDE_THE_MESH: [&str; 5] = [
+const BESIDE_THE_MESH: [&str; 4] = [
     "unknown-name",
     "unreachable-name",
     "missing-attribute",
     "property-not-kept",
-    "new-run",
 ];
 
 /// Carries the rules of an op out on small meshes, whether they are proved or not.

@@ -36,7 +36,7 @@ pub(super) struct Shown {
 }
 
 /// How many meshes are built at most.
-const MOST_BUILT: usize = 1_500;
+const MOST_BUILT: usize = 600;
 /// How many halfedges and spokes are added at most to the fewest that there can be.
 const MOST_ADDED: usize = 4;
 /// How many combinations of arcs are tried in one shape.
