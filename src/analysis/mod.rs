@@ -3,8 +3,11 @@
 //! [`Analysis`] takes a text all the way: tree, program, proofs, plans, and every
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
+mod argument;
 mod program;
 mod verdict;
 
+pub use crate::check::{Argument, Counterexample};
+pub use argument::{RuleArgument, why_proved};
 pub use program::Analysis;
 pub use verdict::{RuleVerdict, Verdict, verdicts};

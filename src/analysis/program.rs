@@ -1,6 +1,6 @@
 //! From a text to proved and compiled operations.
 
-use crate::check::{Proved, check};
+use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve};
@@ -19,6 +19,8 @@ pub struct Analysis {
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
     pub plans: Vec<Option<Plan>>,
+    /// A smallest mesh for each rejected rule that breaks one.
+    pub counterexamples: Vec<Counterexample>,
     /// Everything that is wrong, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -33,6 +35,7 @@ impl Analysis {
         let program = resolved.program;
         let mut proved = Vec::new();
         let mut plans = Vec::new();
+        let mut counterexamples = Vec::new();
         for op in &program.ops {
             // Where a part could not be read, what is left is another operation.
             let whole = op.diagram.as_ref().filter(|diagram| {
@@ -41,7 +44,7 @@ impl Analysis {
                     .iter()
                     .any(|told| told.is_error() && inside(told))
             });
-            let (proof, plan) = match whole.map(check) {
+            let (proof, plan) = match whole.map(examine) {
                 Some(Ok(proof)) => {
                     let plan = compile(&proof, sources);
                     if plan.is_err() {
@@ -49,8 +52,13 @@ impl Analysis {
                     }
                     (Some(proof), plan.ok())
                 }
-                Some(Err(problems)) => {
-                    diagnostics.extend(problems);
+                Some(Err(rejection)) => {
+                    diagnostics.extend(rejection.diagnostics);
+                    let broken = rejection.outcomes.into_iter();
+                    counterexamples.extend(broken.filter_map(|outcome| match outcome {
+                        Outcome::Breaks(example) => Some(*example),
+                        Outcome::Valid(_) | Outcome::NoMesh | Outcome::NotTried => None,
+                    }));
                     (None, None)
                 }
                 None => (None, None),
@@ -64,6 +72,7 @@ impl Analysis {
             program,
             proved,
             plans,
+            counterexamples,
             diagnostics,
         }
     }

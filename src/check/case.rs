@@ -127,6 +127,12 @@ impl<'a> Case<'a> {
         problems
     }
 
+    /// The vertex of each cycle, where it has one.
+    pub fn labels(&self) -> Vec<Option<NameId>> {
+        let cycles = self.cycles.iter();
+        cycles.map(|cycle| self.label_of(cycle).ok()).collect()
+    }
+
     /// The one vertex a cycle belongs to.
     fn label_of(&self, cycle: &[Step]) -> Result<NameId, Box<Problem>> {
         let mut label: Option<(NameId, Step)> = None;

@@ -17,9 +17,12 @@
 //! 7. [`vertices_are_orbits`], by way of [`port`]s, [`chain`]s and [`arrangement`]s;
 //! 8. [`new_is_placed`].
 //!
-//! Then [`properties`] holds what `keeps` claims against the drawing, and [`reach`] finds the order in which the names are bound. Only this layer makes a
+//! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
+//! [`properties`] holds what `keeps` claims against the drawing, and [`reach`] finds the
+//! order in which the names are bound. Only this layer makes a
 //! [`Proved`], and only that can be compiled. Nothing here knows the machine.
 
+mod argument;
 mod arrangement;
 mod case;
 mod chain;
@@ -43,7 +46,10 @@ mod star_order;
 mod twin_is_involution;
 mod unknown_names;
 mod vertices_are_orbits;
+mod witness;
 
+pub use argument::Argument;
 pub use facts::{Change, Facts, moved_fans, moved_paths};
 pub use properties::SizeChange;
-pub use proved::{Proof, Proved, check};
+pub use proved::{Proof, Proved, Rejection, check, examine};
+pub use witness::{Counterexample, Outcome, try_out};

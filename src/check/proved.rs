@@ -1,8 +1,12 @@
 //! The door: from an operation to a proved one.
 
+use super::argument::{self, Argument};
+use super::arrangement::Arc;
 use super::facts::Facts;
 use super::matching::Step;
 use super::problem::Problem;
+use super::vertices_are_orbits::Rings;
+use super::witness::{self, Outcome};
 use super::{
     ends_agree, mend, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
     properties, reach, twin_is_involution, vertices_are_orbits,
@@ -22,6 +26,7 @@ pub struct Proved {
 pub struct Proof {
     matching: Vec<Step>,
     facts: Facts,
+    rings: Rings,
 }
 
 impl Proved {
@@ -46,34 +51,79 @@ impl Proof {
     pub fn facts(&self) -> &Facts {
         &self.facts
     }
+
+    /// The argument in words, law by law. The rule is the one that was proved.
+    pub fn argument(&self, rule: &Rule) -> Vec<Argument> {
+        argument::argument(rule, &self.rings)
+    }
+}
+
+/// An operation that is not proved.
+#[derive(Clone, Debug)]
+pub struct Rejection {
+    /// Every law it breaks.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What each rejected rule does to a mesh when it is carried out literally.
+    pub outcomes: Vec<Outcome>,
 }
 
 /// Proves an operation, or tells every law it breaks.
 pub fn check(op: &Op) -> Result<Proved, Vec<Diagnostic>> {
+    examine(op).map_err(|rejection| rejection.diagnostics)
+}
+
+/// Proves an operation, or tells every law it breaks, with meshes that show it.
+pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     let mut proofs = Vec::new();
-    let mut diagnostics = Vec::new();
+    let mut rejection = Rejection {
+        diagnostics: Vec::new(),
+        outcomes: Vec::new(),
+    };
     for rule in &op.rules {
         match prove(op, rule) {
             Ok(proof) => proofs.push(proof),
-            Err(problems) => {
-                let laws = |rule: &Rule| prove(op, rule).err().unwrap_or_default();
-                diagnostics.extend(mend::add_fixes(rule, problems, laws));
+            Err(mut broken) => {
+                let outcome = witness::find(op, rule, &mut broken);
+                rejection.outcomes.push(outcome);
+                let laws = |rule: &Rule| match prove(op, rule) {
+                    Ok(_) => Vec::new(),
+                    Err(broken) => broken.problems,
+                };
+                let mended = mend::add_fixes(rule, broken.problems, laws);
+                rejection.diagnostics.extend(mended);
             }
         }
     }
-    if diagnostics.is_empty() {
+    if rejection.diagnostics.is_empty() {
         Ok(Proved {
             op: op.clone(),
             proofs,
         })
     } else {
-        Err(diagnostics)
+        Err(rejection)
+    }
+}
+
+/// The laws that a rule breaks.
+pub(super) struct Broken {
+    /// What to tell.
+    pub problems: Vec<Problem>,
+    /// For law 7 the arcs of the case that fails.
+    pub arcs: Option<Vec<Arc>>,
+}
+
+impl From<Vec<Problem>> for Broken {
+    fn from(problems: Vec<Problem>) -> Self {
+        Self {
+            problems,
+            arcs: None,
+        }
     }
 }
 
 /// The laws in order. Each group reads what the one before has established, so the first
 /// group that fails is told, in full.
-fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
+fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
     // A name written for another is missing in one place and too many in the other: both
     // are told.
@@ -85,9 +135,9 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
     problems.extend(ends_agree::test(&drawing));
     problems.extend(new_is_placed::test(&drawing));
     stop_at(problems)?;
-    let cases = vertices_are_orbits::test(&drawing)?;
+    let rings = vertices_are_orbits::test(&drawing)?;
     let matching = reach::matching(op, &drawing)?;
-    let facts = Facts::of(&drawing, &matching, cases);
+    let facts = Facts::of(&drawing, &matching, rings.cases);
     let Facts {
         keeps,
         change,
@@ -97,13 +147,17 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
     stop_at(properties::broken_claims(
         op, &drawing, keeps, *change, grows_with,
     ))?;
-    Ok(Proof { matching, facts })
+    Ok(Proof {
+        matching,
+        facts,
+        rings,
+    })
 }
 
-fn stop_at(problems: Vec<Problem>) -> Result<(), Vec<Problem>> {
+fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {
     if problems.is_empty() {
         Ok(())
     } else {
-        Err(problems)
+        Err(problems.into())
     }
 }

@@ -6,33 +6,58 @@
 //! none; and a vertex statement of `after` must be the cycle, in order.
 
 use super::arrangement::arrangements;
-use super::case::Case;
+use super::case::{Case, Step};
 use super::chain::{Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
+use super::proved::Broken;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId};
 
 /// How many combinations of arrangements are looked at before the checker gives up.
 const MOST: usize = 100_000;
 
-/// Tests the law; the number of cases looked at, or what is wrong.
-pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
+/// How many cases are kept to be shown.
+const MOST_SHOWN: usize = 12;
+
+/// What the proof of the law has looked at.
+#[derive(Clone, Debug)]
+pub(super) struct Rings {
+    /// The chains of each vertex before, with the number of ways that its arcs can run, or
+    /// `None` if one stands for all because nothing changes.
+    pub corners: Vec<(Corner, Option<usize>)>,
+    /// How many cases there are.
+    pub cases: usize,
+    /// The first of them.
+    pub shown: Vec<RingCase>,
+}
+
+/// The rings of spokes after, in one case, clockwise.
+#[derive(Clone, Debug)]
+pub(super) struct RingCase {
+    /// The rings, each with its vertex.
+    pub rings: Vec<(Option<NameId>, Vec<Step>)>,
+}
+
+/// Tests the law; what was looked at, or what is wrong.
+pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     let links = Links::of(drawing.rule, &drawing.rule.before);
     let after = Links::of(drawing.rule, &drawing.rule.after);
     let corners = corners(drawing, &links);
     let mut ways = Vec::new();
+    let mut counted = Vec::new();
     for corner in &corners {
         let unchanged = is_unchanged(drawing, corner, &after);
         let mut found =
             arrangements(drawing, corner).ok_or_else(|| vec![too_many(drawing, corner)])?;
         if found.is_empty() {
-            return Err(vec![impossible(drawing, corner)]);
+            return Err(vec![impossible(drawing, corner)].into());
         }
         if unchanged {
             // Its orbit stays what it is, however its arcs run: one way stands for all.
             found.truncate(1);
         }
+        counted.push((corner.clone(), (!unchanged).then_some(found.len())));
         ways.push(found);
     }
     let cases = ways
@@ -43,8 +68,10 @@ pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
         return Err(widest
             .map(|corner| too_many(drawing, corner))
             .into_iter()
-            .collect());
+            .collect::<Vec<_>>()
+            .into());
     };
+    let mut shown = Vec::new();
     let mut pick = vec![0; ways.len()];
     loop {
         let combination: Vec<_> = pick
@@ -55,11 +82,24 @@ pub(super) fn test(drawing: &Drawing) -> Result<usize, Vec<Problem>> {
         let case = Case::new(drawing, &after, &combination);
         let problems = case.problems();
         if !problems.is_empty() {
-            return Err(problems);
+            let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
+            return Err(Broken {
+                problems,
+                arcs: Some(arcs.collect()),
+            });
+        }
+        if shown.len() < MOST_SHOWN {
+            shown.push(RingCase {
+                rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
+            });
         }
         // The next combination, counting up.
         let Some(digit) = (0..pick.len()).find(|&digit| pick[digit] + 1 < ways[digit].len()) else {
-            return Ok(cases);
+            return Ok(Rings {
+                corners: counted,
+                cases,
+                shown,
+            });
         };
         pick[digit] += 1;
         pick[..digit].fill(0);

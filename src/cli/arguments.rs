@@ -54,6 +54,12 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    /// Write what rejected rules break: .halfedges for `info`, and .obj
+    #[arg(long, value_name = "DIR")]
+    pub witness: Option<PathBuf>,
+    /// Print why what is proved holds, law by law
+    #[arg(long)]
+    pub explain: bool,
     /// Also show what each operation keeps, and how degrees and sizes change
     #[arg(short, long)]
     pub verbose: bool,
@@ -117,7 +123,7 @@ pub(super) struct PlanArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct InfoArguments {
-    /// The mesh (.obj)
+    /// The mesh (.obj), or tables of halfedges (.halfedges)
     pub mesh: PathBuf,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]

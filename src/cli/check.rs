@@ -8,7 +8,8 @@ use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
 use super::output::{complain_of, say, say_json, table};
 use super::program;
-use crate::analysis::{RuleVerdict, Verdict, verdicts};
+use super::witness::Witnesses;
+use crate::analysis::{RuleArgument, RuleVerdict, Verdict, verdicts, why_proved};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
 
@@ -17,6 +18,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     let mut sound = true;
     let mut unreadable = None;
     let mut files = Vec::new();
+    let mut witnesses = Witnesses::default();
     for path in &arguments.files {
         let program = match program::read(path) {
             Ok(program) => program,
@@ -29,6 +31,9 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         };
         sound &= program.analysis.is_sound();
         let verdicts = verdicts(&program.analysis);
+        if let Some(folder) = &arguments.witness {
+            witnesses.write(folder, &program.analysis.counterexamples)?;
+        }
         match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
@@ -36,6 +41,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
                 if !unread {
                     let file = path.display().to_string();
                     say(&show(&file, &verdicts, arguments.verbose));
+                }
+                if arguments.explain {
+                    for argument in why_proved(&program.analysis) {
+                        say(&explained(&argument));
+                    }
                 }
             }
             Format::Json => files.push(FileReport {
@@ -115,6 +125,16 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
 /// What was established of a rule, in three parts.
 pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
     [cases(rule), change(rule), cost(rule)]
+}
+
+fn explained(argument: &RuleArgument) -> String {
+    let rule = argument.rule.iter().map(|rule| format!(", rule {rule}"));
+    let mut lines = vec![format!("\n{}{}", argument.op, rule.collect::<String>())];
+    for law in &argument.laws {
+        lines.push(format!("  {}", law.law));
+        lines.extend(law.lines.iter().map(|line| format!("    {line}")));
+    }
+    lines.join("\n")
 }
 
 fn cases(rule: &RuleVerdict) -> String {

@@ -1,10 +1,14 @@
 //! `hedgerow info`
 
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
 use super::arguments::{Format, InfoArguments};
 use super::failure::Failure;
 use super::meshes;
 use super::output::{say, say_json, table};
-use crate::mesh::{Bin, Lengths, Measures, Summary};
+use crate::mesh::{Bin, Element, Lengths, Measures, Summary, read_dump};
 
 /// How many bars of a histogram are shown.
 const MOST_BARS: usize = 12;
@@ -12,17 +16,74 @@ const MOST_BARS: usize = 12;
 /// How many of them go into a line of 80 columns.
 const BARS_IN_A_LINE: usize = 5;
 
-/// Describes a mesh.
+/// Describes a mesh, or the tables of a dump.
 pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
+    let shown = arguments.mesh.display().to_string();
+    if arguments
+        .mesh
+        .extension()
+        .is_some_and(|end| end == "halfedges")
+    {
+        return describe_dump(&shown, arguments);
+    }
     let obj = meshes::read(&arguments.mesh)?;
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
         Format::Json => say_json(&summary),
         Format::Human => {
-            say(&show(&arguments.mesh.display().to_string(), &summary));
+            say(&show(&shown, &summary));
             Ok(())
         }
     }
+}
+
+fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> {
+    let text = std::fs::read_to_string(&arguments.mesh)
+        .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
+    let dump = read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
+    let meshes = dump.meshes.iter();
+    let meshes = meshes.map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
+    match arguments.format {
+        Format::Json => say_json(&DumpReport {
+            remarks: &dump.remarks,
+            meshes: meshes.collect(),
+            names: dump.names.iter().map(stands_for).collect(),
+        }),
+        Format::Human => {
+            for remark in &dump.remarks {
+                say(remark);
+            }
+            for (name, summary) in meshes {
+                say(&show(&format!("{shown}, {name}"), &summary));
+            }
+            let names = dump.names.iter().map(stands_for);
+            let rows: Vec<_> = names.map(|(name, elements)| row(name, elements)).collect();
+            if !rows.is_empty() {
+                say(&format!("names\n{}", table(&rows, &[])));
+            }
+            Ok(())
+        }
+    }
+}
+
+/// A name and its elements in words.
+fn stands_for((name, elements): &(String, Vec<Element>)) -> (&str, String) {
+    let words = match elements.as_slice() {
+        [] => "nothing".into(),
+        [one] => one.to_string(),
+        [first, ..] => {
+            let ids: Vec<_> = elements.iter().map(|of| of.index.to_string()).collect();
+            format!("{} {}", first.kind.plural(), ids.join(" "))
+        }
+    };
+    (name, words)
+}
+
+#[derive(Serialize)]
+struct DumpReport<'a> {
+    remarks: &'a [String],
+    meshes: BTreeMap<&'a str, Summary>,
+    names: BTreeMap<&'a str, String>,
 }
 
 fn show(file: &str, summary: &Summary) -> String {

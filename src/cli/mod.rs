@@ -21,6 +21,7 @@ mod program;
 mod progress;
 mod run;
 mod view;
+mod witness;
 
 use std::process::ExitCode;
 

@@ -30,6 +30,7 @@ mod walk;
 // Where meshes come from and where they go.
 mod build;
 mod build_error;
+mod dump;
 mod obj;
 mod polygons;
 pub mod shape;
@@ -39,6 +40,7 @@ pub use attribute::{
 };
 pub use build_error::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
+pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;

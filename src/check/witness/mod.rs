@@ -1,0 +1,196 @@
+//! Counterexamples: a smallest mesh and match on which a rejected rule breaks.
+//!
+//! The drawing of `before` is laid down as a [`sketch`], its [`outside`] is closed in one of
+//! the ways it can run, and the result is a [`place`]: a valid mesh with the match in it. There
+//! the rewrite is carried out, [`literal`]ly, and what `validate` says of the outcome is put
+//! into [`words`]. The [`search`] goes from small to large.
+//!
+//! What is found is never part of a proof: it shows to a person, and to the tests, that a law
+//! was not broken for nothing.
+
+mod layout;
+mod literal;
+mod outside;
+mod place;
+mod search;
+mod sketch;
+mod words;
+
+use super::problem::Problem;
+use super::proved::Broken;
+use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
+use crate::mesh::{
+    EdgeId, Element, FaceId, HalfedgeId, Invalid, Mesh, Polygons, VertexId, same_connectivity,
+};
+use search::{Found, Shown, search};
+use words::Words;
+
+/// A mesh that a rejected rule breaks.
+#[derive(Clone, Debug)]
+pub struct Counterexample {
+    /// The op.
+    pub op: String,
+    /// The rule, where it has a name.
+    pub rule: Option<String>,
+    /// The diagnostic it goes with, by its code.
+    pub code: &'static str,
+    /// A valid mesh.
+    pub before: Mesh,
+    /// What the rewrite, carried out literally, makes of it.
+    pub after: Mesh,
+    /// What each name stands for: one element, the halfedges of a path, the spokes of a fan.
+    pub names: Vec<(String, Vec<Element>)>,
+    /// Why `after` is no mesh.
+    pub invalid: Invalid,
+    /// The same with the names of the drawing.
+    pub verdict: String,
+}
+
+impl Counterexample {
+    /// Whether the mesh before is what a list of polygons says, so that files of polygons can
+    /// hold it.
+    pub fn is_polygons(&self) -> bool {
+        let mesh = &self.before;
+        let positions: Vec<_> = mesh
+            .vertices()
+            .map(|vertex| mesh.position(vertex))
+            .collect();
+        let faces = mesh.faces().filter(|&face| !mesh.is_hole(face));
+        let corners = |face| mesh.face_vertices(face).map(|vertex| vertex.0).collect();
+        let polygons: Polygons = faces
+            .map(corners)
+            .collect::<Vec<Vec<u32>>>()
+            .iter()
+            .collect();
+        let rebuilt = Mesh::from_polygons(&positions, &polygons);
+        rebuilt.is_ok_and(|rebuilt| same_connectivity(mesh, &rebuilt))
+    }
+}
+
+/// What became of a rejected rule, carried out literally.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// It breaks a mesh.
+    Breaks(Box<Counterexample>),
+    /// It breaks none of so many small meshes.
+    Valid(usize),
+    /// The drawing contradicts itself, so no mesh matches.
+    NoMesh,
+    /// It cannot be carried out, or no law about the mesh is broken.
+    NotTried,
+}
+
+/// Codes of what has nothing to do with the mesh: there is nothing to carry out.
+const BESIDE_THE_MESH: [&str; 4] = [
+    "unknown-name",
+    "unreachable-name",
+    "missing-attribute",
+    "property-not-kept",
+];
+
+/// Carries the rules of an op out on small meshes, whether they are proved or not.
+pub fn try_out(op: &Op) -> Vec<Outcome> {
+    let outcome = |rule: &Rule| {
+        let drawing = Drawing::new(rule);
+        outcome(&op.name, &drawing, search(&drawing, None), "")
+    };
+    op.rules.iter().map(outcome).collect()
+}
+
+/// Carries a rejected rule out, and tells what comes of it with the first of its problems.
+pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
+    let drawing = Drawing::new(rule);
+    let about_mesh = |problem: &&mut Problem| !BESIDE_THE_MESH.contains(&problem.diagnostic.code);
+    let Some(problem) = broken.problems.iter_mut().find(about_mesh) else {
+        return Outcome::NotTried;
+    };
+    let diagnostic = &mut problem.diagnostic;
+    if diagnostic.code == "impossible-drawing" {
+        return Outcome::NoMesh;
+    }
+    let found = search(&drawing, broken.arcs.as_deref());
+    let outcome = outcome(&op.name, &drawing, found, diagnostic.code);
+    diagnostic.notes.extend(note(&outcome));
+    let breaks = matches!(outcome, Outcome::Breaks(_));
+    if breaks && !rule.requires.is_empty() {
+        let note = "whether this mesh passes each `require` is not looked at: the proof does not rely on them";
+        diagnostic.notes.push(note.into());
+    }
+    outcome
+}
+
+fn outcome(op: &str, drawing: &Drawing, found: Found, code: &'static str) -> Outcome {
+    match found {
+        Found::Breaks(shown) => {
+            Outcome::Breaks(Box::new(counterexample(op, drawing, *shown, code)))
+        }
+        Found::Valid(tried) => Outcome::Valid(tried),
+        Found::NoPlace => Outcome::NoMesh,
+        Found::Unclear => Outcome::NotTried,
+    }
+}
+
+/// What a person is told of the outcome.
+fn note(outcome: &Outcome) -> Option<String> {
+    match outcome {
+        Outcome::Breaks(example) => Some(format!(
+            "carried out literally on the smallest such mesh ({}): {}",
+            words::size(&example.before),
+            example.verdict
+        )),
+        Outcome::Valid(tried) => {
+            let meshes = match tried {
+                1 => "the one small mesh".into(),
+                tried => format!("all {tried} small meshes"),
+            };
+            Some(format!(
+                "carried out literally, the result happens to be valid on {meshes} tried; it is the drawing that is not in order"
+            ))
+        }
+        Outcome::NoMesh => Some("no mesh matches `before`: it contradicts itself".into()),
+        Outcome::NotTried => None,
+    }
+}
+
+fn counterexample(op: &str, drawing: &Drawing, shown: Shown, code: &'static str) -> Counterexample {
+    let Shown {
+        place,
+        carried,
+        invalid,
+    } = shown;
+    let words = Words {
+        drawing,
+        place: &place,
+        carried: &carried,
+    };
+    let verdict = words.verdict(&invalid);
+    let rule = drawing.rule;
+    let mut names = Vec::new();
+    for index in 0..rule.names.len() {
+        let name = NameId(index as u32);
+        let element = carried.elements[index];
+        let of = |element: u32| match rule.kind(name) {
+            Kind::Vertex => VertexId(element).into(),
+            Kind::Edge => EdgeId(element).into(),
+            Kind::Face => FaceId(element).into(),
+            Kind::Halfedge | Kind::Path | Kind::Fan => HalfedgeId(element).into(),
+        };
+        let elements: Vec<Element> = match rule.kind(name) {
+            Kind::Path | Kind::Fan => place.runs[index].iter().map(|&half| half.into()).collect(),
+            _ => element.into_iter().map(of).collect(),
+        };
+        if rule.name(name).named {
+            names.push((rule.name(name).text.clone(), elements));
+        }
+    }
+    Counterexample {
+        op: op.into(),
+        rule: rule.label.clone(),
+        code,
+        before: place.mesh,
+        after: carried.mesh,
+        names,
+        invalid,
+        verdict,
+    }
+}

@@ -1,0 +1,214 @@
+//! A finished mesh with the place where a drawing lies in it.
+
+use super::layout::lay_out;
+use super::sketch::{HalfedgeRole, Sketch, VertexRole};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, Spoke};
+use crate::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate, validate_level};
+
+/// A valid mesh, and where the drawing of `before` lies in it.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// For each name its element, if it has one.
+    pub elements: Vec<Option<u32>>,
+    /// For each name the halfedges of the path, or the spokes of the fan.
+    pub runs: Vec<Vec<HalfedgeId>>,
+    /// Where the halfedges come from, by their ids.
+    pub halfedges: Vec<HalfedgeRole>,
+    /// Where the vertices come from, by their ids.
+    pub vertices: Vec<VertexRole>,
+    /// The loops outside of the drawing.
+    pub outside: Vec<FaceId>,
+}
+
+impl Place {
+    /// The mesh of a sketch whose outside is closed; `None` if it is no mesh, or does not
+    /// agree with the vertex statements, or the match would be refused.
+    pub fn of(drawing: &Drawing, sketch: Sketch) -> Option<Self> {
+        let count = drawing.rule.names.len();
+        let halfedge = |half: usize| HalfedgeId(half as u32);
+        let ids = |run: &Vec<usize>| run.iter().map(|&half| halfedge(half)).collect();
+        let mut place = Self {
+            mesh: Mesh::default(),
+            elements: vec![None; count],
+            runs: sketch.runs.iter().map(ids).collect(),
+            halfedges: sketch.halves.iter().map(|half| half.role).collect(),
+            vertices: sketch.vertices.clone(),
+            outside: Vec::new(),
+        };
+        for name in 0..count {
+            let element = sketch.half_of[name].or(sketch.vertex_of[name]);
+            place.elements[name] = element.map(|element| element as u32);
+        }
+        place.tables(&sketch)?;
+        place.edges(drawing);
+        place.faces(drawing, &sketch);
+        validate(&place.mesh).ok()?;
+        place.fans(drawing)?;
+        if place.is_refused(drawing) {
+            return None;
+        }
+        Some(place)
+    }
+
+    /// Makes the mesh nice to look at. Its pointers stay what they are.
+    pub fn dress(&mut self) {
+        self.outside_may_be_faces();
+        lay_out(self);
+    }
+
+    fn tables(&mut self, sketch: &Sketch) -> Option<()> {
+        let mesh = &mut self.mesh;
+        for _ in &sketch.vertices {
+            mesh.add_vertex();
+        }
+        for _ in &sketch.halves {
+            mesh.add_halfedge();
+        }
+        let id = |half: usize| HalfedgeId(half as u32);
+        for (number, half) in sketch.halves.iter().enumerate() {
+            let vertex = VertexId(half.origin as u32);
+            mesh.set_next(id(number), id(half.next?));
+            mesh.set_prev(id(number), id(half.prev?));
+            mesh.set_twin(id(number), id(half.twin?));
+            mesh.set_vertex(id(number), vertex);
+            if mesh.vertex_halfedge(vertex).is_none() {
+                mesh.set_vertex_halfedge(vertex, id(number));
+            }
+        }
+        Some(())
+    }
+
+    fn halfedge(&self, name: NameId) -> Option<HalfedgeId> {
+        self.elements[name.index()].map(HalfedgeId)
+    }
+
+    fn edges(&mut self, drawing: &Drawing) {
+        for statement in &drawing.rule.before.edges {
+            if let Some(half) = self.halfedge(statement.halfedges[0].name) {
+                let edge = self.edge_of(half);
+                self.elements[statement.edge.name.index()] = Some(edge.0);
+            }
+        }
+        for half in 0..self.halfedges.len() as u32 {
+            if self.mesh.edge(HalfedgeId(half)).is_none() {
+                self.edge_of(HalfedgeId(half));
+            }
+        }
+    }
+
+    fn edge_of(&mut self, half: HalfedgeId) -> EdgeId {
+        let edge = self.mesh.add_edge();
+        self.mesh.set_edge_halfedge(edge, half);
+        self.mesh.set_edge(half, edge);
+        self.mesh.set_edge(self.mesh.twin(half), edge);
+        edge
+    }
+
+    /// Loops outside of the drawing are holes.
+    fn faces(&mut self, drawing: &Drawing, sketch: &Sketch) {
+        for orbit in &drawing.rule.before.loops {
+            let face = orbit.face.name;
+            let own = sketch
+                .halves
+                .iter()
+                .position(|half| half.face == Some(face));
+            if let Some(half) = own {
+                let id = self.face_of(HalfedgeId(half as u32));
+                self.mesh.set_hole(id, orbit.kind == LoopKind::Hole);
+                self.elements[face.index()] = Some(id.0);
+            }
+        }
+        for half in (0..self.halfedges.len() as u32).map(HalfedgeId) {
+            if self.mesh.face(half).is_none() {
+                let id = self.face_of(half);
+                self.mesh.set_hole(id, true);
+                self.outside.push(id);
+            }
+        }
+    }
+
+    fn face_of(&mut self, half: HalfedgeId) -> FaceId {
+        let face = self.mesh.add_face();
+        self.mesh.set_face_halfedge(face, half);
+        let orbit: Vec<_> = self.mesh.loop_from(half).collect();
+        for half in orbit {
+            self.mesh.set_face(half, face);
+        }
+        face
+    }
+
+    /// Holes outside of the drawing may as well be faces: if only then the mesh is a surface,
+    /// they are.
+    fn outside_may_be_faces(&mut self) {
+        if validate_level(&self.mesh, Level::Surface).is_ok() {
+            return;
+        }
+        let mut closed = self.mesh.clone();
+        for &face in &self.outside {
+            closed.set_hole(face, false);
+        }
+        if validate_level(&closed, Level::Surface).is_ok() {
+            self.mesh = closed;
+        }
+    }
+
+    /// Binds the fans, or finds that a vertex statement does not agree with the mesh.
+    fn fans(&mut self, drawing: &Drawing) -> Option<()> {
+        for star in &drawing.rule.before.stars {
+            let vertex = self.elements[star.vertex.name.index()].map(VertexId)?;
+            let listed = |spoke: &Spoke| match spoke {
+                Spoke::Halfedge(half) => self.halfedge(half.name),
+                Spoke::Fan(_) | Spoke::Rest(_) => None,
+            };
+            let begin = star.spokes.iter().position(|spoke| listed(spoke).is_some());
+            let first = begin.and_then(|at| listed(&star.spokes[at]));
+            let ring: Vec<_> = match first {
+                Some(first) => self.mesh.spokes_from(first).collect(),
+                None => self.mesh.spokes(vertex).collect(),
+            };
+            let count = star.spokes.len();
+            let turned = (0..count).map(|at| star.spokes[(begin.unwrap_or(0) + at) % count]);
+            let turned: Vec<_> = turned.collect();
+            let mut at = 0;
+            let mut bound = Vec::new();
+            for (place, spoke) in turned.iter().enumerate() {
+                if let Some(half) = listed(spoke) {
+                    if ring.get(at) != Some(&half) {
+                        return None;
+                    }
+                    at += 1;
+                    continue;
+                }
+                let stop = turned[place + 1..].iter().find_map(listed);
+                let from = at;
+                while at < ring.len() && Some(ring[at]) != stop {
+                    at += 1;
+                }
+                if let Spoke::Fan(fan) = spoke {
+                    bound.push((fan.name, ring[from..at].to_vec()));
+                }
+            }
+            if at != ring.len() {
+                return None;
+            }
+            for (fan, run) in bound {
+                self.runs[fan.index()] = run;
+            }
+        }
+        Some(())
+    }
+
+    /// Whether only empty paths would be left of a loop, which the matcher refuses.
+    fn is_refused(&self, drawing: &Drawing) -> bool {
+        let rule = drawing.rule;
+        let empty = |name: NameId| {
+            rule.kind(name) == Kind::Path
+                && drawing.before.mention(name).is_some()
+                && self.runs[name.index()].is_empty()
+        };
+        let mut loops = rule.after.loops.iter();
+        loops.any(|orbit| orbit.items.iter().all(|item| empty(item.item.name)))
+    }
+}

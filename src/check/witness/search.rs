@@ -1,0 +1,297 @@
+//! The smallest mesh on which a rewrite breaks.
+//!
+//! Places are tried from small to large: the fewest halfedges on every path, then more; the
+//! arcs without further spokes, then with a few; all ways in which the arcs can run. A failing
+//! case of law 7 brings its arcs along; they are tried first.
+
+use super::super::arrangement::{Arc, Lies};
+use super::super::port::Port;
+use super::literal::{Carried, carry_out};
+use super::outside::{Further, Join, joins_of, ways};
+use super::place::Place;
+use super::sketch::{HalfedgeRole, Shape, Sketch, VertexRole};
+use crate::diagram::{Drawing, Kind, NameId};
+use crate::mesh::{Invalid, validate};
+
+/// What a search found.
+pub(super) enum Found {
+    /// A place where the rewrite breaks the mesh.
+    Breaks(Box<Shown>),
+    /// Only places where the mesh stays valid; how many.
+    Valid(usize),
+    /// The drawing contradicts itself: there is no place.
+    NoPlace,
+    /// Nothing: `after` uses what nothing binds, or the search would be too long.
+    Unclear,
+}
+
+/// A place, and what comes of it.
+pub(super) struct Shown {
+    /// The place.
+    pub place: Place,
+    /// The rewrite carried out.
+    pub carried: Carried,
+    /// Why the result is no mesh.
+    pub invalid: Invalid,
+}
+
+/// How many meshes are built at most.
+const MOST_BUILT: usize = 1_500;
+/// How many halfedges and spokes are added at most to the fewest that there can be.
+const MOST_ADDED: usize = 4;
+/// How many combinations of arcs are tried in one shape.
+const MOST_COMBINATIONS: usize = 96;
+
+/// Looks for a place where a rewrite breaks the mesh.
+pub(super) fn search(drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
+    let mut search = Search {
+        drawing,
+        built: 0,
+        valid: 0,
+    };
+    let shown = search.arcs(arcs).or_else(|| search.anywhere());
+    if let Some(shown) = shown {
+        return Found::Breaks(Box::new(shown.dressed(drawing)));
+    }
+    match search.valid {
+        0 if search.built < MOST_BUILT && search.is_runnable() => Found::NoPlace,
+        0 => Found::Unclear,
+        valid => Found::Valid(valid),
+    }
+}
+
+impl Shown {
+    fn dressed(mut self, drawing: &Drawing) -> Self {
+        self.place.dress();
+        if let Some(carried) = carry_out(drawing, &self.place) {
+            self.carried = carried;
+        }
+        self
+    }
+}
+
+struct Search<'a> {
+    drawing: &'a Drawing<'a>,
+    built: usize,
+    valid: usize,
+}
+
+/// A shape, and how many halfedges it has beyond the fewest.
+type Sized = (usize, Shape);
+
+impl Search<'_> {
+    /// Whether all names of `after` are known, so that the rewrite can be carried out.
+    fn is_runnable(&self) -> bool {
+        let known = |index: usize| {
+            let name = NameId(index as u32);
+            self.drawing.after.mention(name).is_none()
+                || self.drawing.before.mention(name).is_some()
+                || self.drawing.created(name).is_some()
+        };
+        (0..self.drawing.rule.names.len()).all(known)
+    }
+
+    /// The failing case of law 7.
+    fn arcs(&mut self, arcs: Option<&[Arc]>) -> Option<Shown> {
+        let arcs = arcs?;
+        let empty = |path: NameId| {
+            let around = |arc: &Arc| arc.from == Port::Out(path) && arc.to == Port::In(path);
+            self.drawing.may_be_empty(path) && arcs.iter().any(around)
+        };
+        let mut shapes = self.shapes(&|path| usize::from(!empty(path)));
+        for (_, shape) in &mut shapes {
+            shape.glued = self.glued_by(arcs, shape);
+        }
+        self.sizes(&shapes, &|sketch| {
+            joins_of(sketch, arcs).into_iter().collect()
+        })
+    }
+
+    /// Twins that follow from arcs without a spoke.
+    fn glued_by(&self, arcs: &[Arc], shape: &Shape) -> Vec<[usize; 2]> {
+        let Some(sketch) = Sketch::lay(self.drawing, shape) else {
+            return Vec::new();
+        };
+        let mut glued: Vec<[usize; 2]> = Vec::new();
+        for arc in arcs.iter().filter(|arc| arc.lies == Lies::Empty) {
+            let (Port::Out(from), Port::In(to)) = (arc.from, arc.to) else {
+                continue;
+            };
+            let first = |name: NameId| {
+                sketch.half_of[name.index()].or(sketch.runs[name.index()].first().copied())
+            };
+            let last = |name: NameId| {
+                sketch.half_of[name.index()].or(sketch.runs[name.index()].last().copied())
+            };
+            let (Some(left), Some(right)) = (first(from), last(to)) else {
+                continue;
+            };
+            let told = glued
+                .iter()
+                .flatten()
+                .any(|&half| half == left || half == right);
+            if left != right && !told {
+                glued.push([left, right]);
+            }
+        }
+        glued
+    }
+
+    /// Every way; and if no place is found, those where what is drawn apart is one.
+    fn anywhere(&mut self) -> Option<Shown> {
+        let shapes = self.shapes(&|path| {
+            let may_be_empty = self.drawing.may_be_empty(path);
+            usize::from(!may_be_empty)
+        });
+        let broken = self.sizes(&shapes, &combinations);
+        if broken.is_some() || self.valid > 0 {
+            return broken;
+        }
+        let mut joined: Vec<Sized> = Vec::new();
+        for shape in &shapes {
+            joined.extend(self.joined(shape));
+        }
+        self.sizes(&joined, &combinations)
+    }
+
+    /// Lengths of the paths, from the least on.
+    fn shapes(&self, least: &dyn Fn(NameId) -> usize) -> Vec<Sized> {
+        let count = self.drawing.rule.names.len();
+        let mut shapes = vec![(
+            0,
+            Shape {
+                lengths: vec![0; count],
+                ..Shape::default()
+            },
+        )];
+        for path in self.drawing.rule.names_of(Kind::Path) {
+            let least = least(path);
+            shapes = shapes
+                .into_iter()
+                .flat_map(|(added, shape)| {
+                    (least..=least.max(1) + 1).map(move |length| {
+                        let mut shape = shape.clone();
+                        shape.lengths[path.index()] = length;
+                        (added + length - least, shape)
+                    })
+                })
+                .filter(|&(added, _)| added <= MOST_ADDED)
+                .collect();
+        }
+        shapes.sort_by_key(|&(added, _)| added);
+        shapes
+    }
+
+    /// The shape with two halfedges made twins, or an outer one put on a path.
+    fn joined(&self, (added, shape): &Sized) -> Vec<Sized> {
+        let Some(sketch) = Sketch::lay(self.drawing, shape) else {
+            return Vec::new();
+        };
+        let fresh = |half: usize| {
+            let twin = sketch.halves[half].twin;
+            twin.is_some_and(|twin| sketch.halves[twin].role == HalfedgeRole::TwinOf(half))
+        };
+        let open: Vec<_> = (0..sketch.halves.len())
+            .filter(|&half| fresh(half))
+            .collect();
+        let pair_up = |pairs: &[[usize; 2]]| {
+            let mut shape = shape.clone();
+            shape.glued = pairs.to_vec();
+            (*added, shape)
+        };
+        let mut pairs = Vec::new();
+        for (at, &left) in open.iter().enumerate() {
+            pairs.extend(open[at + 1..].iter().map(|&right| [left, right]));
+        }
+        let mut joined: Vec<_> = pairs.iter().map(|&pair| pair_up(&[pair])).collect();
+        for (at, &one) in pairs.iter().enumerate() {
+            let apart = |two: &&[usize; 2]| one.iter().all(|half| !two.contains(half));
+            let others = pairs[at + 1..].iter().filter(apart);
+            joined.extend(others.map(|&two| pair_up(&[one, two])));
+        }
+        let rule = self.drawing.rule;
+        for outer in rule.names_of(Kind::Halfedge) {
+            if !self.drawing.is_outer(outer) {
+                continue;
+            }
+            for path in rule.names_of(Kind::Path) {
+                for place in 0..sketch.runs[path.index()].len() {
+                    let mut shape = shape.clone();
+                    shape.on_path.push((outer, path, place));
+                    joined.push((*added, shape));
+                }
+            }
+        }
+        joined
+    }
+
+    /// Tries shapes with further spokes, from few to many.
+    fn sizes(
+        &mut self,
+        shapes: &[Sized],
+        ways: &dyn Fn(&Sketch) -> Vec<Vec<Join>>,
+    ) -> Option<Shown> {
+        for size in 0..=MOST_ADDED {
+            for (added, shape) in shapes.iter().filter(|(added, _)| *added <= size) {
+                let Some(sketch) = Sketch::lay(self.drawing, shape) else {
+                    continue;
+                };
+                for joins in ways(&sketch) {
+                    for further in furthers(&sketch, &joins, size - added) {
+                        if self.built == MOST_BUILT {
+                            return None;
+                        }
+                        if let Some(broken) = self.attempt(sketch.clone(), &joins, further) {
+                            return Some(broken);
+                        }
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    fn attempt(&mut self, mut sketch: Sketch, joins: &[Join], further: Further) -> Option<Shown> {
+        self.built += 1;
+        sketch.close(joins, further);
+        let place = Place::of(self.drawing, sketch)?;
+        let carried = carry_out(self.drawing, &place)?;
+        self.valid += 1;
+        let invalid = validate(&carried.mesh).err()?;
+        Some(Shown {
+            place,
+            carried,
+            invalid,
+        })
+    }
+}
+
+/// The ways to add so many further spokes.
+fn furthers(sketch: &Sketch, joins: &[Join], count: usize) -> Vec<Further> {
+    let at_name = |join: &Join| {
+        let vertex = sketch.halves[join.leaves].origin;
+        matches!(sketch.vertices[vertex], VertexRole::Named(_))
+    };
+    let places = (0..joins.len()).filter(|&at| at_name(&joins[at]));
+    match count {
+        0 => vec![Further::Nowhere],
+        1 | 2 => places.map(|at| Further::In(at, count)).collect(),
+        3 => vec![Further::Everywhere],
+        _ => Vec::new(),
+    }
+}
+
+/// Every combination of the ways of all vertices.
+fn combinations(sketch: &Sketch) -> Vec<Vec<Join>> {
+    let Some(vertices) = ways(sketch) else {
+        return Vec::new();
+    };
+    let mut combinations = vec![Vec::new()];
+    for ways in vertices {
+        let longer = combinations.iter().flat_map(|joins: &Vec<Join>| {
+            ways.iter().map(move |way| [joins.as_slice(), way].concat())
+        });
+        combinations = longer.take(MOST_COMBINATIONS).collect();
+    }
+    combinations
+}
