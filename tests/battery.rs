@@ -46,7 +46,6 @@ const BY_RULE: &[&str] = &[
     "missing-attribute",
     "missing-reassignment",
     "new-loop-kind",
-    "new-run",
     "spoke-twice",
     "too-many-cases",
     "unaccounted-name",
