@@ -99,15 +99,14 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Binds a run; a run that stands in two places of the drawing matches nowhere.
     fn bind_run(&mut self, name: NameId, run: &[HalfedgeId]) -> Option<Undo> {
-        let run: Vec<_> = run.iter().map(|h| h.0).collect();
-        match &self.state.runs[name.index()] {
-            Some(known) => (*known == run).then_some(None),
-            None => {
-                self.state.runs[name.index()] = Some(run);
-                Some(Some(name))
-            }
+        let known = &mut self.state.runs[name.index()];
+        if known.is_some() {
+            return None;
         }
+        *known = Some(run.iter().map(|h| h.0).collect());
+        Some(Some(name))
     }
 
     fn undo(&mut self, undo: Undo) {
