@@ -1,7 +1,9 @@
 //! What a proof establishes besides validity: the change of the counts, and the cost.
 
+use super::guard::Obligation;
+use super::keeps;
 use super::matching::{Claim, Step};
-use crate::diagram::{Drawing, Kind, NameId, Rule};
+use crate::diagram::{Drawing, Kind, Level, NameId, Rule};
 
 /// What was established of a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,6 +14,8 @@ pub struct Facts {
     pub change: Change,
     /// What the time grows with, in words; nothing if it is constant.
     pub grows_with: Vec<String>,
+    /// The levels that a mesh keeps for sure, of those that are more than a map.
+    pub keeps: Vec<Level>,
 }
 
 /// How the numbers of elements change. Faces count holes too.
@@ -51,16 +55,22 @@ impl Change {
 
 impl Facts {
     /// Reads the facts of a proved rule off its drawing and its matching.
-    pub(super) fn of(drawing: &Drawing, matching: &[Step], cases: usize) -> Self {
+    pub(super) fn of(
+        drawing: &Drawing,
+        matching: &[Step],
+        guard: &[Obligation],
+        cases: usize,
+    ) -> Self {
         Self {
             cases,
             change: Change::of(drawing.rule),
-            grows_with: grows_with(drawing, matching),
+            grows_with: grows_with(drawing, matching, guard),
+            keeps: keeps::kept(drawing),
         }
     }
 }
 
-fn grows_with(drawing: &Drawing, matching: &[Step]) -> Vec<String> {
+fn grows_with(drawing: &Drawing, matching: &[Step], guard: &[Obligation]) -> Vec<String> {
     let rule = drawing.rule;
     let mut grows = Vec::new();
     let attempts = matching.iter().filter_map(|step| match step {
@@ -92,6 +102,8 @@ fn grows_with(drawing: &Drawing, matching: &[Step]) -> Vec<String> {
     }
     grows.extend(moved_paths(drawing).map(|path| format!("the length of {}", rule.quoted(path))));
     grows.extend(moved_fans(drawing).map(|fan| format!("the size of {}", rule.quoted(fan))));
+    let tests = guard.iter().filter(|obligation| obligation.is_test());
+    grows.extend(tests.filter_map(|test| test.statement.grows_with(rule)));
     let mut seen = Vec::new();
     grows.retain(|item| {
         !seen.contains(item) && {

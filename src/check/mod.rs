@@ -18,7 +18,8 @@
 //! 8. [`new_is_placed`].
 //!
 //! Then [`reach`] finds the order in which the names are bound. Only this layer makes a
-//! [`Proved`], and only that can be compiled. Nothing here knows the machine.
+//! [`Proved`], and only that can be compiled. What more than validity an op keeps, and what
+//! its [`guard`] has to test, is derived last. Nothing here knows the machine.
 
 mod arrangement;
 mod case;
@@ -26,6 +27,8 @@ mod chain;
 mod claims;
 mod ends_agree;
 mod facts;
+pub mod guard;
+mod keeps;
 pub mod matching;
 mod mend;
 mod names_are_accounted_for;

@@ -1,6 +1,8 @@
 //! The door: from an operation to a proved one.
 
 use super::facts::Facts;
+use super::guard::{Obligation, obligations};
+use super::keeps;
 use super::matching::Step;
 use super::problem::Problem;
 use super::{
@@ -21,6 +23,7 @@ pub struct Proved {
 #[derive(Clone, Debug)]
 pub struct Proof {
     matching: Vec<Step>,
+    guard: Vec<Obligation>,
     facts: Facts,
 }
 
@@ -42,6 +45,11 @@ impl Proof {
         &self.matching
     }
 
+    /// What the guard of the rule asks of the result; some of it is left to test.
+    pub fn guard(&self) -> &[Obligation] {
+        &self.guard
+    }
+
     /// What the proof established.
     pub fn facts(&self) -> &Facts {
         &self.facts
@@ -60,6 +68,9 @@ pub fn check(op: &Op) -> Result<Proved, Vec<Diagnostic>> {
                 diagnostics.extend(mend::add_fixes(rule, problems, laws));
             }
         }
+    }
+    if diagnostics.is_empty() {
+        diagnostics = keeps::test(op);
     }
     if diagnostics.is_empty() {
         Ok(Proved {
@@ -85,8 +96,16 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
     stop_at(problems)?;
     let cases = vertices_are_orbits::test(&drawing)?;
     let matching = reach::matching(op, &drawing)?;
-    let facts = Facts::of(&drawing, &matching, cases);
-    Ok(Proof { matching, facts })
+    let guard = match rule.guard {
+        Some((level, _)) => obligations(&drawing, level),
+        None => Vec::new(),
+    };
+    let facts = Facts::of(&drawing, &matching, &guard, cases);
+    Ok(Proof {
+        matching,
+        guard,
+        facts,
+    })
 }
 
 fn stop_at(problems: Vec<Problem>) -> Result<(), Vec<Problem>> {

@@ -1,7 +1,7 @@
 //! An operation: its alternatives, tried in order.
 
 use super::collect::Collect;
-use super::reassign::Reassign;
+use super::reassign::{Onto, Reassign};
 use super::registers::Registers;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
@@ -66,12 +66,13 @@ fn alternative(
         fail,
         rows: &mut stage.collect,
     }
-    .emit(proof.matching());
+    .emit(proof.matching(), proof.guard());
     allocate(output, &drawing, &collected.registers, &mut stage.allocate);
     Reassign {
         output,
         drawing: &drawing,
         collected: &collected,
+        onto: Onto::Mesh,
         rows: &mut stage.reassign,
     }
     .emit();

@@ -1,6 +1,6 @@
 //! Operations, rules, sides and the three kinds of orbit.
 
-use super::{Expr, Type};
+use super::{Expr, Level, Type};
 use crate::source::Span;
 
 /// What a name of a diagram stands for.
@@ -103,6 +103,8 @@ pub struct Op {
     pub params: Vec<Param>,
     /// The type of its result, if it has one.
     pub result: Option<Type>,
+    /// The levels of mesh it claims to keep.
+    pub keeps: Vec<(Level, Span)>,
     /// The alternatives, tried in order.
     pub rules: Vec<Rule>,
     /// The whole item.
@@ -138,6 +140,8 @@ pub struct Rule {
     pub before: Side,
     /// What must hold, in order.
     pub requires: Vec<Require>,
+    /// The level that the mesh has, and that it must have again afterwards.
+    pub guard: Option<(Level, Span)>,
     /// The drawing after.
     pub after: Side,
     /// What is created.

@@ -1,9 +1,11 @@
 //! An op: parameters, result, and its rules one by one.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{self, Kind, Type};
+use crate::diagram::{self, Kind, Level, Type};
+use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
+use super::condition::level;
 use super::declared::{Declared, duplicate};
 use super::family::first_family;
 use super::lookup::element_type;
@@ -59,7 +61,7 @@ pub(super) fn resolve_op(
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);
-    check_keeps(&op.keeps, report);
+    let keeps = keeps(&op.keeps, report);
     rule_names(&op.rules, report);
     if op.rules.is_empty() {
         let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
@@ -99,6 +101,7 @@ pub(super) fn resolve_op(
         docs: op.docs.clone(),
         params: public.clone(),
         result: result_type,
+        keeps,
         rules,
         span: op.span,
     });
@@ -117,8 +120,10 @@ pub(super) fn resolve_op(
     (signature, resolved)
 }
 
-/// `keeps` is a claim; who cannot prove it must say so.
-fn check_keeps(keeps: &[Ident], report: &mut Report) {
+/// The levels an op claims to keep. `keeps` is a claim; who cannot prove it must say so.
+fn keeps(keeps: &[Ident], report: &mut Report) -> Vec<(Level, Span)> {
+    let mut levels = Vec::new();
+    let mut others = Vec::new();
     let mut unknown = false;
     for word in keeps {
         if !PROPERTIES.contains(&word.text.as_str()) {
@@ -129,12 +134,17 @@ fn check_keeps(keeps: &[Ident], report: &mut Report) {
             report.add(error);
             unknown = true;
         }
+        match level(&word.text) {
+            Some(level) => levels.push((level, word.span)),
+            None => others.push(word),
+        }
     }
-    if let ([first, .., last] | [first @ last], false) = (keeps, unknown) {
+    if let ([first, .., last] | [first @ last], false) = (others.as_slice(), unknown) {
         let message = "what `keeps` claims is not checked yet";
         let span = first.span.to(last.span);
         report.add(Diagnostic::warning("not-yet", message, span));
     }
+    levels
 }
 
 /// Two rules of an op have two names.

@@ -270,7 +270,11 @@ mod tests {
         asm.release(mark);
         assert_eq!((param, a, b, seven), (Reg(0), Reg(1), Reg(4), Reg(5)));
         let eight = asm.constant_int(8);
-        assert_eq!(eight, Reg(6), "a free register may have been written to before");
+        assert_eq!(
+            eight,
+            Reg(6),
+            "a free register may have been written to before"
+        );
         assert_eq!(asm.block(5), Reg(7), "five in a row fit only behind");
         assert_eq!(asm.vec(), Reg(1));
         assert_eq!(asm.constant_int(7), seven);

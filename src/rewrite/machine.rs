@@ -6,6 +6,7 @@
 //! which is the duty of whoever makes the code; a script that traps has done what it did
 //! so far.
 
+use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
@@ -20,6 +21,8 @@ pub struct Machine<'p> {
     pub(super) plans: &'p [Option<Plan>],
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
+    /// What guards look at.
+    pub(super) preview: Preview,
     pub(super) progress: Progress,
     /// The line that is being printed.
     pub(super) line: String,
@@ -52,6 +55,7 @@ impl<'p> Machine<'p> {
             plans,
             stack: Vec::new(),
             buffers: Vec::new(),
+            preview: Preview::default(),
             progress: Progress::default(),
             line: String::new(),
             counts: plans.iter().map(count).collect(),
