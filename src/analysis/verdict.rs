@@ -1,9 +1,11 @@
 //! What was proved of each operation, to show.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::Analysis;
-use crate::check::Facts;
+use crate::check::{Facts, SizeChange};
 
 /// What was proved of an operation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -33,6 +35,12 @@ pub struct RuleVerdict {
     pub constant_time: bool,
     /// What the time grows with otherwise.
     pub grows_with: Vec<String>,
+    /// The properties that are kept, in the words of `keeps`.
+    pub keeps: Vec<&'static str>,
+    /// How degrees change, by vertex: `-1 +S`; those that stay are left out.
+    pub degrees: BTreeMap<String, String>,
+    /// How the numbers of sides change, by face.
+    pub sizes: BTreeMap<String, String>,
 }
 
 impl RuleVerdict {
@@ -45,8 +53,25 @@ impl RuleVerdict {
             faces: facts.change.faces,
             constant_time: facts.grows_with.is_empty(),
             grows_with: facts.grows_with.clone(),
+            keeps: facts.keeps.iter().map(|property| property.word()).collect(),
+            degrees: changes(&facts.degrees),
+            sizes: changes(&facts.sizes),
         }
     }
+}
+
+fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
+    let told = changes
+        .iter()
+        .filter(|change| !change.is_nothing())
+        .map(|change| {
+            let constant = (change.constant != 0).then(|| format!("{:+}", change.constant));
+            let gains = change.gains.iter().map(|run| format!("+{run}"));
+            let loses = change.loses.iter().map(|run| format!("-{run}"));
+            let parts: Vec<_> = constant.into_iter().chain(gains).chain(loses).collect();
+            (change.element.clone(), parts.join(" "))
+        });
+    told.collect()
 }
 
 /// The verdict on every op of a file, in order.

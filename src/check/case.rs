@@ -117,6 +117,9 @@ impl<'a> Case<'a> {
             match of_vertex.as_slice() {
                 [] if lives => problems.push(self.without_spokes(vertex)),
                 [] => {}
+                [cycle, ..] if !lives => {
+                    problems.push(self.spoke_of_erased(vertex, &self.cycles[*cycle]));
+                }
                 [cycle] => problems.extend(self.star_disagrees(vertex, &self.cycles[*cycle])),
                 [first, second, ..] => problems.push(self.split(vertex, *first, *second)),
             }

@@ -1,9 +1,9 @@
 //! What a proof establishes besides validity: the change of the counts, and the cost.
 
 use super::guard::Obligation;
-use super::keeps;
 use super::matching::{Claim, Step};
-use crate::diagram::{Drawing, Kind, Level, NameId, Rule};
+use super::properties::{SizeChange, degree_changes, kept, size_changes};
+use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
 
 /// What was established of a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,8 +14,12 @@ pub struct Facts {
     pub change: Change,
     /// What the time grows with, in words; nothing if it is constant.
     pub grows_with: Vec<String>,
-    /// The levels that a mesh keeps for sure, of those that are more than a map.
-    pub keeps: Vec<Level>,
+    /// Everything that is kept besides validity, declared or not.
+    pub keeps: Vec<Property>,
+    /// How the degrees of the vertices that live on change.
+    pub degrees: Vec<SizeChange>,
+    /// How the numbers of sides of the faces that live on change.
+    pub sizes: Vec<SizeChange>,
 }
 
 /// How the numbers of elements change. Faces count holes too.
@@ -61,11 +65,15 @@ impl Facts {
         guard: &[Obligation],
         cases: usize,
     ) -> Self {
+        let change = Change::of(drawing.rule);
+        let grows_with = grows_with(drawing, matching, guard);
         Self {
             cases,
-            change: Change::of(drawing.rule),
-            grows_with: grows_with(drawing, matching, guard),
-            keeps: keeps::kept(drawing),
+            change,
+            keeps: kept(drawing, change, &grows_with),
+            grows_with,
+            degrees: degree_changes(drawing),
+            sizes: size_changes(drawing),
         }
     }
 }

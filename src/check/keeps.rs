@@ -1,23 +1,12 @@
-//! Levels that an op claims to keep: nothing may be left to test.
+//! Levels that a rule claims to keep: nothing may be left to test.
 
 use super::guard::{Obligation, obligations};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Level, Op, Rule};
-use crate::source::Span;
+use crate::diagram::{Drawing, Level};
 
-/// The levels, of those that are more than a map, that a mesh has after the rule if it had
-/// them before.
-pub(super) fn kept(drawing: &Drawing) -> Vec<Level> {
-    let levels = [Level::Surface, Level::Simple];
-    let kept = levels
-        .into_iter()
-        .filter(|&level| left_of(drawing, level).is_empty());
-    kept.collect()
-}
-
-/// What would have to be tested. A guard tests all that its level asks, and an op with a
-/// guard is only used on meshes of that level.
-fn left_of(drawing: &Drawing, level: Level) -> Vec<Obligation> {
+/// What would have to be tested of the result, for a mesh of the level to stay one. A guard
+/// tests all that its level asks, and a rule with a guard is for meshes of that level.
+pub(super) fn left_to_test(drawing: &Drawing, level: Level) -> Vec<Obligation> {
     if drawing.rule.guard.is_some_and(|(guard, _)| guard >= level) {
         return Vec::new();
     }
@@ -26,50 +15,27 @@ fn left_of(drawing: &Drawing, level: Level) -> Vec<Obligation> {
     left
 }
 
-/// Tests each level that the op claims to keep on each of its rules.
-pub(super) fn test(op: &Op) -> Vec<Diagnostic> {
-    let mut diagnostics = Vec::new();
-    for &(level, span) in &op.keeps {
-        for rule in &op.rules {
-            let drawing = Drawing::new(rule);
-            let left = left_of(&drawing, level);
-            if !left.is_empty() {
-                diagnostics.push(not_kept(op, rule, (level, span), &left));
-            }
-        }
+/// Adds to the diagnostic what may come about, and offers the guard that refuses it.
+pub(super) fn not_kept(drawing: &Drawing, mut diagnostic: Diagnostic, level: Level) -> Diagnostic {
+    let rule = drawing.rule;
+    for Obligation { statement, .. } in left_to_test(drawing, level) {
+        let subject = statement.subject();
+        let place = drawing.after.mention(subject).unwrap_or(rule.after.span);
+        diagnostic = diagnostic.label(place, format!("perhaps {}", statement.refusal(rule)));
     }
-    diagnostics
-}
-
-fn not_kept(op: &Op, rule: &Rule, (level, span): (Level, Span), left: &[Obligation]) -> Diagnostic {
-    let who = match &rule.label {
-        Some(label) => format!("the rule `{label}` of `{}`", op.name),
-        None => format!("`{}`", op.name),
-    };
-    let message = format!("it is not proved that {who} keeps a mesh {level}");
-    let mut diagnostic = Diagnostic::error("level-not-kept", message, span)
-        .saying("claimed here")
-        .label(rule.after.span, "after this, it is to be shown that …");
-    for obligation in left {
-        diagnostic = diagnostic.note(format!(
-            "… {}; else {}",
-            obligation.statement.claim(rule),
-            obligation.statement.refusal(rule)
-        ));
+    if let Some((_, guard)) = rule.guard {
+        return diagnostic.label(
+            guard,
+            format!("`guard {level}` would refuse where it is so"),
+        );
     }
-    match rule.guard {
-        Some((_, guard)) => diagnostic.label(guard, format!("`guard {level}` would test that")),
-        None => {
-            let place = rule.after.span.before();
-            diagnostic
-                .note(format!(
-                    "`guard {level}` tests just that, and refuses where it fails"
-                ))
-                .fix(
-                    format!("insert `guard {level}`"),
-                    place,
-                    format!("guard {level}\n  "),
-                )
-        }
-    }
+    diagnostic
+        .note(format!(
+            "`guard {level}` refuses where it is so, and nowhere else"
+        ))
+        .fix(
+            format!("insert `guard {level}`"),
+            rule.after.span.before(),
+            format!("guard {level}\n  "),
+        )
 }

@@ -28,7 +28,13 @@ pub(super) fn add_fixes(
         };
         // Problems of a later law may come to light once the names are in order; that does
         // not make the fix wrong, but no longer surely right.
-        left.iter().all(known).then(|| remedy.fix(rule))
+        // What seems to have been forgotten may have been meant where something else is
+        // wrong: nothing is erased before all the rest is right.
+        let good = match remedy {
+            Remedy::Erase(_) => left.is_empty(),
+            Remedy::Keep(_) | Remedy::Pair { .. } => left.iter().all(known),
+        };
+        good.then(|| remedy.fix(rule))
     };
     let mut diagnostics = Vec::new();
     for (at, problem) in problems.into_iter().enumerate() {
@@ -149,9 +155,9 @@ fn end_of_after(rule: &Rule) -> Option<Span> {
         .stars
         .iter()
         .flat_map(|star| &star.spokes)
-        .filter_map(|spoke| match spoke {
-            Spoke::Rest(span) => Some(span.after()),
-            Spoke::Halfedge(name) | Spoke::Fan(name) => Some(name.span.after()),
+        .map(|spoke| match spoke {
+            Spoke::Rest(span) => span.after(),
+            Spoke::Halfedge(name) | Spoke::Fan(name) => name.span.after(),
         });
     let assignments = rule
         .assignments

@@ -17,9 +17,10 @@
 //! 7. [`vertices_are_orbits`], by way of [`port`]s, [`chain`]s and [`arrangement`]s;
 //! 8. [`new_is_placed`].
 //!
-//! Then [`reach`] finds the order in which the names are bound. Only this layer makes a
-//! [`Proved`], and only that can be compiled. What more than validity an op keeps, and what
-//! its [`guard`] has to test, is derived last. Nothing here knows the machine.
+//! Then [`reach`] finds the order in which the names are bound, and [`properties`] holds what
+//! `keeps` claims against the drawing; for the levels, and for what a guard has to test, it
+//! asks [`guard`]. Only this layer makes a [`Proved`], and only that can be compiled. Nothing
+//! here knows the machine.
 
 mod arrangement;
 mod case;
@@ -37,6 +38,7 @@ mod next_is_permutation;
 mod nothing_dangles;
 mod port;
 mod problem;
+mod properties;
 mod proved;
 mod reach;
 mod ring_problems;
@@ -47,4 +49,5 @@ mod unknown_names;
 mod vertices_are_orbits;
 
 pub use facts::{Change, Facts, moved_fans, moved_paths};
+pub use properties::SizeChange;
 pub use proved::{Proof, Proved, check};

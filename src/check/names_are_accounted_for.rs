@@ -12,7 +12,7 @@ use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
 use super::stale::Stale;
 use super::unknown_names::Unknown;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, NameId};
+use crate::diagram::{Drawing, Edge, Kind, NameId, Ref};
 use crate::source::Span;
 
 /// Tests the laws.
@@ -151,88 +151,121 @@ impl Law<'_> {
     /// Halfedges that are paired before, and not after.
     fn edges(&mut self) {
         let drawing = self.drawing;
-        let rule = drawing.rule;
-        for edge in &rule.before.edges {
-            let missing: Vec<_> = edge
-                .halfedges
-                .iter()
-                .copied()
-                .filter(|half| self.is_open(half.name))
-                .filter(|half| drawing.after.pairing(half.name).is_none())
-                .collect();
-            if missing.is_empty() {
-                continue;
+        let missing = |edge: &Edge| {
+            let halves = edge.halfedges.iter().copied();
+            let open = halves.filter(|half| self.is_open(half.name));
+            open.filter(|half| drawing.after.pairing(half.name).is_none())
+                .collect::<Vec<_>>()
+        };
+        let edges = drawing.rule.before.edges.iter();
+        let edges: Vec<_> = edges
+            .map(|edge| (edge, missing(edge)))
+            .filter(|(_, missing)| !missing.is_empty())
+            .collect();
+        // Two halfedges that are left over belong together, whatever edges they come from.
+        match edges.as_slice() {
+            [(_, one), (_, two)]
+                if one.len() == 1 && two.len() == 1 && self.unpaired().len() == 2 =>
+            {
+                self.edge_is_missing(&edges);
             }
-            let names: Vec<_> = missing.iter().map(|half| half.name).collect();
-            let twins = join(
-                names
-                    .iter()
-                    .map(|&name| format!("`{}.twin`", rule.name(name).text)),
-            );
-            let message = format!("{twins} {} not reassigned", is_or_are(names.len()));
-            let list = enumerate(rule, &names);
-            let mut diagnostic =
-                Diagnostic::error("missing-reassignment", message, missing[0].span).saying(
-                    format!("the edge {} is drawn here", rule.quoted(edge.edge.name)),
-                );
-            if let [_, second] = missing.as_slice() {
-                diagnostic = diagnostic.label(second.span, "");
-            }
-            diagnostic = diagnostic
-                .label(
-                    after_keyword(drawing),
-                    format!("no edge statement here names {list}"),
-                )
-                .note(Stale::of_edge(drawing, &names).sentence());
-            let mut remedies = self.pairings(&names, edge.edge.name);
-            remedies.push(Remedy::Erase(names.clone()));
-            self.explained
-                .extend(names.iter().filter(|&&name| drawing.is_outer(name)));
-            if drawing.after.mention(edge.edge.name).is_none() {
-                self.explained.push(edge.edge.name);
-            }
-            // The other half of the edge that is missing is told with it.
-            for remedy in &remedies {
-                if let Remedy::Pair { halfedges, .. } = remedy {
-                    self.explained
-                        .extend(halfedges.iter().filter(|half| !names.contains(half)));
+            edges => {
+                for edge in edges {
+                    self.edge_is_missing(std::slice::from_ref(edge));
                 }
             }
-            self.problems.push(Problem {
-                diagnostic,
-                remedies,
-            });
         }
     }
 
-    /// The statements that would pair what is left over: the edge as it was, or, where just
-    /// two halfedges are left over, the two under each edge name that is free.
-    fn pairings(&self, names: &[NameId], edge: NameId) -> Vec<Remedy> {
+    /// Tells that the halfedges of some edges of `before` are not paired after.
+    fn edge_is_missing(&mut self, edges: &[(&Edge, Vec<Ref>)]) {
         let drawing = self.drawing;
-        let free =
-            |edge: NameId| drawing.after.mention(edge).is_none() && drawing.erased(edge).is_none();
-        let mut remedies = Vec::new();
-        if names.len() == 2 && free(edge) {
-            remedies.push(Remedy::Keep(edge));
+        let rule = drawing.rule;
+        let names = edges.iter().flat_map(|(_, missing)| missing);
+        let names: Vec<_> = names.map(|half| half.name).collect();
+        let twins = join(
+            names
+                .iter()
+                .map(|&name| format!("`{}.twin`", rule.name(name).text)),
+        );
+        let message = format!("{twins} {} not reassigned", is_or_are(names.len()));
+        let place = |(edge, missing): &(&Edge, Vec<Ref>)| {
+            let drawn = missing.iter().map(|half| half.span).reduce(Span::to);
+            let text = format!("the edge {} is drawn here", rule.quoted(edge.edge.name));
+            (drawn.unwrap_or(edge.span), text)
+        };
+        let (first, text) = place(&edges[0]);
+        let mut diagnostic = Diagnostic::error("missing-reassignment", message, first).saying(text);
+        for edge in &edges[1..] {
+            let (span, text) = place(edge);
+            diagnostic = diagnostic.label(span, text);
         }
-        let left: Vec<_> = drawing
-            .rule
-            .names_of(Kind::Halfedge)
+        diagnostic = diagnostic
+            .label(
+                after_keyword(drawing),
+                format!("no edge statement here names {}", enumerate(rule, &names)),
+            )
+            .note(Stale::of_edge(drawing, &names).sentence());
+        let whole = match edges {
+            [(edge, missing)] if missing.len() == 2 => Some(edge.edge.name),
+            _ => None,
+        };
+        let mut remedies = self.pairings(whole);
+        if let [Remedy::Keep(_), ..] = remedies.as_slice() {
+            let rule =
+                "what `before` draws is drawn again in `after`, even where it stays as it is";
+            diagnostic = diagnostic.note(rule);
+        }
+        remedies.push(Remedy::Erase(names.clone()));
+        self.explained
+            .extend(names.iter().filter(|&&name| drawing.is_outer(name)));
+        for (edge, _) in edges {
+            if drawing.after.mention(edge.edge.name).is_none() {
+                self.explained.push(edge.edge.name);
+            }
+        }
+        // The other half of the edge that is missing is told with it.
+        for remedy in &remedies {
+            if let Remedy::Pair { halfedges, .. } = remedy {
+                self.explained
+                    .extend(halfedges.iter().filter(|half| !names.contains(half)));
+            }
+        }
+        self.problems.push(Problem {
+            diagnostic,
+            remedies,
+        });
+    }
+
+    /// The halfedges that have a twin before, or are new, and have none after.
+    fn unpaired(&self) -> Vec<NameId> {
+        let drawing = self.drawing;
+        let halves = drawing.rule.names_of(Kind::Halfedge);
+        halves
             .filter(|&half| drawing.after.pairing(half).is_none() && drawing.erased(half).is_none())
             .filter(|&half| {
                 drawing.created(half).is_some() || drawing.before.pairing(half).is_some()
             })
-            .collect();
-        if let [left, right] = left[..] {
-            let kept = |other: NameId| other == edge && !remedies.is_empty();
+            .collect()
+    }
+
+    /// The statements that would pair what is left over: the edge as it was, if both its
+    /// halfedges are, or, where just two halfedges are left over, the two under each edge
+    /// name that is free.
+    fn pairings(&self, whole: Option<NameId>) -> Vec<Remedy> {
+        let drawing = self.drawing;
+        let free =
+            |edge: NameId| drawing.after.mention(edge).is_none() && drawing.erased(edge).is_none();
+        let kept = whole.filter(|&edge| free(edge));
+        let mut remedies: Vec<_> = kept.map(Remedy::Keep).into_iter().collect();
+        if let [left, right] = self.unpaired()[..] {
             let edges = drawing.rule.names_of(Kind::Edge);
             let pairs = edges
-                .filter(|&edge| free(edge) && !kept(edge))
+                .filter(|&edge| free(edge) && kept != Some(edge))
                 .map(|edge| Remedy::Pair {
                     edge,
                     halfedges: [left, right],
                 });
-            let pairs: Vec<_> = pairs.collect();
             remedies.extend(pairs);
         }
         remedies
@@ -313,7 +346,7 @@ impl Law<'_> {
                     "edge of `after`",
                     format!("`{word}.twin` and `{word}.edge`"),
                 );
-                let remedies = self.pairings(&[], name);
+                let remedies = self.pairings(None);
                 for remedy in &remedies {
                     if let Remedy::Pair { halfedges, .. } = remedy {
                         self.explained.extend(halfedges);

@@ -1,7 +1,7 @@
 //! Law 8: what is new is placed.
 //!
 //! A new element receives every attribute that has no default: a new vertex its `position`.
-//! Everything new is drawn, each new edge and face in a statement of its own.
+//! A path or a fan is a run of what exists, and cannot be new.
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;
@@ -31,12 +31,8 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     }
     for created in &rule.created {
         let kind = rule.kind(created.name);
-        let text = rule.quoted(created.name);
-        let drawn = match kind {
-            Kind::Path | Kind::Fan => false,
-            _ => true,
-        };
-        if !drawn {
+        if matches!(kind, Kind::Path | Kind::Fan) {
+            let text = rule.quoted(created.name);
             let message = format!(
                 "the {} {text} cannot be new: nobody knows what is in it",
                 kind.word()

@@ -2,12 +2,11 @@
 
 use super::facts::Facts;
 use super::guard::{Obligation, obligations};
-use super::keeps;
 use super::matching::Step;
 use super::problem::Problem;
 use super::{
     ends_agree, mend, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
-    reach, twin_is_involution, vertices_are_orbits,
+    properties, reach, twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
@@ -70,9 +69,6 @@ pub fn check(op: &Op) -> Result<Proved, Vec<Diagnostic>> {
         }
     }
     if diagnostics.is_empty() {
-        diagnostics = keeps::test(op);
-    }
-    if diagnostics.is_empty() {
         Ok(Proved {
             op: op.clone(),
             proofs,
@@ -86,8 +82,10 @@ pub fn check(op: &Op) -> Result<Proved, Vec<Diagnostic>> {
 /// group that fails is told, in full.
 fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
     let drawing = Drawing::new(rule);
-    stop_at(names_are_accounted_for::test(&drawing))?;
-    let mut problems = next_is_permutation::test(&drawing);
+    // A name written for another is missing in one place and too many in the other: both
+    // are told.
+    let mut problems = names_are_accounted_for::test(&drawing);
+    problems.extend(next_is_permutation::test(&drawing));
     problems.extend(twin_is_involution::test(&drawing));
     stop_at(problems)?;
     let mut problems = nothing_dangles::test(&drawing);
@@ -101,6 +99,15 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Vec<Problem>> {
         None => Vec::new(),
     };
     let facts = Facts::of(&drawing, &matching, &guard, cases);
+    let Facts {
+        keeps,
+        change,
+        grows_with,
+        ..
+    } = &facts;
+    stop_at(properties::broken_claims(
+        op, &drawing, keeps, *change, grows_with,
+    ))?;
     Ok(Proof {
         matching,
         guard,

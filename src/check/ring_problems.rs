@@ -7,7 +7,7 @@ use super::port::Port;
 use super::problem::{Problem, join};
 use super::star_order::{Token, agrees};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Kind, NameId};
+use crate::diagram::{Kind, NameId, Spoke};
 use crate::source::Span;
 
 impl Case<'_> {
@@ -72,6 +72,30 @@ impl Case<'_> {
         problems
     }
 
+    /// A drawn halfedge that still starts at an erased vertex.
+    pub(super) fn spoke_of_erased(&self, vertex: NameId, cycle: &[Step]) -> Problem {
+        let rule = self.drawing.rule;
+        let text = rule.quoted(vertex);
+        let starts = |step: &Step| match step {
+            Step::Port(Port::Out(item)) => Some(*item),
+            Step::Port(Port::In(_)) | Step::Arc(_) => None,
+        };
+        let item = cycle.iter().find_map(starts);
+        let spoke = item.map_or_else(|| "a spoke".to_owned(), |item| rule.quoted(item));
+        let drawn = item.and_then(|item| self.drawing.after.mention(item));
+        let message = format!("{spoke} would still start at {text}, which is erased");
+        let mut diagnostic =
+            Diagnostic::error("stale-vertex", message, drawn.unwrap_or(rule.after.span));
+        if let Some(erased) = self.drawing.erased(vertex) {
+            diagnostic = diagnostic.label(erased, format!("{text} is erased here"));
+        }
+        diagnostic
+            .note(format!(
+                "list {spoke} in the vertex statement of the vertex where it starts now"
+            ))
+            .into()
+    }
+
     /// An arc whose end the drawing takes away.
     pub(super) fn cut_arc(&self, arc: Arc) -> Problem {
         let rule = self.drawing.rule;
@@ -103,6 +127,7 @@ impl Case<'_> {
                     .after
                     .origin_mention(item)
                     .map(|mention| mention.span);
+                let span = span.or_else(|| self.star_mention(item));
                 let span = span.or_else(|| self.drawing.after.mention(item));
                 let what = match rule.kind(item) {
                     Kind::Path if vertex_after(self.drawing, port) != Some(vertex) => {
@@ -121,6 +146,8 @@ impl Case<'_> {
                     .after
                     .target_mention(item)
                     .map(|mention| mention.span);
+                let twin = || self.drawing.after.twin(item);
+                let span = span.or_else(|| self.star_mention(twin()?));
                 (
                     format!("{} ends at {text}", rule.quoted(item)),
                     span.or_else(|| self.drawing.after.mention(item)),
@@ -137,6 +164,16 @@ impl Case<'_> {
                 ),
             },
         }
+    }
+
+    /// Where the vertex statements of `after` say that a halfedge starts.
+    fn star_mention(&self, half: NameId) -> Option<Span> {
+        let star = self.drawing.after.star_of_spoke(half)?;
+        let star = self.drawing.after.star(star)?;
+        star.spokes.iter().find_map(|spoke| match spoke {
+            Spoke::Halfedge(spoke) if spoke.name == half => Some(spoke.span),
+            _ => None,
+        })
     }
 
     /// One ring that carries two names.
@@ -217,11 +254,11 @@ impl Case<'_> {
         let (one, two) = (&self.cycles[first], &self.cycles[second]);
         let mut diagnostic =
             Diagnostic::error("vertex-splits", message, place(two).unwrap_or(span))
-                .saying(format!("one ring of spokes: {}", ring(two)));
+                .saying(format!("a ring of spokes: {}", ring(two)));
         if let Some(place) = place(one) {
-            diagnostic = diagnostic.label(place, format!("another: {}", ring(one)));
+            diagnostic = diagnostic.label(place, format!("a ring of spokes: {}", ring(one)));
         } else {
-            diagnostic = diagnostic.note(format!("another ring: {}", ring(one)));
+            diagnostic = diagnostic.note(format!("another ring of spokes: {}", ring(one)));
         }
         diagnostic
             .note(format!("going clockwise around {text}, from a halfedge to `twin.next`, must meet all its spokes in one cycle"))

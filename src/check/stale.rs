@@ -69,11 +69,10 @@ impl Stale {
         let mut values: Vec<_> = values.collect();
         values.sort();
         values.dedup();
-        let be = super::problem::is_or_are(values.len());
-        format!(
-            "{}; {} {be} erased",
-            join(dangling.iter().map(|&pointer| say(pointer))),
-            join(values)
-        )
+        let told = join(dangling.iter().map(|&pointer| say(pointer)));
+        match values.as_slice() {
+            [_] => format!("{told}, which is erased"),
+            _ => format!("{told}; {} are erased", join(values)),
+        }
     }
 }

@@ -5,14 +5,14 @@ use serde::Serialize;
 use super::arguments::{ApplyArguments, Format};
 use super::counts::Counts;
 use super::failure::Failure;
+use super::meshes;
 use super::output::{complain_of, say, say_json};
 use super::place::{self, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::Param;
 use crate::mesh::{
-    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers, read_obj,
-    write_obj,
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers, write_obj,
 };
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
@@ -26,7 +26,8 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         complain_of(&program.analysis.diagnostics, &program.sources);
         return Err(Failure::NotProved);
     };
-    let mut obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    meshes::expect_place(&arguments.output)?;
+    let mut obj = meshes::read(&arguments.mesh)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let before = Counts::of(&obj.mesh);
     let applied = run::apply(&program.analysis.program, op, plan, &mut obj.mesh, &values).map_err(

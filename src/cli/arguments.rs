@@ -4,9 +4,11 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::mesh::Level;
+
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
-#[command(name = "hedgerow", version, about, after_help = EXIT_CODES)]
+#[command(name = "hedgerow", version, after_help = EXIT_CODES)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
@@ -45,6 +47,9 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    /// Also show what each operation keeps, and how degrees and sizes change
+    #[arg(short, long)]
+    pub verbose: bool,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -58,7 +63,7 @@ pub(super) struct RunArguments {
     /// The mesh to run it on (.obj)
     pub mesh: PathBuf,
     /// Where to write the result (.obj)
-    #[arg(short, long)]
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -75,15 +80,21 @@ pub(super) struct ApplyArguments {
     pub op: String,
     /// The mesh (.obj)
     pub mesh: PathBuf,
-    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N, with the file's 1-based
-    /// numbers; by name if the operation has several, as in a=halfedge:1-2
-    #[arg(long = "at", value_name = "[NAME=]PLACE", required = true)]
+    /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
+    /// with the numbers of the file, from 1; if the operation
+    /// has several, each by its name: --at a=halfedge:1-2
+    #[arg(
+        long = "at",
+        value_name = "[NAME=]PLACE",
+        required = true,
+        verbatim_doc_comment
+    )]
     pub at: Vec<String>,
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Where to write the result (.obj)
-    #[arg(short, long)]
+    #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
@@ -101,7 +112,32 @@ pub(super) struct PlanArguments {
 pub(super) struct InfoArguments {
     /// The mesh (.obj)
     pub mesh: PathBuf,
+    /// Only tell whether the mesh is of this level, and if not, why; then the exit code is 1
+    #[arg(long, value_enum, value_name = "LEVEL")]
+    pub level: Option<LevelName>,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+/// A level of mesh, as it is said on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum LevelName {
+    /// Every orbit is in order
+    Map,
+    /// As other mesh libraries want it: no pinches, no faces of two sides
+    Surface,
+    /// Edges and faces are told by their vertices
+    Simple,
+}
+
+impl LevelName {
+    /// The level.
+    pub fn level(self) -> Level {
+        match self {
+            Self::Map => Level::Map,
+            Self::Surface => Level::Surface,
+            Self::Simple => Level::Simple,
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! `hedgerow check`
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
@@ -30,7 +32,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         match arguments.format {
             Format::Human => {
                 complain_of(&program.analysis.diagnostics, &program.sources);
-                say(&show(&path.display().to_string(), &verdicts));
+                let unread = verdicts.is_empty() && !program.analysis.is_sound();
+                if !unread {
+                    let file = path.display().to_string();
+                    say(&show(&file, &verdicts, arguments.verbose));
+                }
             }
             Format::Json => files.push(FileReport {
                 file: path.display().to_string(),
@@ -57,17 +63,19 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     }
 }
 
-fn show(file: &str, verdicts: &[Verdict]) -> String {
+fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     let mut rows = Vec::new();
+    let mut below = Vec::new();
     for verdict in verdicts {
         if !verdict.proved {
             rows.push(vec!["  not proved".to_string(), verdict.op.clone()]);
+            below.push(Vec::new());
         }
         for rule in &verdict.rules {
-            let name = rule
-                .rule
-                .as_ref()
-                .map_or(verdict.op.clone(), |rule| format!("{} {rule}", verdict.op));
+            let label = rule.rule.as_ref();
+            let name = label.map_or(verdict.op.clone(), |label| {
+                format!("{} {label}", verdict.op)
+            });
             rows.push(vec![
                 "  proved".into(),
                 name,
@@ -75,12 +83,37 @@ fn show(file: &str, verdicts: &[Verdict]) -> String {
                 change(rule),
                 cost(rule),
             ]);
+            below.push(if verbose { details(rule) } else { Vec::new() });
         }
     }
     if rows.is_empty() {
         return format!("{file}: no operations");
     }
-    format!("{file}\n{}", table(&rows, &[]))
+    let rows = table(&rows, &[]);
+    let lines = rows.lines().map(String::from).zip(below);
+    let lines = lines.flat_map(|(line, below)| std::iter::once(line).chain(below));
+    std::iter::once(file.to_string())
+        .chain(lines)
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// What a rule keeps, and how degrees and sizes change, on lines of their own.
+fn details(rule: &RuleVerdict) -> Vec<String> {
+    let changes = |changes: &BTreeMap<String, String>| {
+        let changes = changes
+            .iter()
+            .map(|(element, change)| format!("{element} {change}"));
+        changes.collect::<Vec<_>>().join(", ")
+    };
+    let lines = [
+        ("keeps", rule.keeps.join(", ")),
+        ("degrees", changes(&rule.degrees)),
+        ("sides", changes(&rule.sizes)),
+    ];
+    let told = lines.into_iter().filter(|(_, text)| !text.is_empty());
+    told.map(|(what, text)| format!("      {what}: {text}"))
+        .collect()
 }
 
 fn cases(rule: &RuleVerdict) -> String {

@@ -1,16 +1,25 @@
 //! `hedgerow info`
 
+use serde::Serialize;
+
 use super::arguments::{Format, InfoArguments};
 use super::failure::Failure;
+use super::meshes;
 use super::output::{say, say_json, table};
-use crate::mesh::{Bin, Lengths, Measures, Summary, read_obj};
+use crate::mesh::{Bin, Lengths, Level, Measures, Mesh, Summary, validate_level};
 
 /// How many bars of a histogram are shown.
 const MOST_BARS: usize = 12;
 
+/// How many of them go into a line of 80 columns.
+const BARS_IN_A_LINE: usize = 5;
+
 /// Describes a mesh.
 pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
-    let obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let obj = meshes::read(&arguments.mesh)?;
+    if let Some(level) = arguments.level {
+        return tell_level(arguments, &obj.mesh, level.level());
+    }
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
         Format::Json => say_json(&summary),
@@ -19,6 +28,35 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
             Ok(())
         }
     }
+}
+
+/// Whether a mesh is of a level.
+fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<(), Failure> {
+    let below = validate_level(mesh, level)
+        .err()
+        .map(|below| below.to_string());
+    let file = arguments.mesh.display();
+    match (arguments.format, &below) {
+        (Format::Json, _) => say_json(&LevelReport {
+            level,
+            holds: below.is_none(),
+            reason: below.as_deref(),
+        })?,
+        (Format::Human, None) => say(&format!("{file}: of level {level}")),
+        (Format::Human, Some(reason)) => say(&format!("{file}: not of level {level}: {reason}")),
+    }
+    match below {
+        None => Ok(()),
+        Some(_) => Err(Failure::Silent(1.into())),
+    }
+}
+
+#[derive(Serialize)]
+struct LevelReport<'r> {
+    level: Level,
+    holds: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'r str>,
 }
 
 fn show(file: &str, summary: &Summary) -> String {
@@ -50,9 +88,9 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
         row("components", measures.components),
         row("genus", measures.genus),
         row("Euler characteristic", measures.euler_characteristic),
-        row("degrees", histogram(&measures.degrees)),
-        row("face sizes", histogram(&measures.face_sizes)),
     ];
+    rows.extend(histogram("degrees", &measures.degrees));
+    rows.extend(histogram("face sizes", &measures.face_sizes));
     if let Some(Lengths {
         min,
         mean,
@@ -69,7 +107,7 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
             ),
         ));
     }
-    rows.push(row("area", format!("{:.6}", measures.area)));
+    rows.push(row("area", format!("{:.6}", measures.area + 0.0)));
     rows
 }
 
@@ -78,7 +116,7 @@ fn row(name: &str, value: impl ToString) -> Vec<String> {
 }
 
 /// `3: 12  4: 120  5: 9`, size by size.
-fn histogram(bins: &[Bin]) -> String {
+fn histogram(name: &str, bins: &[Bin]) -> Vec<Vec<String>> {
     let mut bars: Vec<_> = bins
         .iter()
         .take(MOST_BARS)
@@ -89,8 +127,10 @@ fn histogram(bins: &[Bin]) -> String {
         bars.push(format!("more: {more}"));
     }
     if bars.is_empty() {
-        "none".into()
-    } else {
-        bars.join("  ")
+        bars.push("none".into());
     }
+    let lines = bars.chunks(BARS_IN_A_LINE).enumerate();
+    lines
+        .map(|(at, bars)| row(if at == 0 { name } else { "" }, bars.join("  ")))
+        .collect()
 }

@@ -11,6 +11,7 @@ mod check;
 mod counts;
 mod failure;
 mod info;
+mod meshes;
 mod output;
 mod place;
 mod plan;

@@ -1,5 +1,7 @@
 //! `hedgerow plan`
 
+use std::mem::discriminant;
+
 use super::arguments::PlanArguments;
 use super::failure::Failure;
 use super::output::{complain_of, say, table};
@@ -50,8 +52,12 @@ fn show_stage(name: &str, stage: &Stage) -> String {
         if rows.is_empty() {
             return format!("{phase}\n   nothing");
         }
-        let rows: Vec<_> = rows.iter().map(cells).collect();
-        format!("{phase}\n{}", table(&rows, &[]))
+        let alike = |one: &Row, two: &Row| discriminant(&one.cell) == discriminant(&two.cell);
+        let blocks = rows.chunk_by(alike).map(|rows| {
+            let rows: Vec<_> = rows.iter().map(cells).collect();
+            table(&rows, &[])
+        });
+        format!("{phase}\n{}", blocks.collect::<Vec<_>>().join("\n"))
     });
     format!("{title}\n\n{}", phases.join("\n\n"))
 }
@@ -62,7 +68,6 @@ fn cells(row: &Row) -> Vec<String> {
         Cell::Set { target, value } => vec![format!("{mark}{target}"), format!("= {value}")],
         Cell::Test { claim, reason } => vec![
             format!("{mark}test {claim}"),
-            String::new(),
             format!("else refuse: {reason}"),
         ],
         Cell::Note(note) => vec![format!("{mark}{note}")],

@@ -24,9 +24,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
             .filter(|&&byte| byte == b'\n')
             .count()
             + 1;
-        Failure::usage(format!(
-            "`{shown}` is not UTF-8 text: line {line} has a byte that is none"
-        ))
+        Failure::usage(format!("`{shown}` is not UTF-8 text: see line {line}"))
     })?;
     if u32::try_from(text.len()).is_err() {
         return Err(Failure::usage(format!("`{shown}` is larger than 4 GiB")));

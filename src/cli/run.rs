@@ -7,10 +7,11 @@ use serde::Serialize;
 use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::failure::Failure;
+use super::meshes;
 use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
-use crate::mesh::{read_obj, write_obj};
+use crate::mesh::write_obj;
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
@@ -29,9 +30,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .arguments(&settings(&arguments.set)?)
         .map_err(|errors| complain(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
+    meshes::expect_place(&arguments.output)?;
 
     let started = Instant::now();
-    let mut obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let mut obj = meshes::read(&arguments.mesh)?;
     let load = started.elapsed().as_secs_f64();
     let before = Counts::of(&obj.mesh);
 

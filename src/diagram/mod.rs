@@ -13,8 +13,8 @@ pub use expression::{
     Access, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
 };
 pub use op::{
-    Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Ref, Require, Rule,
-    Side, Spoke, Star,
+    Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property, Ref,
+    Require, Rule, Side, Spoke, Star,
 };
 
 pub use crate::mesh::Level;

@@ -103,12 +103,54 @@ pub struct Op {
     pub params: Vec<Param>,
     /// The type of its result, if it has one.
     pub result: Option<Type>,
-    /// The levels of mesh it claims to keep.
-    pub keeps: Vec<(Level, Span)>,
+    /// What it claims to keep, and where.
+    pub keeps: Vec<(Property, Span)>,
     /// The alternatives, tried in order.
     pub rules: Vec<Rule>,
     /// The whole item.
     pub span: Span,
+}
+
+/// Something that an operation can keep, besides validity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Property {
+    /// Every face stays a triangle, if all were.
+    Triangles,
+    /// Every face stays a quad, if all were.
+    Quads,
+    /// V - E + F stays what it is.
+    Euler,
+    /// The holes keep their number, and each its vertices.
+    Boundary,
+    /// The time does not grow with the mesh.
+    ConstantTime,
+    /// A mesh of the level stays one. Every mesh stays a map.
+    Level(Level),
+}
+
+impl Property {
+    /// All properties, but that every mesh stays a map.
+    pub const ALL: [Property; 7] = [
+        Property::Triangles,
+        Property::Quads,
+        Property::Euler,
+        Property::Boundary,
+        Property::ConstantTime,
+        Property::Level(Level::Surface),
+        Property::Level(Level::Simple),
+    ];
+
+    /// The word for it after `keeps`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Property::Triangles => "triangles",
+            Property::Quads => "quads",
+            Property::Euler => "euler",
+            Property::Boundary => "boundary",
+            Property::ConstantTime => "constant_time",
+            Property::Level(level) => level.name(),
+        }
+    }
 }
 
 /// A parameter of an operation or script.

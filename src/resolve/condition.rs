@@ -74,7 +74,7 @@ pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Le
 }
 
 /// The level of this name.
-pub(super) fn level(word: &str) -> Option<Level> {
+fn level(word: &str) -> Option<Level> {
     Level::ALL.into_iter().find(|level| level.name() == word)
 }
 

@@ -1,11 +1,10 @@
 //! An op: parameters, result, and its rules one by one.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{self, Kind, Level, Type};
+use crate::diagram::{self, Kind, Property, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::condition::level;
 use super::declared::{Declared, duplicate};
 use super::family::first_family;
 use super::lookup::element_type;
@@ -16,18 +15,6 @@ use super::report::{Report, not_yet};
 use super::rule::{Context, resolve_rule};
 use super::suggestion::suggest;
 use super::words::quoted;
-
-/// What an op keeps, in words that `keeps` knows.
-const PROPERTIES: [&str; 8] = [
-    "map",
-    "surface",
-    "simple",
-    "triangles",
-    "quads",
-    "euler",
-    "boundary",
-    "constant_time",
-];
 
 /// What a call of an op needs to know.
 #[derive(Clone, Debug)]
@@ -61,7 +48,7 @@ pub(super) fn resolve_op(
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);
-    let keeps = keeps(&op.keeps, report);
+    let keeps = properties(&op.keeps, report);
     rule_names(&op.rules, report);
     if op.rules.is_empty() {
         let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
@@ -120,31 +107,26 @@ pub(super) fn resolve_op(
     (signature, resolved)
 }
 
-/// The levels an op claims to keep. `keeps` is a claim; who cannot prove it must say so.
-fn keeps(keeps: &[Ident], report: &mut Report) -> Vec<(Level, Span)> {
-    let mut levels = Vec::new();
-    let mut others = Vec::new();
-    let mut unknown = false;
+/// The properties that `keeps` claims; `map` is what the checker always proves.
+fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
+    let mut properties = Vec::new();
     for word in keeps {
-        if !PROPERTIES.contains(&word.text.as_str()) {
-            let message = format!("there is no property `{}` to keep", word.text);
-            let error = Diagnostic::error("unknown-property", message, word.span);
-            let error = suggest(error, &word.text, word.span, PROPERTIES)
-                .note(format!("the properties are {}", quoted(&PROPERTIES)));
-            report.add(error);
-            unknown = true;
-        }
-        match level(&word.text) {
-            Some(level) => levels.push((level, word.span)),
-            None => others.push(word),
+        let known = |property: &Property| property.word() == word.text;
+        match Property::ALL.into_iter().find(known) {
+            Some(property) => properties.push((property, word.span)),
+            None if word.text == "map" => {}
+            None => {
+                let message = format!("there is no property `{}` to keep", word.text);
+                let error = Diagnostic::error("unknown-property", message, word.span);
+                let words = Property::ALL.map(Property::word);
+                let words = [&words[..], &["map"]].concat();
+                let error = suggest(error, &word.text, word.span, words.iter().copied())
+                    .note(format!("the properties are {}", quoted(&words)));
+                report.add(error);
+            }
         }
     }
-    if let ([first, .., last] | [first @ last], false) = (others.as_slice(), unknown) {
-        let message = "what `keeps` claims is not checked yet";
-        let span = first.span.to(last.span);
-        report.add(Diagnostic::warning("not-yet", message, span));
-    }
-    levels
+    properties
 }
 
 /// Two rules of an op have two names.

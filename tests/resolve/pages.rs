@@ -61,7 +61,6 @@ fn items() {
 }
 
 #[test]
-#[ignore = "the parser does not read a second rule yet"]
 fn rules() {
     check("rules.md");
 }

@@ -180,3 +180,11 @@ fn aggregates_around_an_element() {
         ],
     );
 }
+
+#[test]
+fn long_sums_and_deep_blocks_run() {
+    let sum = vec!["1"; 200].join(" + ");
+    let (open, close) = ("repeat 1 { if true { ".repeat(40), "} }".repeat(40));
+    let body = format!("print {sum}\n{open} for e in edges {{ flip(e) }} {close}\nprint 2");
+    assert_eq!(printed(&mut shape::cube(), &body), ["200", "2"]);
+}

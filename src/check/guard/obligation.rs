@@ -81,6 +81,23 @@ impl Obligation {
 }
 
 impl Statement {
+    /// The element it is about.
+    pub fn subject(&self) -> NameId {
+        match *self {
+            Self::ThreeSides(name)
+            | Self::MeetsOnce(name)
+            | Self::CornerOnce { face: name, .. }
+            | Self::FacesDiffer { vertex: name, .. }
+            | Self::TwoSpokes(name)
+            | Self::OneHole { vertex: name, .. }
+            | Self::OneHoleAlong(name)
+            | Self::NeighborsDiffer { vertex: name, .. }
+            | Self::SingleEdge { halfedge: name, .. }
+            | Self::CornersDiffer(name)
+            | Self::CornersOwn { face: name, .. } => name,
+        }
+    }
+
     /// What must hold, as a table prints it: without backticks.
     pub fn claim(&self, rule: &Rule) -> String {
         let word = |name: NameId| &rule.name(name).text;
@@ -104,6 +121,7 @@ impl Statement {
                 format!("the neighbors of {} are distinct", word(*vertex))
             }
             Self::SingleEdge { ends: [v, w], .. } => {
+                let (v, w) = (v.min(w), v.max(w));
                 format!("one edge joins {} and {}", word(*v), word(*w))
             }
             Self::CornersDiffer(vertex) => {
@@ -158,6 +176,7 @@ impl Statement {
                 None => format!("two edges would join {} to one neighbor", quoted(*vertex)),
             },
             Self::SingleEdge { ends: [v, w], .. } => {
+                let (v, w) = (v.min(w), v.max(w));
                 format!("two edges would join {} and {}", quoted(*v), quoted(*w))
             }
             Self::CornersDiffer(vertex) => {

@@ -43,7 +43,9 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
                 let value = sum.value(asm, scope, &fold.body);
                 let place = scope.place(fold.body.span);
                 asm.trap_at(place, sum.add(value));
-                sum.add_one(asm, seen);
+                if fold.function == FoldFunction::Mean {
+                    sum.add_one(asm, seen);
+                }
             }
             FoldFunction::Min | FoldFunction::Max => {
                 let value = sum.value(asm, scope, &fold.body);
@@ -76,7 +78,7 @@ fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
 }
 
 /// What has been made of the values so far: in `to`, of type `ty`; and in `seen` how
-/// many there were.
+/// many there were, where that matters.
 #[derive(Clone, Copy)]
 struct Sum {
     ty: Type,

@@ -1,0 +1,16 @@
+//! A slow and literal reading of the language's page: what a drawing matches, and what its
+//! rewrite does. It shares nothing with the checker and the machine but the data of a rule
+//! and the mesh, searches where they compute, and never asks whether an op is sound.
+
+// Each test uses the part of this module that it needs.
+#![allow(dead_code)]
+
+pub mod completion;
+pub mod maps;
+pub mod matching;
+pub mod mutating;
+pub mod printing;
+pub mod random;
+pub mod rewriting;
+pub mod same;
+pub mod truth;
