@@ -7,7 +7,7 @@ use hedgerow::mesh::{HalfedgeId, Level, Mesh, identical, validate, validate_leve
 use hedgerow::rewrite::{Machine, Outcome, Phase, Plan};
 
 use crate::meshes::{Dice, meshes, shuffle_pointers};
-use crate::ops::{OPS, Op};
+use crate::ops::{OPS, Op, try_compiled};
 
 /// What was seen of an op at a level.
 #[derive(Default)]
@@ -172,4 +172,63 @@ fn surface_guards_are_weakest() {
 #[test]
 fn simple_guards_are_weakest() {
     battle(Level::Simple);
+}
+
+/// The ops with other kinds of loops: every way for few loops, some ways for many.
+fn variants(op: &Op, dice: &mut Dice) -> Vec<String> {
+    const KINDS: [&str; 3] = ["face ", "hole ", "loop "];
+    let places: Vec<usize> = (0..op.text.len())
+        .filter(|&at| KINDS.iter().any(|kind| op.text[at..].starts_with(kind)))
+        .collect();
+    let ways = 3_usize.pow(places.len() as u32);
+    let mut texts = Vec::new();
+    for turn in 0..ways.min(96) {
+        let mut way = if ways > 96 { dice.below(ways) } else { turn };
+        let mut text = op.text.to_owned();
+        for &at in &places {
+            text.replace_range(at..at + 5, KINDS[way % 3]);
+            way /= 3;
+        }
+        texts.push(text);
+    }
+    texts.sort_unstable();
+    texts.dedup();
+    texts
+}
+
+#[test]
+fn guards_are_weakest_whatever_the_kinds_of_loops() {
+    let mut dice = Dice(99);
+    let (mut kept, mut total) = (0, Tally::default());
+    for level in [Level::Surface, Level::Simple] {
+        let meshes = meshes(level, &mut dice);
+        for op in OPS {
+            for text in variants(op, &mut dice) {
+                let with = |guard: &str| try_compiled(&text.replace("GUARD", guard));
+                let (Some(bare), Some(guarded)) = (with(""), with(&format!("guard {level}")))
+                else {
+                    continue;
+                };
+                kept += 1;
+                let pair = Pair {
+                    op,
+                    level,
+                    guarded,
+                    bare,
+                };
+                for _ in 0..24 {
+                    let mesh = &meshes[dice.below(meshes.len())];
+                    for args in pair.arguments(mesh) {
+                        pair.compare(mesh, &args, &mut total);
+                    }
+                }
+            }
+        }
+    }
+    let refused: usize = total.refused.values().sum();
+    println!(
+        "{kept} variants: {} places, {} applied, {refused} refused",
+        total.places, total.applied
+    );
+    assert!(kept > 100 && total.applied > 20_000 && refused > 5_000);
 }
