@@ -20,6 +20,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         "compile",
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
+    ("draw", &["source", "diagram", "mesh"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
         "run",
@@ -57,6 +58,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "rewrite",
             "resolve",
             "run",
+            "draw",
             "analysis",
         ],
     ),

@@ -7,4 +7,4 @@ mod program;
 mod verdict;
 
 pub use program::Analysis;
-pub use verdict::{RuleVerdict, Verdict, verdicts};
+pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, Verdict, verdicts};

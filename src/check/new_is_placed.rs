@@ -1,7 +1,6 @@
 //! Law 8: what is new is placed.
 //!
 //! A new element receives every attribute that has no default: a new vertex its `position`.
-//! A path or a fan is a run of what exists, and cannot be new.
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;
@@ -27,17 +26,6 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
                 .saying("created here")
                 .note(format!("set it in `after`: `{word}.position = …`"));
             problems.push(problem.into());
-        }
-    }
-    for created in &rule.created {
-        let kind = rule.kind(created.name);
-        if matches!(kind, Kind::Path | Kind::Fan) {
-            let text = rule.quoted(created.name);
-            let message = format!(
-                "the {} {text} cannot be new: nobody knows what is in it",
-                kind.word()
-            );
-            problems.push(Diagnostic::error("new-run", message, created.span).into());
         }
     }
     problems

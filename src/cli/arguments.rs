@@ -15,8 +15,11 @@ pub(super) struct Arguments {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 all is well; 1 something is not proved, or a script failed;
-2 bad usage, or a file that cannot be read or written; 3 the operation was refused.";
+Exit codes:
+  0  all is well
+  1  something is not proved, or a script failed
+  2  bad usage, or a file that cannot be read or written
+  3  the operation was refused";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -30,6 +33,12 @@ pub(super) enum Command {
     Plan(PlanArguments),
     /// Describe a mesh
     Info(InfoArguments),
+    /// Say what a diagnostic means, and what mends it
+    Explain(ExplainArguments),
+    /// Draw an operation, before and after
+    Draw(DrawArguments),
+    /// Make a picture of a mesh
+    View(ViewArguments),
 }
 
 /// What the answer looks like.
@@ -85,7 +94,7 @@ pub(super) struct ApplyArguments {
     /// has several, each by its name: --at a=halfedge:1-2
     #[arg(
         long = "at",
-        value_name = "[NAME=]PLACE",
+        value_name = "PLACE",
         required = true,
         verbatim_doc_comment
     )]
@@ -140,4 +149,50 @@ impl LevelName {
             Self::Simple => Level::Simple,
         }
     }
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ExplainArguments {
+    /// The code in brackets, as in error[missing-reassignment]; without one, all are listed
+    pub code: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct DrawArguments {
+    /// A program, and the operation in it if there are several
+    #[arg(value_name = "FILE[::OP]")]
+    pub op: String,
+    /// Where to write the picture (.svg or .png)
+    #[arg(short, long)]
+    pub output: Option<PathBuf>,
+    /// What to draw it as, if not as the end of the output's name says
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub drawn: Option<Drawn>,
+    /// One page for all operations of the file: pictures, proofs and plans
+    #[arg(long, conflicts_with = "drawn")]
+    pub html: bool,
+}
+
+/// What an operation is drawn as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Drawn {
+    /// A picture
+    Svg,
+    /// Lines and letters, for terminals
+    Text,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ViewArguments {
+    /// The mesh (.obj)
+    pub mesh: PathBuf,
+    /// Where to write the picture (.png or .svg)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// Width and height of the picture
+    #[arg(long, value_parser = clap::value_parser!(u32).range(16..=16384))]
+    pub size: Option<u32>,
+    /// Where to look from, as a direction
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub from: Option<String>,
 }

@@ -8,7 +8,7 @@ use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
 use super::output::{complain_of, say, say_json, table};
 use super::program;
-use crate::analysis::{RuleVerdict, Verdict, verdicts};
+use crate::analysis::{GuardVerdict, ProvedStatement, RuleVerdict, Verdict, verdicts};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
 
@@ -76,13 +76,9 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             let name = label.map_or(verdict.op.clone(), |label| {
                 format!("{} {label}", verdict.op)
             });
-            rows.push(vec![
-                "  proved".into(),
-                name,
-                cases(rule),
-                change(rule),
-                cost(rule),
-            ]);
+            let mut row = vec!["  proved".into(), name];
+            row.extend(show_rule(rule));
+            rows.push(row);
             below.push(if verbose { details(rule) } else { Vec::new() });
         }
     }
@@ -112,8 +108,26 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
         ("sides", changes(&rule.sizes)),
     ];
     let told = lines.into_iter().filter(|(_, text)| !text.is_empty());
-    told.map(|(what, text)| format!("      {what}: {text}"))
-        .collect()
+    let told = told.map(|(what, text)| format!("      {what}: {text}"));
+    told.chain(rule.guard.iter().flat_map(guard)).collect()
+}
+
+/// What a guard tests, and what it need not.
+fn guard(guard: &GuardVerdict) -> Vec<String> {
+    let tests = guard.tests.iter();
+    let tests = tests.map(|claim| format!("        tested: {claim}"));
+    let proved = guard.proved.iter();
+    let proved = proved.map(|proved| {
+        let ProvedStatement { statement, because } = proved;
+        format!("        proved: {statement}: {because}")
+    });
+    let title = format!("      guard {}, after it:", guard.level);
+    std::iter::once(title).chain(tests).chain(proved).collect()
+}
+
+/// What was established of a rule, in three parts.
+pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
+    [cases(rule), change(rule), cost(rule)]
 }
 
 fn cases(rule: &RuleVerdict) -> String {

@@ -9,6 +9,8 @@ mod apply;
 mod arguments;
 mod check;
 mod counts;
+mod draw;
+mod explain;
 mod failure;
 mod info;
 mod meshes;
@@ -18,6 +20,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod view;
 
 use std::process::ExitCode;
 
@@ -39,8 +42,11 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
+        Command::Explain(arguments) => explain::explain(&arguments),
         Command::Apply(arguments) => apply::apply(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Draw(arguments) => draw::draw(&arguments),
+        Command::View(arguments) => view::view(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -21,7 +21,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn show(plan: &Plan) -> String {
+/// The four phases of every rule.
+pub(super) fn show(plan: &Plan) -> String {
     let stages = plan
         .stages
         .iter()

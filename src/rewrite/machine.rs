@@ -10,7 +10,7 @@ use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
-use crate::mesh::{ElementKind, Mesh};
+use crate::mesh::{ElementKind, Level, Mesh};
 
 /// How deep calls may be nested.
 const DEPTH: usize = 16;
@@ -27,6 +27,8 @@ pub struct Machine<'p> {
     /// The line that is being printed.
     pub(super) line: String,
     counts: Vec<Count>,
+    /// The level that the mesh surely has.
+    level: Level,
     /// Why the op called last refused.
     last_reason: Option<u16>,
     /// What was created, if anybody wants to know.
@@ -59,9 +61,17 @@ impl<'p> Machine<'p> {
             progress: Progress::default(),
             line: String::new(),
             counts: plans.iter().map(count).collect(),
+            level: Level::Map,
             last_reason: None,
             created: None,
         }
+    }
+
+    /// Says that the mesh of the next run has a level. An operation for meshes of a higher
+    /// one that is called traps, and so it does after another has been applied that may have
+    /// left a lower one.
+    pub fn trust_level(&mut self, level: Level) {
+        self.level = level;
     }
 
     /// From now on remembers what each run creates.
@@ -131,6 +141,12 @@ impl<'p> Machine<'p> {
         if caller.depth >= DEPTH {
             return Err(Trap::new(Message::TooDeep));
         }
+        if plan.level > self.level {
+            return Err(Trap::new(Message::BelowLevel {
+                op: plan.name.clone(),
+                level: plan.level,
+            }));
+        }
         let call = caller.calling(op, plan);
         reserve(&mut self.stack, call.base);
         let from = caller.base + usize::from(args);
@@ -141,6 +157,9 @@ impl<'p> Machine<'p> {
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
         let outcome = self.execute(mesh, &call, watch)?;
+        if matches!(outcome, Outcome::Applied { .. }) {
+            self.level = plan.level_after(self.level);
+        }
         self.count(op, outcome);
         Ok(outcome)
     }

@@ -397,7 +397,7 @@ mod tests {
         preview
             .store(&mesh, HalfedgeField::Vertex, twin, other)
             .unwrap();
-        let mut neighbors = |preview: &mut Preview| {
+        let neighbors = |preview: &mut Preview| {
             preview
                 .foresees(&mesh, Foreseen::NeighborsDiffer, 0, 0)
                 .unwrap()

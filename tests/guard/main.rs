@@ -2,4 +2,5 @@
 
 mod meshes;
 mod ops;
+mod scripts;
 mod weakest;

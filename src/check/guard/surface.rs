@@ -38,7 +38,7 @@ fn three_sides(sketch: &Sketch, orbit: &Loop) -> Option<Obligation> {
         return None;
     }
     let proved = sketch.fewest(orbit) >= 3;
-    let because = "what is drawn of it has three sides, with the least that its paths can have";
+    let because = "its drawn sides, and the fewest that its paths can have, make three";
     Some(Obligation::new(statement, proved.then_some(because)))
 }
 

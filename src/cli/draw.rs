@@ -1,0 +1,106 @@
+//! `hedgerow draw`
+
+use std::path::Path;
+
+use super::arguments::{DrawArguments, Drawn};
+use super::check::show_rule;
+use super::failure::Failure;
+use super::output::{complain_of, say};
+use super::plan::show as show_plan;
+use super::program::{self, Program};
+use crate::analysis::{Verdict, verdicts};
+use crate::diagram::Op;
+use crate::draw::{Picture, Section, draw_op, page, text_op};
+
+/// How many pixels of an image are a unit of a diagram.
+const PIXELS: f64 = 2.0;
+
+/// Draws an operation, before and after, or all of a file on one page.
+pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
+    let (path, name) = program::part(&arguments.op);
+    let program = program::read(path)?;
+    if arguments.html {
+        let text = page(&path.display().to_string(), &sections(&program, name)?);
+        return match &arguments.output {
+            Some(output) => write(output, text.as_bytes()),
+            None => {
+                say(&text);
+                Ok(())
+            }
+        };
+    }
+    let diagram = diagram(&program, name)?;
+    match (arguments.drawn, &arguments.output) {
+        (Some(Drawn::Text), Some(output)) => write(output, text_op(diagram).as_bytes()),
+        (Some(Drawn::Text), None) => {
+            say(text_op(diagram).trim_end());
+            Ok(())
+        }
+        (Some(Drawn::Svg), None) => {
+            say(draw_op(diagram).svg().trim_end());
+            Ok(())
+        }
+        (Some(Drawn::Svg), Some(output)) => write(output, draw_op(diagram).svg().as_bytes()),
+        (None, Some(output)) => write_picture(&draw_op(diagram), output, PIXELS),
+        (None, None) => Err(Failure::usage(
+            "where should the picture go? write -o OUT.svg, -o OUT.png, or --as text",
+        )),
+    }
+}
+
+fn diagram<'a>(program: &'a Program, name: Option<&str>) -> Result<&'a Op, Failure> {
+    let op = program::find_op(program, name)?;
+    let diagram = program.analysis.program.ops[op].diagram.as_ref();
+    diagram.ok_or_else(|| {
+        complain_of(&program.analysis.diagnostics, &program.sources);
+        Failure::NotProved
+    })
+}
+
+fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failure> {
+    let only = match name {
+        Some(_) => Some(program::find_op(program, name)?),
+        None => None,
+    };
+    let analysis = &program.analysis;
+    let ops = analysis.program.ops.iter().zip(verdicts(analysis));
+    let ops = ops.zip(&analysis.plans).enumerate();
+    let ops = ops.filter(|(at, _)| only.is_none_or(|only| only == *at));
+    let sections = ops.map(|(_, ((op, verdict), plan))| Section {
+        name: op.name.clone(),
+        docs: op.diagram.iter().flat_map(|op| op.docs.clone()).collect(),
+        picture: op.diagram.as_ref().map(draw_op),
+        verdict: show_verdict(&verdict),
+        plan: plan.as_ref().map(show_plan),
+    });
+    Ok(sections.collect())
+}
+
+fn show_verdict(verdict: &Verdict) -> String {
+    if !verdict.proved {
+        return "not proved".into();
+    }
+    let rules = verdict.rules.iter().map(|rule| {
+        let name = rule.rule.as_ref().map(|rule| format!("{rule}: "));
+        format!("{}{}", name.unwrap_or_default(), show_rule(rule).join(", "))
+    });
+    format!("proved: {}", rules.collect::<Vec<_>>().join("; "))
+}
+
+/// Writes a picture as what the end of the file's name says.
+pub(super) fn write_picture(picture: &Picture, path: &Path, pixels: f64) -> Result<(), Failure> {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    match extension {
+        Some("svg") => write(path, picture.svg().as_bytes()),
+        Some("png") => write(path, &picture.png(pixels).map_err(Failure::usage)?),
+        _ => Err(Failure::usage(format!(
+            "cannot tell what `{}` is to be: its name ends in neither .svg nor .png",
+            path.display()
+        ))),
+    }
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    std::fs::write(path, bytes)
+        .map_err(|error| Failure::usage(format!("cannot write `{}`: {error}", path.display())))
+}

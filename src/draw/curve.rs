@@ -1,0 +1,239 @@
+//! Curves as polylines: sampled, cut, offset and waved.
+//!
+//! Coordinates are those of a picture: x to the right, y down. Left of a direction is the
+//! side a person walking along it would call left, and a halfedge has its face there.
+
+use glam::DVec2;
+
+/// How far apart the points of a bent curve are, about.
+const STEP: f64 = 4.0;
+
+/// A polyline of at least two points.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Curve {
+    points: Vec<DVec2>,
+}
+
+impl Curve {
+    /// The polyline through `points`; of fewer than two points a curve of no length.
+    pub fn through(points: impl IntoIterator<Item = DVec2>) -> Self {
+        let mut points: Vec<_> = points.into_iter().collect();
+        let last = points.last().copied().unwrap_or(DVec2::ZERO);
+        while points.len() < 2 {
+            points.push(last);
+        }
+        Self { points }
+    }
+
+    /// A smooth curve through `points` (E. Catmull and R. Rom, "A class of local
+    /// interpolating splines", 1974).
+    pub fn smooth(points: &[DVec2]) -> Self {
+        if points.len() < 3 {
+            return Self::through(points.iter().copied());
+        }
+        let count = points.len();
+        let mut samples = vec![points[0]];
+        for at in 0..count - 1 {
+            let (from, to) = (points[at], points[at + 1]);
+            // At the ends it goes on as the parabola through the last three points.
+            let before = if at == 0 {
+                (from - to) * 3.0 + points[2]
+            } else {
+                points[at - 1]
+            };
+            let behind = if at + 2 < count {
+                points[at + 2]
+            } else {
+                (to - from) * 3.0 + points[at - 1]
+            };
+            let steps = ((to - from).length() / STEP).clamp(2.0, 80.0) as usize;
+            for step in 1..=steps {
+                let t = step as f64 / steps as f64;
+                let (t2, t3) = (t * t, t * t * t);
+                let point = 2.0 * from
+                    + (to - before) * t
+                    + (2.0 * before - 5.0 * from + 4.0 * to - behind) * t2
+                    + (3.0 * from - before - 3.0 * to + behind) * t3;
+                samples.push(point / 2.0);
+            }
+        }
+        Self::through(samples)
+    }
+
+    /// An arc around `center`, from one angle to another (counterclockwise if it grows).
+    pub fn arc(center: DVec2, radius: f64, from: f64, to: f64) -> Self {
+        let steps = ((to - from).abs() * radius / STEP).clamp(4.0, 120.0) as usize;
+        Self::through((0..=steps).map(|step| {
+            let angle = from + (to - from) * step as f64 / steps as f64;
+            center + direction(angle) * radius
+        }))
+    }
+
+    /// Its points.
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// Its pieces.
+    pub fn segments(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+        self.points.windows(2).map(|pair| [pair[0], pair[1]])
+    }
+
+    /// Its length.
+    pub fn length(&self) -> f64 {
+        self.segments().map(|[a, b]| (b - a).length()).sum()
+    }
+
+    /// The same, walked from its end.
+    pub fn reversed(&self) -> Self {
+        Self::through(self.points.iter().rev().copied())
+    }
+
+    /// The point that lies `along` it, and the direction there.
+    pub fn at(&self, along: f64) -> (DVec2, DVec2) {
+        let mut left = along.max(0.0);
+        let mut last = (self.points[0], DVec2::X);
+        for [a, b] in self.segments() {
+            let length = (b - a).length();
+            if length == 0.0 {
+                continue;
+            }
+            let direction = (b - a) / length;
+            if left <= length {
+                return (a + direction * left, direction);
+            }
+            left -= length;
+            last = (b, direction);
+        }
+        last
+    }
+
+    /// The direction in which it starts.
+    pub fn start_direction(&self) -> DVec2 {
+        self.at(0.0).1
+    }
+
+    /// The direction in which it ends.
+    pub fn end_direction(&self) -> DVec2 {
+        self.at(f64::MAX).1
+    }
+
+    /// The part between two lengths.
+    pub fn cut(&self, from: f64, to: f64) -> Self {
+        let mut points = vec![self.at(from).0];
+        let mut along = 0.0;
+        for [a, b] in self.segments() {
+            along += (b - a).length();
+            if along > from + 0.01 && along < to - 0.01 {
+                points.push(b);
+            }
+        }
+        points.push(self.at(to).0);
+        Self::through(points)
+    }
+
+    /// Every point moved to the left.
+    pub fn offset(&self, distance: f64) -> Self {
+        let count = self.points.len();
+        let piece = |at: usize| (self.points[at + 1] - self.points[at]).normalize_or_zero();
+        Self::through((0..count).map(|at| {
+            let behind = if at + 1 < count {
+                piece(at)
+            } else {
+                DVec2::ZERO
+            };
+            let before = if at > 0 { piece(at - 1) } else { DVec2::ZERO };
+            self.points[at] + left((before + behind).normalize_or_zero()) * distance
+        }))
+    }
+
+    /// The curve as a wave around itself, which begins and ends on it.
+    pub fn waved(&self, height: f64, wavelength: f64) -> Self {
+        let length = self.length();
+        let waves = (length / wavelength).round().max(1.0);
+        let steps = (length / 1.6).clamp(8.0, 1200.0) as usize;
+        Self::through((0..=steps).map(|step| {
+            let t = step as f64 / steps as f64;
+            let (point, direction) = self.at(t * length);
+            // The first and the last half wave are lower, so that it leaves its ends smoothly.
+            let ends = (t.min(1.0 - t) * waves * 2.0).min(1.0);
+            let wave = (t * waves * std::f64::consts::TAU).sin();
+            point + left(direction) * (height * ends * wave)
+        }))
+    }
+}
+
+/// To the left of a direction.
+pub(super) fn left(direction: DVec2) -> DVec2 {
+    DVec2::new(direction.y, -direction.x)
+}
+
+/// The direction of an angle, counterclockwise from the right.
+pub(super) fn direction(angle: f64) -> DVec2 {
+    DVec2::new(angle.cos(), -angle.sin())
+}
+
+/// The angle of a direction, counterclockwise from the right.
+pub(super) fn angle(direction: DVec2) -> f64 {
+    (-direction.y).atan2(direction.x)
+}
+
+/// How far to turn counterclockwise from one angle to another: over 0, up to a full turn.
+pub(super) fn turn(from: f64, to: f64) -> f64 {
+    let turn = (to - from).rem_euclid(std::f64::consts::TAU);
+    if turn < 1e-9 {
+        std::f64::consts::TAU
+    } else {
+        turn
+    }
+}
+
+/// How far a point is from a segment.
+pub(super) fn distance(point: DVec2, [a, b]: [DVec2; 2]) -> f64 {
+    let along = b - a;
+    let t = ((point - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+    (a + along * t - point).length()
+}
+
+/// Whether two segments cross at a point inside both.
+pub(super) fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
+    let slack = 1e-6;
+    side(a, b, c) * side(a, b, d) < -slack && side(c, d, a) * side(c, d, b) < -slack
+}
+
+/// Whether a point lies inside a polygon.
+pub(super) fn inside(point: DVec2, polygon: &[DVec2]) -> bool {
+    let mut inside = false;
+    for at in 0..polygon.len() {
+        let (a, b) = (polygon[at], polygon[(at + 1) % polygon.len()]);
+        if (a.y > point.y) != (b.y > point.y)
+            && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn left_of_the_way_right_is_up() {
+        assert_eq!(left(DVec2::X), -DVec2::Y);
+        assert!((direction(std::f64::consts::FRAC_PI_2) - left(DVec2::X)).length() < 1e-12);
+    }
+
+    #[test]
+    fn cuts_and_offsets() {
+        let line = Curve::through([DVec2::ZERO, DVec2::new(10.0, 0.0)]);
+        let part = line.cut(2.0, 7.0).offset(3.0);
+        assert_eq!(
+            part.points(),
+            [DVec2::new(2.0, -3.0), DVec2::new(7.0, -3.0)]
+        );
+        assert_eq!(Curve::through([]).length(), 0.0);
+    }
+}

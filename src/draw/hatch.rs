@@ -1,0 +1,59 @@
+//! Hatching, by which holes are told from faces.
+
+use glam::DVec2;
+
+use super::curve::{Curve, left};
+
+/// How far apart the lines are.
+const APART: f64 = 8.0;
+
+/// Slanted lines inside a polygon.
+pub(super) fn hatch(outline: &[DVec2]) -> Vec<Curve> {
+    let slant = DVec2::new(1.0, -1.0).normalize();
+    let across = DVec2::new(1.0, 1.0).normalize();
+    let heights = outline.iter().map(|at| at.dot(across));
+    let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), at| {
+        (low.min(at), high.max(at))
+    });
+    let mut lines = Vec::new();
+    if !(high - low).is_finite() {
+        return lines;
+    }
+    // Half a line off, so that no line runs through a corner of a tidy picture.
+    let first = (low / APART).floor() as i64;
+    let last = (high / APART).ceil() as i64;
+    for step in first..=last {
+        let height = (step as f64 + 0.5) * APART;
+        let mut cuts: Vec<f64> = (0..outline.len())
+            .filter_map(|at| {
+                let (a, b) = (outline[at], outline[(at + 1) % outline.len()]);
+                let (from, to) = (a.dot(across) - height, b.dot(across) - height);
+                let crosses = (from < 0.0) != (to < 0.0);
+                crosses.then(|| a.lerp(b, from / (from - to)).dot(slant))
+            })
+            .collect();
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.chunks_exact(2) {
+            if pair[1] - pair[0] > 3.0 {
+                let ends = [pair[0] + 1.0, pair[1] - 1.0];
+                lines.push(Curve::through(ends.map(|at| slant * at + across * height)));
+            }
+        }
+    }
+    lines
+}
+
+/// Short lines on the outside of a polygon that is a hole all around.
+pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
+    let Some(&first) = outline.first() else {
+        return Vec::new();
+    };
+    let around = Curve::through(outline.iter().copied().chain([first]));
+    let count = (around.length() / APART).floor().min(4000.0) as usize;
+    let tick = |step: usize| {
+        let (at, way) = around.at((step as f64 + 0.5) * APART);
+        let slant = (left(way) - way * 0.7).normalize_or_zero();
+        Curve::through([at + left(way) * 20.0, at + left(way) * 20.0 + slant * 9.0])
+    };
+    (0..count).map(tick).collect()
+}

@@ -1,0 +1,166 @@
+//! Letters as outlines, so that a picture looks the same on a machine without fonts.
+//!
+//! A line of `letters/italic.txt` and `letters/upright.txt` is a character's code, its width
+//! and its outline, a thousand units to the em, y up. Only the outlines are data; kerning
+//! and hinting are left to typesetters. A character that is not there is drawn as a box.
+
+use glam::DVec2;
+use std::sync::LazyLock;
+
+use super::shape::Path;
+
+/// The style of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    Italic,
+    Upright,
+}
+
+/// How high capitals and ascenders are, and how deep descenders, in ems.
+const ASCENT: f64 = 0.68;
+const DESCENT: f64 = 0.2;
+/// How large a subscript is, and how deep it stands.
+const SUBSCRIPT: f64 = 0.72;
+const DROP: f64 = 0.17;
+
+struct Letter {
+    code: char,
+    width: f64,
+    outline: Vec<(char, Vec<f64>)>,
+}
+
+static ITALIC: LazyLock<Vec<Letter>> = LazyLock::new(|| read(include_str!("letters/italic.txt")));
+static UPRIGHT: LazyLock<Vec<Letter>> = LazyLock::new(|| read(include_str!("letters/upright.txt")));
+
+fn read(text: &str) -> Vec<Letter> {
+    let letter = |line: &str| {
+        let mut parts = line.splitn(3, ' ');
+        let code = u32::from_str_radix(parts.next()?, 16).ok()?;
+        Some(Letter {
+            code: char::from_u32(code)?,
+            width: parts.next()?.parse().ok()?,
+            outline: outline(parts.next().unwrap_or("")),
+        })
+    };
+    text.lines().filter_map(letter).collect()
+}
+
+fn outline(text: &str) -> Vec<(char, Vec<f64>)> {
+    let mut steps: Vec<(char, String)> = Vec::new();
+    for character in text.chars() {
+        match steps.last_mut() {
+            _ if character.is_ascii_alphabetic() => steps.push((character, String::new())),
+            Some((_, numbers)) => numbers.push(character),
+            None => {}
+        }
+    }
+    let numbers = |text: &str| {
+        text.split(' ')
+            .filter_map(|part| part.parse().ok())
+            .collect()
+    };
+    steps
+        .into_iter()
+        .map(|(step, text)| (step, numbers(&text)))
+        .collect()
+}
+
+/// A text that has been set: its outline with the middle of its box at zero.
+#[derive(Clone, Debug)]
+pub(super) struct Label {
+    /// The outline.
+    pub path: Path,
+    /// Half its width and half its height.
+    pub half: DVec2,
+}
+
+/// Sets a name: letters in italics, digits behind them as a subscript, primes raised.
+pub(super) fn name(text: &str, size: f64) -> Label {
+    let stem = text.trim_end_matches('\'');
+    let primes = text.len() - stem.len();
+    let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+    // A name of digits only, or none, has nothing to stand under.
+    let (letters, digits) = match letters.is_empty() {
+        true => (stem, ""),
+        false => stem.split_at(letters.len()),
+    };
+    let mut setting = Setting::default();
+    setting.add(letters, Style::Italic, size, 0.0);
+    let top = setting.x;
+    setting.add(digits, Style::Upright, size * SUBSCRIPT, DROP * size);
+    let behind = setting.x;
+    if primes > 0 {
+        setting.x = top;
+        setting.add(&"\u{2032}".repeat(primes), Style::Upright, size, 0.0);
+        setting.x = setting.x.max(behind);
+    }
+    setting.label(size)
+}
+
+/// Sets a line of words.
+pub(super) fn words(text: &str, style: Style, size: f64) -> Label {
+    let mut setting = Setting::default();
+    setting.add(text, style, size, 0.0);
+    setting.label(size)
+}
+
+#[derive(Default)]
+struct Setting {
+    path: Path,
+    x: f64,
+}
+
+impl Setting {
+    fn add(&mut self, text: &str, style: Style, size: f64, drop: f64) {
+        let letters = match style {
+            Style::Italic => &*ITALIC,
+            Style::Upright => &*UPRIGHT,
+        };
+        let scale = size / 1000.0;
+        for code in text.chars() {
+            let x = self.x;
+            let place = |p: &[f64]| DVec2::new(x + p[0] * scale, drop - p[1] * scale);
+            let Some(letter) = letters.iter().find(|letter| letter.code == code) else {
+                let corners = [[60., 0.], [60., 600.], [440., 600.], [440., 0.]];
+                self.path.polygon(corners.map(|corner| place(&corner)));
+                self.x += 500.0 * scale;
+                continue;
+            };
+            for (step, numbers) in &letter.outline {
+                let points: Vec<_> = numbers.chunks_exact(2).map(place).collect();
+                match (step, &points[..]) {
+                    ('M', &[to]) => self.path.move_to(to),
+                    ('L', &[to]) => self.path.line_to(to),
+                    ('Q', &[by, to]) => self.path.curve_to(by, to),
+                    _ => self.path.close(),
+                }
+            }
+            self.x += letter.width * scale;
+        }
+    }
+
+    fn label(self, size: f64) -> Label {
+        let half = DVec2::new(self.x / 2.0, (ASCENT + DESCENT) / 2.0 * size);
+        let middle = DVec2::new(half.x, -(ASCENT - DESCENT) / 2.0 * size);
+        Label {
+            path: self.path.moved(-middle),
+            half,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_letter_of_a_name_is_there() {
+        assert!(ITALIC.len() >= 95 && UPRIGHT.len() >= 95);
+        let narrow = name("v", 16.0);
+        let wide = name("v12'", 16.0);
+        assert!(wide.half.x > narrow.half.x && wide.half.y == narrow.half.y);
+        for odd in ["", "'", "0", "é", "''''"] {
+            assert!(name(odd, 16.0).half.is_finite());
+        }
+    }
+}

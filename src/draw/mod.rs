@@ -1,0 +1,40 @@
+//! Diagrams and small meshes as pictures.
+//!
+//! [`draw_op`] makes a [`Picture`] of an operation as a textbook has it: before and after side
+//! by side, the same vertex at the same place, halfedges as arrows inside their faces, and
+//! what is kept, reassigned, new and erased told apart by colour and by stroke. A picture is
+//! written as SVG or PNG. Texts are outlines of letters that come along, so no fonts are
+//! needed. [`text_op`] draws with characters, [`page`] makes a page of many, and [`draw_mesh`]
+//! shows a mesh. Nothing is assumed of a drawing, proved or not: there is always a picture.
+
+// What is drawn.
+mod assigned;
+mod figure;
+mod outer;
+mod place;
+mod status;
+
+// How it is drawn.
+mod curve;
+mod fan;
+mod hatch;
+mod letters;
+mod panel;
+mod room;
+mod shape;
+mod sheet;
+
+mod view;
+
+// What it is written as.
+mod page;
+mod png;
+mod svg;
+mod text;
+
+pub use page::{Section, page};
+pub use png::TooLarge;
+pub use shape::{Picture, TextBox};
+pub use sheet::draw_op;
+pub use text::text_op;
+pub use view::{View, draw_mesh};

@@ -1,0 +1,77 @@
+//! Which loop goes around a figure.
+//!
+//! The drawn loops are polygons glued along their edges; the sides that are not drawn form
+//! walks around what is glued. The longest of them is the outside. Where everything is drawn,
+//! as on a closed surface, a hole goes outside, or else the longest loop.
+
+use super::figure::{Dart, Side};
+use crate::diagram::LoopKind;
+
+/// The strands around the outside, clockwise; none if there is no loop at all. Only loops
+/// with a node in `among` count.
+pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
+    let counts = |darts: &[Dart]| {
+        let first = darts.first();
+        first.is_some_and(|&dart| among(side.nodes(dart)[0]))
+    };
+    let walks = walks(side).into_iter().filter(|walk| counts(walk));
+    if let Some(walk) = longest(walks) {
+        return walk;
+    }
+    let loops = |holes: bool| {
+        let wanted = side.loops.iter();
+        let wanted = wanted.filter(move |orbit| (orbit.kind == LoopKind::Hole) == holes);
+        longest(
+            wanted
+                .map(|orbit| orbit.darts.clone())
+                .filter(|darts| counts(darts)),
+        )
+    };
+    loops(true).or_else(|| loops(false)).unwrap_or_default()
+}
+
+fn longest(walks: impl Iterator<Item = Vec<Dart>>) -> Option<Vec<Dart>> {
+    let mut best: Option<Vec<Dart>> = None;
+    for walk in walks {
+        if best.as_ref().is_none_or(|best| walk.len() > best.len()) {
+            best = Some(walk);
+        }
+    }
+    best
+}
+
+/// The walks along the sides that are in no loop.
+fn walks(side: &Side) -> Vec<Vec<Dart>> {
+    let count = 2 * side.strands.len();
+    let mut before = vec![None; count];
+    for orbit in &side.loops {
+        for (at, dart) in orbit.darts.iter().enumerate() {
+            let previous = orbit.darts[(at + orbit.darts.len() - 1) % orbit.darts.len()];
+            before[dart.index()].get_or_insert(previous.index());
+        }
+    }
+    let is_outside = |dart: usize| before[dart].is_none() && before[dart ^ 1].is_some();
+    let mut seen = vec![false; count];
+    let mut walks = Vec::new();
+    for first in (0..count).filter(|&dart| is_outside(dart)) {
+        let mut walk = Vec::new();
+        let mut dart = first;
+        while !seen[dart] {
+            seen[dart] = true;
+            walk.push(Dart::of(dart));
+            // Around the vertex at its end, through the corners that are drawn.
+            let mut spoke = dart ^ 1;
+            for _ in 0..count {
+                match before[spoke] {
+                    Some(previous) => spoke = previous ^ 1,
+                    None => break,
+                }
+            }
+            dart = spoke;
+        }
+        if !walk.is_empty() {
+            walks.push(walk);
+        }
+    }
+    walks
+}

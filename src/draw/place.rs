@@ -1,0 +1,361 @@
+//! Where the nodes of a figure go.
+//!
+//! The outside becomes a convex polygon, what lies inside goes to the middle of its neighbours
+//! (W. T. Tutte, "How to draw a graph", 1963), with a node in every loop to hold it open:
+//! then no two strands cross. The edge an operation is called with lies across, from left to
+//! right. Nodes of `after` only are placed between those that are there already, where their
+//! assignment puts them if it says so. Lengths are in units of the polygon's radius.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use glam::DVec2;
+
+use super::assigned::assigned;
+use super::curve::{direction, left};
+use super::figure::{Dart, Figure, Node, Side};
+use super::outer::outside;
+
+/// How often the middles are taken.
+const SWEEPS: usize = 600;
+/// How much longer than an edge a path is.
+const PATH_WEIGHT: f64 = 2.0;
+/// How long and how wide the petal of a path is that closes.
+const PETAL: f64 = 1.35;
+const SPREAD: f64 = 1.15;
+/// Nodes nearer to each other than this look like one.
+const NEAR: f64 = 0.12;
+
+/// The place of every node.
+pub(super) fn places(figure: &Figure) -> Vec<DVec2> {
+    let mut places = vec![None; figure.nodes.len()];
+    let parts = parts(figure, &figure.before);
+    let mut x = 0.0;
+    for part in parts {
+        let among = |node: usize| part.contains(&node);
+        place_part(figure, &part, &outside(&figure.before, &among), &mut places);
+        let xs = part
+            .iter()
+            .filter_map(|&node| places[node])
+            .map(|at: DVec2| at.x);
+        let (low, high) = xs.fold((f64::MAX, f64::MIN), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        for &node in &part {
+            places[node] = places[node].map(|at| at + DVec2::X * (x - low));
+        }
+        x += (high - low).max(0.0) + 0.9;
+    }
+    place_new(figure, &mut places);
+    places.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// The nodes of a side that hang together.
+fn parts(figure: &Figure, side: &Side) -> Vec<Vec<usize>> {
+    let mut part: Vec<usize> = (0..figure.nodes.len()).collect();
+    let mut join = |a: usize, b: usize| {
+        let (a, b) = (part[a], part[b]);
+        for of in &mut part {
+            if *of == a.max(b) {
+                *of = a.min(b);
+            }
+        }
+    };
+    for strand in &side.strands {
+        strand
+            .nodes
+            .windows(2)
+            .for_each(|pair| join(pair[0], pair[1]));
+    }
+    let shown = |node: usize| match figure.nodes[node] {
+        Node::Vertex(name) => side.shown.contains(&name),
+        _ => side
+            .strands
+            .iter()
+            .any(|strand| strand.nodes.contains(&node)),
+    };
+    let roots = (0..part.len()).filter(|&node| part[node] == node);
+    let nodes = |root: usize| {
+        let nodes = (0..part.len()).filter(|&node| part[node] == root);
+        nodes.filter(|&node| shown(node)).collect::<Vec<_>>()
+    };
+    roots.map(nodes).filter(|nodes| !nodes.is_empty()).collect()
+}
+
+/// The dart that lies across: that of the first parameter that has one.
+fn main_dart(figure: &Figure) -> Option<Dart> {
+    let rule = figure.drawing.rule;
+    let named = rule.params.iter().flatten().find_map(|&name| {
+        let edge = figure.drawing.before.edge_statement(name);
+        let item = edge.map_or(name, |edge| edge.halfedges[0].name);
+        figure.before.darts[item.index()]
+    });
+    named.or_else(|| figure.before.loops.first()?.darts.first().copied())
+}
+
+fn place_part(figure: &Figure, part: &[usize], walk: &[Dart], places: &mut [Option<DVec2>]) {
+    let side = &figure.before;
+    // Counterclockwise.
+    let outside: Vec<Dart> = walk
+        .iter()
+        .rev()
+        .map(|dart| Dart {
+            strand: dart.strand,
+            forward: !dart.forward,
+        })
+        .collect();
+    let ring = side.around(&outside);
+    let mut pulls = pulls(side);
+    let mut all: Vec<Option<DVec2>> = places.to_vec();
+    if ring.is_empty() {
+        let angle = |at: usize| PI - TAU * at as f64 / part.len() as f64;
+        for (at, &node) in part.iter().enumerate() {
+            places[node] = Some(direction(angle(at)));
+        }
+        return;
+    }
+    let angles = angles(figure, &outside, &ring);
+    let mut once = ring.clone();
+    once.sort_unstable();
+    once.dedup();
+    let simple = once.len() == ring.len() && ring.len() >= 3;
+    for (&node, &angle) in ring.iter().zip(&angles) {
+        if simple {
+            all[node] = Some(direction(angle));
+        } else {
+            // A node that is passed twice cannot stand at two places: a ring around the
+            // figure holds it open instead.
+            pulls.push((node, all.len()));
+            all.push(Some(direction(angle) * 1.5));
+        }
+    }
+    settle(side, &mut all, &pulls);
+    for &node in part {
+        places[node] = all[node];
+    }
+}
+
+/// For each node of the outside its angle.
+fn angles(figure: &Figure, outside: &[Dart], ring: &[usize]) -> Vec<f64> {
+    let side = &figure.before;
+    let mut weights = Vec::new();
+    for dart in outside {
+        let strand = &side.strands[dart.strand];
+        let pieces = strand.nodes.len() - 1;
+        let weight = if strand.is_path { PATH_WEIGHT } else { 1.0 };
+        weights.extend(vec![weight / pieces as f64; pieces]);
+    }
+    let main = main_dart(figure);
+    let ends = main.map(|dart| {
+        let nodes = side.nodes(dart);
+        [nodes[0], nodes[nodes.len() - 1]]
+    });
+    let place = |node: usize| ring.iter().position(|&other| other == node);
+    let ends = ends.and_then(|[from, to]| Some([place(from)?, place(to)?]));
+    let is_outside = |dart: Dart| outside.iter().any(|other| other.strand == dart.strand);
+    let count = ring.len();
+    let span = |from: usize, steps: usize| -> f64 {
+        (0..steps).map(|step| weights[(from + step) % count]).sum()
+    };
+    let mut angles = vec![0.0; count];
+    match (main, ends) {
+        (Some(main), Some([from, to])) if from != to && !is_outside(main) => {
+            // Half a turn below it, half a turn above it.
+            for (start, end, angle) in [(from, to, PI), (to, from, TAU)] {
+                let steps = (end + count - start) % count;
+                let whole = span(start, steps);
+                for step in 0..steps {
+                    angles[(start + step) % count] = angle + PI * span(start, step) / whole;
+                }
+            }
+        }
+        (main, ends) => {
+            // The main dart at the bottom, else a side.
+            let start = ends.map_or(0, |[from, _]| from);
+            let lead = match main {
+                Some(dart) if is_outside(dart) => side.strands[dart.strand].nodes.len() - 1,
+                _ => 1,
+            };
+            let whole = span(0, count);
+            let first = -FRAC_PI_2 - PI * span(start, lead) / whole;
+            for step in 0..count {
+                angles[(start + step) % count] = first + TAU * span(start, step) / whole;
+            }
+        }
+    }
+    angles
+}
+
+/// The pairs of nodes that pull at each other along strands.
+fn pulls(side: &Side) -> Vec<(usize, usize)> {
+    let pairs = side
+        .strands
+        .iter()
+        .flat_map(|strand| strand.nodes.windows(2));
+    pairs.map(|pair| (pair[0], pair[1])).collect()
+}
+
+/// Moves what has no place yet to the middle of what pulls at it.
+fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
+    let mut pulls = pulls.to_vec();
+    for orbit in &side.loops {
+        let center = places.len();
+        places.push(None);
+        pulls.extend(
+            side.around(&orbit.darts)
+                .into_iter()
+                .map(|node| (node, center)),
+        );
+    }
+    let mut neighbors = vec![Vec::new(); places.len()];
+    for (a, b) in pulls {
+        if a != b {
+            neighbors[a].push(b);
+            neighbors[b].push(a);
+        }
+    }
+    let free: Vec<_> = (0..places.len())
+        .filter(|&node| places[node].is_none() && !neighbors[node].is_empty())
+        .collect();
+    for _ in 0..SWEEPS {
+        for &node in &free {
+            let near = neighbors[node].iter().filter_map(|&other| places[other]);
+            let (sum, count) = near.fold((DVec2::ZERO, 0.0), |(sum, count), at| {
+                (sum + at, count + 1.0)
+            });
+            if count > 0.0 {
+                places[node] = Some(sum / count);
+            }
+        }
+    }
+}
+
+/// Places the nodes that only `after` has.
+fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
+    for (name, at) in assigned(figure, places) {
+        let is_taken = places
+            .iter()
+            .flatten()
+            .any(|other| (*other - at).length() < NEAR);
+        if let Some(node) = figure.vertex(name)
+            && places[node].is_none()
+            && !is_taken
+        {
+            places[node] = Some(at);
+        }
+    }
+    bend_paths(figure, places);
+    let side = &figure.after;
+    let mut all = places.to_vec();
+    settle(side, &mut all, &pulls(side));
+    for (place, at) in places.iter_mut().zip(&all) {
+        *place = place.or(*at);
+    }
+    // What hangs together with nothing stands in a row below.
+    let low = places.iter().flatten().map(|at| at.y).fold(0.0, f64::max);
+    let mut x = 0.0;
+    for (node, place) in places.iter_mut().enumerate() {
+        if place.is_none() && figure.nodes[node] != Node::Bend {
+            *place = Some(DVec2::new(x, low + 0.7));
+            x += 0.7;
+        }
+    }
+    bend_beside(figure, places);
+}
+
+/// Bends the paths that get other ends: like before, but drawn along with the end that moves;
+/// a path that closes becomes a petal on the side where it was.
+fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
+    for strand in figure.after.strands.iter().filter(|strand| strand.is_path) {
+        let mut earlier = figure.before.strands.iter();
+        let Some(old) = earlier.find(|other| other.items == strand.items) else {
+            continue;
+        };
+        let ([from, to], [old_from, old_to]) = (strand.ends(), old.ends());
+        let ends = [places[from], places[to], places[old_from], places[old_to]];
+        let [Some(a), Some(b), Some(old_a), Some(old_b)] = ends else {
+            continue;
+        };
+        if strand.nodes == old.nodes {
+            continue;
+        }
+        let count = old.nodes.len();
+        let inner = 1..count - 1;
+        let olds: Vec<_> = inner
+            .clone()
+            .filter_map(|at| places[old.nodes[at]])
+            .collect();
+        let middle = olds.iter().copied().sum::<DVec2>() / olds.len().max(1) as f64;
+        // Also away from the middle of the figure, which leaves room between two petals.
+        let away = (middle - a).normalize_or(DVec2::X) + middle.normalize_or_zero() * 0.7;
+        let away = away.normalize_or(DVec2::X);
+        for (at, &old_place) in inner.zip(&olds) {
+            let t = at as f64 / (count - 1) as f64;
+            let place = if from == to {
+                let length = PETAL * (PI * t).sin().sqrt();
+                a + away.rotate(DVec2::from_angle((0.5 - t) * SPREAD)) * length
+            } else {
+                old_place + (a - old_a) * (1.0 - t).powi(2) + (b - old_b) * t.powi(2)
+            };
+            if let Some(&node) = strand.nodes.get(at) {
+                places[node] = Some(place);
+            }
+        }
+    }
+}
+
+/// Bends what is bent in `after` only: strands side by side apart, strands from a vertex
+/// to itself away from the middle.
+fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
+    let side = &figure.after;
+    let is_new = |node: &usize| {
+        figure.nodes[*node] == Node::Bend
+            && !figure
+                .before
+                .strands
+                .iter()
+                .any(|strand| strand.nodes.contains(node))
+    };
+    let loops = side.loop_of();
+    let mut seen: Vec<([usize; 2], usize)> = Vec::new();
+    for (at, strand) in side.strands.iter().enumerate() {
+        let bends = &strand.nodes[1..strand.nodes.len() - 1];
+        let [from, to] = strand.ends();
+        let (Some(a), Some(b)) = (places[from], places[to]) else {
+            continue;
+        };
+        let is_placed = strand.is_path && bends.iter().all(|&bend| places[bend].is_some());
+        if bends.is_empty() || is_placed || !bends.iter().all(is_new) {
+            continue;
+        }
+        let ends = [from.min(to), from.max(to)];
+        let before = seen.iter().filter(|(other, _)| *other == ends).count();
+        seen.push((ends, at));
+        if from == to {
+            let away = a
+                .normalize_or(DVec2::X)
+                .rotate(DVec2::from_angle(before as f64 * 1.2));
+            for (&bend, angle) in bends.iter().zip([0.5, -0.5]) {
+                places[bend] = Some(a + away.rotate(DVec2::from_angle(angle)) * 0.6);
+            }
+        } else {
+            // Away from a loop on one side only; else in turns.
+            let drawn = [2 * at, 2 * at + 1].map(|dart| loops[dart].is_some());
+            let sign = match (drawn, before) {
+                ([true, false], 0) => -1.0,
+                ([false, true], 0) => 1.0,
+                (_, turn) if turn.is_multiple_of(2) => 1.0,
+                _ => -1.0,
+            };
+            let sign = if from < to || drawn[0] != drawn[1] {
+                sign
+            } else {
+                -sign
+            };
+            let away = left(b - a) * (sign * (0.22 + 0.22 * (before / 2) as f64));
+            for (place, &bend) in bends.iter().enumerate() {
+                let t = (place + 1) as f64 / (bends.len() + 1) as f64;
+                places[bend] = Some(a.lerp(b, t) + away);
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! A picture as PNG, drawn in the colours of the day.
+
+use std::fmt::{self, Display};
+
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, PathBuilder, Pixmap, StrokeDash, Transform};
+
+use super::shape::{Ink, Paint, Path, Picture, Step};
+
+/// The largest side of an image.
+const MOST_PIXELS: f64 = 16_384.0;
+
+/// Why a picture cannot be an image.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TooLarge {
+    width: u32,
+    height: u32,
+}
+
+impl Display for TooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "an image of {} by {} pixels is too large",
+            self.width, self.height
+        )
+    }
+}
+
+impl std::error::Error for TooLarge {}
+
+impl Picture {
+    /// The picture as PNG, with `scale` pixels to a unit.
+    pub fn png(&self, scale: f64) -> Result<Vec<u8>, TooLarge> {
+        let [width, height] = self
+            .size()
+            .map(|side| (side * scale).ceil().clamp(1.0, MOST_PIXELS + 1.0));
+        let too_large = TooLarge {
+            width: width as u32,
+            height: height as u32,
+        };
+        if width > MOST_PIXELS || height > MOST_PIXELS {
+            return Err(too_large);
+        }
+        let pixmap = Pixmap::new(width as u32, height as u32);
+        let mut pixmap = pixmap.ok_or_else(|| too_large.clone())?;
+        pixmap.fill(colour(Ink::Paper, 1.0));
+        let transform = Transform::from_scale(scale as f32, scale as f32);
+        for shape in self.groups.iter().flat_map(|group| &group.shapes) {
+            let Some(path) = path(&shape.path) else {
+                continue;
+            };
+            match shape.paint {
+                Paint::Fill(ink) => {
+                    let paint = paint(ink, 1.0);
+                    pixmap.fill_path(&path, &paint, FillRule::Winding, transform, None);
+                }
+                Paint::Stroke(stroke) => {
+                    let dash = stroke
+                        .dash
+                        .map(|dash| dash.map(|part| part as f32).to_vec());
+                    let lines = tiny_skia::Stroke {
+                        width: stroke.width as f32,
+                        line_cap: LineCap::Round,
+                        line_join: LineJoin::Round,
+                        dash: dash.and_then(|dash| StrokeDash::new(dash, 0.0)),
+                        ..tiny_skia::Stroke::default()
+                    };
+                    let paint = paint(stroke.ink, stroke.opacity);
+                    pixmap.stroke_path(&path, &paint, &lines, transform, None);
+                }
+            }
+        }
+        pixmap.encode_png().map_err(|_| too_large)
+    }
+}
+
+fn paint(ink: Ink, opacity: f64) -> tiny_skia::Paint<'static> {
+    let mut paint = tiny_skia::Paint::default();
+    paint.set_color(colour(ink, opacity));
+    paint
+}
+
+fn colour(ink: Ink, opacity: f64) -> Color {
+    let [_, red, green, blue] = ink.colours()[0].to_be_bytes();
+    let alpha = (opacity.clamp(0.0, 1.0) * 255.0).round() as u8;
+    Color::from_rgba8(red, green, blue, alpha)
+}
+
+fn path(path: &Path) -> Option<tiny_skia::Path> {
+    let mut builder = PathBuilder::new();
+    for step in &path.steps {
+        match *step {
+            Step::Move(to) => builder.move_to(to.x as f32, to.y as f32),
+            Step::Line(to) => builder.line_to(to.x as f32, to.y as f32),
+            Step::Curve(by, to) => {
+                builder.quad_to(by.x as f32, by.y as f32, to.x as f32, to.y as f32);
+            }
+            Step::Close => builder.close(),
+        }
+    }
+    builder.finish()
+}

@@ -1,0 +1,127 @@
+//! Where texts have room: boxes that may not overlap, lines they should not cover.
+
+use glam::DVec2;
+
+use super::curve::Curve;
+use super::letters::Label;
+use super::shape::TextBox;
+
+/// What a box on a box costs, a box on a line, and a unit of distance from the best place.
+const ON_BOX: f64 = 1000.0;
+const ON_LINE: f64 = 40.0;
+/// How much air a box has around it.
+const AIR: f64 = 1.5;
+
+/// A place a text may have, and what it costs to stand there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub at: DVec2,
+    pub cost: f64,
+}
+
+/// What is drawn already.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Room {
+    lines: Vec<([DVec2; 2], f64)>,
+    boxes: Vec<(DVec2, DVec2)>,
+    /// The texts that have been put.
+    pub texts: Vec<TextBox>,
+}
+
+impl Room {
+    /// Keeps texts away from a curve, by its half width.
+    pub fn draw(&mut self, curve: &Curve, half_width: f64) {
+        self.lines
+            .extend(curve.segments().map(|segment| (segment, half_width)));
+    }
+
+    /// What it costs to put a box somewhere.
+    pub fn cost(&self, at: DVec2, half: DVec2) -> f64 {
+        let half = half + AIR;
+        let boxes = self.boxes.iter().filter(|(other, other_half)| {
+            let apart = (at - *other).abs();
+            let reach = half + *other_half;
+            apart.x < reach.x && apart.y < reach.y
+        });
+        let lines = self
+            .lines
+            .iter()
+            .filter(|(segment, width)| touches(*segment, at, half + *width));
+        ON_BOX * boxes.count() as f64 + ON_LINE * (lines.count().min(6) as f64)
+    }
+
+    /// The best of some spots.
+    pub fn best(&self, half: DVec2, spots: &[Spot]) -> DVec2 {
+        let mut best = (f64::MAX, DVec2::ZERO);
+        for spot in spots {
+            let cost = spot.cost + self.cost(spot.at, half);
+            if cost < best.0 - 1e-9 {
+                best = (cost, spot.at);
+            }
+        }
+        best.1
+    }
+
+    /// Puts a text.
+    pub fn put(&mut self, text: &str, label: &Label, at: DVec2) {
+        self.boxes.push((at, label.half));
+        self.texts.push(TextBox {
+            text: text.to_string(),
+            from: (at - label.half).to_array(),
+            to: (at + label.half).to_array(),
+        });
+    }
+
+    /// Whether no two texts overlap.
+    pub fn is_tidy(&self) -> bool {
+        let boxes = &self.boxes;
+        (0..boxes.len()).all(|at| {
+            boxes[..at].iter().all(|(other, other_half)| {
+                let apart = (boxes[at].0 - *other).abs();
+                let reach = boxes[at].1 + *other_half;
+                apart.x >= reach.x || apart.y >= reach.y
+            })
+        })
+    }
+}
+
+/// Whether a segment touches a box.
+fn touches([a, b]: [DVec2; 2], center: DVec2, half: DVec2) -> bool {
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    let (from, along) = (a - center, b - a);
+    for (from, along, half) in [(from.x, along.x, half.x), (from.y, along.y, half.y)] {
+        if along.abs() < 1e-12 {
+            if from.abs() > half {
+                return false;
+            }
+            continue;
+        }
+        let (t, u) = ((-half - from) / along, (half - from) / along);
+        low = low.max(t.min(u));
+        high = high.min(t.max(u));
+    }
+    low <= high
+}
+
+/// How far from its middle a box ends in a direction.
+pub(super) fn reach(half: DVec2, direction: DVec2) -> f64 {
+    let x = half.x / direction.x.abs().max(1e-9);
+    let y = half.y / direction.y.abs().max(1e-9);
+    x.min(y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_on_a_line_costs() {
+        let mut room = Room::default();
+        room.draw(
+            &Curve::through([DVec2::new(-9.0, 0.0), DVec2::new(9.0, 0.0)]),
+            1.0,
+        );
+        assert!(room.cost(DVec2::ZERO, DVec2::ONE) > 0.0);
+        assert_eq!(room.cost(DVec2::new(0.0, 9.0), DVec2::ONE), 0.0);
+    }
+}

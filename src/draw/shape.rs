@@ -1,0 +1,275 @@
+//! A picture as data: paths, inks and strokes, in named groups.
+//!
+//! Both writers, [`svg`](super::svg) and [`png`](super::png), show the same picture.
+
+use glam::DVec2;
+
+use super::curve::Curve;
+use super::status::Status;
+
+/// A step of a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Step {
+    Move(DVec2),
+    Line(DVec2),
+    /// A parabola: the point it bends to, and its end.
+    Curve(DVec2, DVec2),
+    Close,
+}
+
+/// A path to fill or to stroke.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Path {
+    /// Its steps.
+    pub steps: Vec<Step>,
+}
+
+impl Path {
+    pub fn move_to(&mut self, to: DVec2) {
+        self.steps.push(Step::Move(to));
+    }
+
+    pub fn line_to(&mut self, to: DVec2) {
+        self.steps.push(Step::Line(to));
+    }
+
+    pub fn curve_to(&mut self, by: DVec2, to: DVec2) {
+        self.steps.push(Step::Curve(by, to));
+    }
+
+    pub fn close(&mut self) {
+        self.steps.push(Step::Close);
+    }
+
+    /// Adds a polygon.
+    pub fn polygon(&mut self, corners: impl IntoIterator<Item = DVec2>) {
+        self.polyline(corners);
+        self.close();
+    }
+
+    fn polyline(&mut self, points: impl IntoIterator<Item = DVec2>) {
+        for (at, point) in points.into_iter().enumerate() {
+            match at {
+                0 => self.move_to(point),
+                _ => self.line_to(point),
+            }
+        }
+    }
+
+    /// The path along a curve.
+    pub fn along(curve: &Curve) -> Self {
+        let mut path = Self::default();
+        path.polyline(curve.points().iter().copied());
+        path
+    }
+
+    /// The path around a polygon.
+    pub fn around(corners: &[DVec2]) -> Self {
+        let mut path = Self::default();
+        path.polygon(corners.iter().copied());
+        path
+    }
+
+    /// A circle.
+    pub fn circle(center: DVec2, radius: f64) -> Self {
+        let mut path = Self::default();
+        // Eight parabolas differ from a circle by less than anybody sees.
+        let bend = radius / (std::f64::consts::PI / 8.0).cos();
+        let at = |eighths: f64, radius: f64| {
+            center + DVec2::from_angle(eighths * std::f64::consts::FRAC_PI_4) * radius
+        };
+        path.move_to(at(0.0, radius));
+        for eighth in 0..8 {
+            let eighth = f64::from(eighth);
+            path.curve_to(at(eighth + 0.5, bend), at(eighth + 1.0, radius));
+        }
+        path.close();
+        path
+    }
+
+    /// The same path elsewhere.
+    pub fn moved(&self, by: DVec2) -> Self {
+        let steps = self.steps.iter().map(|&step| match step {
+            Step::Move(to) => Step::Move(to + by),
+            Step::Line(to) => Step::Line(to + by),
+            Step::Curve(bend, to) => Step::Curve(bend + by, to + by),
+            Step::Close => Step::Close,
+        });
+        Self {
+            steps: steps.collect(),
+        }
+    }
+}
+
+/// What a line or an area is drawn with: a meaning, with a colour in light and in dark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) enum Ink {
+    /// The ground.
+    Paper,
+    /// The inside of a face.
+    Face,
+    /// What is there for orientation only.
+    Muted,
+    /// A face of a mesh, from dark to bright; the same by day and by night.
+    Shade(u8),
+    /// An element, by what becomes of it.
+    Of(Status),
+}
+
+impl Ink {
+    /// The inks that change between day and night.
+    pub const ALL: [Ink; 7] = [
+        Ink::Paper,
+        Ink::Face,
+        Ink::Muted,
+        Ink::Of(Status::Kept),
+        Ink::Of(Status::Reassigned),
+        Ink::Of(Status::New),
+        Ink::Of(Status::Erased),
+    ];
+
+    /// Its colour by day and by night. Blue, green and vermilion after M. Okabe and K. Ito,
+    /// "Color universal design", 2008, darkened or lightened for contrast.
+    pub fn colours(self) -> [u32; 2] {
+        match self {
+            Ink::Paper => [0xffffff, 0x15181d],
+            Ink::Face => [0xf1f4f9, 0x20252d],
+            Ink::Muted => [0x8b939e, 0x7c8591],
+            Ink::Shade(bright) => {
+                let [red, green, blue] = [178, 205, 236].map(|most| most * u32::from(bright) / 255);
+                [red << 16 | green << 8 | blue; 2]
+            }
+            Ink::Of(Status::Kept) => [0x3a4048, 0xd3d8df],
+            Ink::Of(Status::Reassigned) => [0x0065b3, 0x6db9ff],
+            Ink::Of(Status::New) => [0x00794f, 0x43d69c],
+            Ink::Of(Status::Erased) => [0xc2410c, 0xff9768],
+        }
+    }
+
+    /// The class it has in an SVG.
+    pub fn class(self) -> &'static str {
+        match self {
+            Ink::Paper => "paper",
+            Ink::Face => "face",
+            Ink::Muted => "muted",
+            Ink::Shade(_) => "shade",
+            Ink::Of(status) => status.word(),
+        }
+    }
+}
+
+/// How a path is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Paint {
+    /// Filled.
+    Fill(Ink),
+    /// Stroked.
+    Stroke(Stroke),
+}
+
+/// A line: its ink, width, dashes and opacity. Its ends are round.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stroke {
+    pub ink: Ink,
+    pub width: f64,
+    /// Length of a dash and of a gap.
+    pub dash: Option<[f64; 2]>,
+    pub opacity: f64,
+}
+
+impl Stroke {
+    /// A line without dashes.
+    pub fn solid(ink: Ink, width: f64) -> Self {
+        Self {
+            ink,
+            width,
+            dash: None,
+            opacity: 1.0,
+        }
+    }
+}
+
+/// A path and how it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Shape {
+    pub path: Path,
+    pub paint: Paint,
+}
+
+/// Shapes that belong to one element.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Group {
+    /// Its id, unique in its picture; empty for decoration.
+    pub id: String,
+    /// What a viewer shows of it: "halfedge a, reassigned".
+    pub title: String,
+    pub shapes: Vec<Shape>,
+}
+
+impl Group {
+    /// A group for an element.
+    pub fn named(id: String, title: String) -> Self {
+        Self {
+            id,
+            title,
+            shapes: Vec::new(),
+        }
+    }
+
+    pub fn fill(&mut self, path: Path, ink: Ink) {
+        let paint = Paint::Fill(ink);
+        self.shapes.push(Shape { path, paint });
+    }
+
+    pub fn stroke(&mut self, path: Path, stroke: Stroke) {
+        let paint = Paint::Stroke(stroke);
+        self.shapes.push(Shape { path, paint });
+    }
+
+    /// The same group elsewhere.
+    pub fn moved(mut self, by: DVec2) -> Self {
+        for shape in &mut self.shapes {
+            shape.path = shape.path.moved(by);
+        }
+        self
+    }
+}
+
+/// A text of a picture, and the box it fills.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TextBox {
+    /// The text.
+    pub text: String,
+    /// Its left upper corner.
+    pub from: [f64; 2],
+    /// Its right lower corner.
+    pub to: [f64; 2],
+}
+
+/// A picture: [`svg`](Picture::svg) or [`png`](Picture::png) it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Picture {
+    pub(super) title: String,
+    pub(super) size: DVec2,
+    pub(super) groups: Vec<Group>,
+    pub(super) texts: Vec<TextBox>,
+    pub(super) crossings: usize,
+}
+
+impl Picture {
+    /// Its width and height.
+    pub fn size(&self) -> [f64; 2] {
+        self.size.to_array()
+    }
+
+    /// Where its texts stand.
+    pub fn texts(&self) -> &[TextBox] {
+        &self.texts
+    }
+
+    /// How many pairs of edges and paths cross; none, wherever the pattern is planar and
+    /// keeps its places.
+    pub fn crossings(&self) -> usize {
+        self.crossings
+    }
+}

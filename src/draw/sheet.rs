@@ -1,0 +1,352 @@
+//! A whole operation on one sheet: a row for each rule, before and after side by side.
+
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+use glam::DVec2;
+
+use super::curve::{Curve, direction};
+use super::figure::{Figure, Node};
+use super::letters::{Label, Style, name, words};
+use super::panel::{LETTERS, Panel, beyond_dot, harpoon, widest_circle, widest_gap};
+use super::place::places;
+use super::room::{Room, Spot};
+use super::shape::{Group, Ink, Path, Picture, Step, Stroke, TextBox};
+use super::status::Status;
+use crate::diagram::{Drawing, NameId, Op, Rule};
+
+/// The room around everything, and between the two sides.
+const MARGIN: f64 = 26.0;
+const BETWEEN: f64 = 112.0;
+const MOST_BETWEEN: f64 = 260.0;
+/// The size of captions.
+const CAPTION: f64 = 15.0;
+/// How much larger a figure is made whose texts overlap, and how often.
+const GROWTH: f64 = 1.15;
+const TRIES: usize = 8;
+
+/// Draws an operation.
+pub fn draw_op(op: &Op) -> Picture {
+    let labelled = op.rules.len() > 1;
+    let rows: Vec<_> = op
+        .rules
+        .iter()
+        .enumerate()
+        .map(|(at, rule)| {
+            let label = match &rule.label {
+                Some(label) => Some(label.clone()),
+                None => labelled.then(|| format!("{}", at + 1)),
+            };
+            let prefix = match &label {
+                Some(label) => format!("{}-{label}-", op.name),
+                None => format!("{}-", op.name),
+            };
+            (label, Row::new(rule, &prefix))
+        })
+        .collect();
+    let mut sheet = Sheet::new(&op.name);
+    for (label, _) in &rows {
+        let above = words(&op.name, Style::Italic, LETTERS).half.x;
+        let below = words(label.as_deref().unwrap_or(""), Style::Upright, CAPTION)
+            .half
+            .x;
+        sheet.between = sheet
+            .between
+            .max((2.0 * above.max(below) + 30.0).min(MOST_BETWEEN));
+    }
+    let width = rows
+        .iter()
+        .map(|(_, row)| row.size().x)
+        .fold(90.0, f64::max);
+    for (label, row) in rows {
+        sheet.row(&op.name, label.as_deref(), row, width);
+    }
+    let whole = 2.0 * width + sheet.between;
+    sheet.finish(whole)
+}
+
+/// The two sides of a rule, at the same places.
+struct Row {
+    sides: [(Vec<Group>, Room); 2],
+    low: DVec2,
+    high: DVec2,
+    statuses: BTreeSet<Status>,
+    crossings: usize,
+}
+
+impl Row {
+    fn new(rule: &Rule, prefix: &str) -> Self {
+        let figure = Figure::new(Drawing::new(rule));
+        let unit = places(&figure);
+        let mut scale = scale(&figure, &unit);
+        let mut row = Self::drawn(&figure, &unit, scale, prefix);
+        for _ in 0..TRIES {
+            if row.sides.iter().all(|(_, room)| room.is_tidy()) {
+                break;
+            }
+            scale *= GROWTH;
+            row = Self::drawn(&figure, &unit, scale, prefix);
+        }
+        row
+    }
+
+    fn drawn(figure: &Figure, unit: &[DVec2], scale: f64, prefix: &str) -> Self {
+        let places: Vec<_> = unit.iter().map(|&at| at * scale).collect();
+        let before = Panel::new(figure, None, &places, prefix);
+        let after = Panel::new(figure, Some(&before), &places, prefix);
+        let panels = [before, after];
+        let crossings = panels.iter().map(Panel::crossings).sum();
+        let labels = vertex_labels(figure, &panels);
+        let rule = figure.drawing.rule;
+        let mentioned = (0..rule.names.len() as u32).map(NameId);
+        let statuses = mentioned
+            .map(|name| Status::of(&figure.drawing, name))
+            .collect();
+        let sides = panels.map(|panel| {
+            let loose = panel.loose();
+            let (mut groups, room) = panel.finish(&labels);
+            let mut dots = Group::default();
+            for at in loose {
+                dots.fill(Path::circle(at, 2.5), Ink::Muted);
+            }
+            if !dots.shapes.is_empty() {
+                groups.push(dots);
+            }
+            (groups, room)
+        });
+        let (low, high) = sides
+            .iter()
+            .fold((DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)), bounds);
+        let (low, high) = if low.x <= high.x {
+            (low, high)
+        } else {
+            (DVec2::ZERO, DVec2::ZERO)
+        };
+        Self {
+            sides,
+            low,
+            high,
+            statuses,
+            crossings,
+        }
+    }
+
+    fn size(&self) -> DVec2 {
+        self.high - self.low
+    }
+}
+
+/// The names of the vertices where neither side is in their way.
+fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DVec2)> {
+    let rule = figure.drawing.rule;
+    let mut rooms = [panels[0].room.clone(), panels[1].room.clone()];
+    let mut labels = Vec::new();
+    for (node, of) in figure.nodes.iter().enumerate() {
+        let Node::Vertex(vertex) = *of else { continue };
+        let shown = [0, 1].map(|side| panels[side].shown().contains(&vertex));
+        if shown == [false, false] {
+            continue;
+        }
+        let directions: Vec<_> = panels
+            .iter()
+            .flat_map(|panel| panel.directions(node))
+            .collect();
+        let wanted = widest_gap(&directions);
+        let word = &rule.name(vertex).text;
+        let label = name(word, LETTERS);
+        let center = panels[0].place(vertex);
+        let spot = |step: usize, far: f64| {
+            let way = direction(wanted + TAU * step as f64 / 48.0);
+            let at = center + way * (beyond_dot(&label, way) + far);
+            let others = (0..2).filter(|&side| shown[side]);
+            let cost: f64 = others.map(|side| rooms[side].cost(at, label.half)).sum();
+            let turn = step.min(48 - step) as f64;
+            let cost = cost + turn + far * 1.2;
+            Spot { at, cost }
+        };
+        let spots: Vec<_> = [0.0, 6.0, 14.0, 24.0, 36.0]
+            .into_iter()
+            .flat_map(|far| (0..48).map(move |step| (step, far)))
+            .map(|(step, far)| spot(step, far))
+            .collect();
+        let at = Room::default().best(label.half, &spots);
+        for side in (0..2).filter(|&side| shown[side]) {
+            rooms[side].put(word, &label, at);
+        }
+        labels.push((vertex, label, at));
+    }
+    labels
+}
+
+/// How many units of a picture the radius of the figure is: so many that edges are long and
+/// faces wide enough for arrows and names.
+fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
+    let mut scale: f64 = 128.0;
+    let mut want = |wanted: f64, length: f64| {
+        if length > 0.05 {
+            scale = scale.max(wanted / length);
+        }
+    };
+    for side in [&figure.before, &figure.after] {
+        for strand in &side.strands {
+            let pairs = strand.nodes.windows(2);
+            let lengths = pairs.map(|pair| (places[pair[0]] - places[pair[1]]).length());
+            want(122.0, lengths.sum());
+        }
+        for orbit in &side.loops {
+            let nodes = side.around(&orbit.darts).into_iter();
+            want(
+                46.0,
+                widest_circle(&nodes.map(|node| places[node]).collect::<Vec<_>>()),
+            );
+        }
+    }
+    scale.min(320.0)
+}
+
+fn bounds((low, high): (DVec2, DVec2), (groups, room): &(Vec<Group>, Room)) -> (DVec2, DVec2) {
+    let steps = groups
+        .iter()
+        .flat_map(|group| &group.shapes)
+        .flat_map(|shape| &shape.path.steps);
+    let points = steps.flat_map(|step| match *step {
+        Step::Move(to) | Step::Line(to) => [to, to],
+        Step::Curve(by, to) => [by, to],
+        Step::Close => [DVec2::NAN; 2],
+    });
+    let boxes = room
+        .texts
+        .iter()
+        .flat_map(|text| [text.from.into(), text.to.into()]);
+    // The minimum of a number and no number is the number.
+    points
+        .chain(boxes)
+        .fold((low, high), |(low, high), at: DVec2| {
+            if at.is_nan() {
+                (low, high)
+            } else {
+                (low.min(at), high.max(at))
+            }
+        })
+}
+
+struct Sheet {
+    picture: Picture,
+    between: f64,
+    y: f64,
+    statuses: BTreeSet<Status>,
+}
+
+impl Sheet {
+    fn new(title: &str) -> Self {
+        Self {
+            picture: Picture {
+                title: title.to_string(),
+                ..Picture::default()
+            },
+            between: BETWEEN,
+            y: MARGIN,
+            statuses: BTreeSet::new(),
+        }
+    }
+
+    fn row(&mut self, op: &str, label: Option<&str>, row: Row, width: f64) {
+        let size = row.size();
+        let middle = self.y + size.y / 2.0;
+        for (side, (groups, room)) in row.sides.into_iter().enumerate() {
+            let left = MARGIN + (width - size.x) / 2.0 + side as f64 * (width + self.between);
+            let by = DVec2::new(left, self.y) - row.low;
+            self.picture
+                .groups
+                .extend(groups.into_iter().map(|group| group.moved(by)));
+            let moved = |text: TextBox| TextBox {
+                from: (DVec2::from(text.from) + by).to_array(),
+                to: (DVec2::from(text.to) + by).to_array(),
+                ..text
+            };
+            self.picture.texts.extend(room.texts.into_iter().map(moved));
+            let caption = ["before", "after"][side];
+            let at = DVec2::new(left + size.x / 2.0, self.y + size.y + 24.0);
+            self.words(caption, Style::Upright, CAPTION, Ink::Muted, at);
+        }
+        let from = MARGIN + width + 24.0;
+        let to = MARGIN + width + self.between - 24.0;
+        self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
+        let center = MARGIN + width + self.between / 2.0;
+        self.words(
+            op,
+            Style::Italic,
+            LETTERS,
+            Ink::Of(Status::Kept),
+            DVec2::new(center, middle - 20.0),
+        );
+        if let Some(label) = label {
+            let at = DVec2::new(center, middle + 21.0);
+            self.words(label, Style::Upright, CAPTION, Ink::Muted, at);
+        }
+        self.picture.crossings += row.crossings;
+        self.statuses.extend(row.statuses);
+        self.y += size.y + 24.0 + 40.0;
+    }
+
+    fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
+        // A long name is set smaller rather than into the figures.
+        let mut label = words(text, style, size);
+        let most = self.between / 2.0 - 6.0;
+        if label.half.x > most {
+            label = words(text, style, size * most / label.half.x);
+        }
+        let mut group = Group::default();
+        group.fill(label.path.moved(at), ink);
+        self.picture.groups.push(group);
+        self.picture.texts.push(TextBox {
+            text: text.to_string(),
+            from: (at - label.half).to_array(),
+            to: (at + label.half).to_array(),
+        });
+    }
+
+    fn arrow(&mut self, from: DVec2, to: DVec2) {
+        let ink = Ink::Of(Status::Kept);
+        let mut group = Group::default();
+        for aside in [-2.6, 2.6] {
+            let by = DVec2::Y * aside;
+            let line = Curve::through([from + by, to - DVec2::X * 5.0 + by]);
+            group.stroke(Path::along(&line), Stroke::solid(ink, 1.6));
+        }
+        let back = [-1.0, 1.0].map(|sign| to + DVec2::new(-9.0, 8.0 * sign));
+        group.stroke(
+            Path::along(&Curve::through([back[0], to, back[1]])),
+            Stroke::solid(ink, 1.6),
+        );
+        self.picture.groups.push(group);
+    }
+
+    /// Adds the legend and takes the measure.
+    fn finish(mut self, width: f64) -> Picture {
+        let statuses: Vec<_> = Status::ALL
+            .into_iter()
+            .filter(|status| self.statuses.contains(status))
+            .collect();
+        let labels: Vec<_> = statuses
+            .into_iter()
+            .map(|status| (status, words(status.word(), Style::Upright, CAPTION)))
+            .collect();
+        let widths = labels
+            .iter()
+            .map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
+        let mut x = MARGIN + (width - widths.sum::<f64>() + 30.0) / 2.0;
+        for (status, label) in labels {
+            let at = DVec2::new(x, self.y);
+            let mut group = Group::default();
+            let line = Curve::through([at, at + DVec2::X * 30.0]);
+            harpoon(&mut group, &line, status);
+            self.picture.groups.push(group);
+            let middle = at + DVec2::new(38.0 + label.half.x, 0.0);
+            self.words(status.word(), Style::Upright, CAPTION, Ink::Muted, middle);
+            x += 38.0 + 2.0 * label.half.x + 30.0;
+        }
+        self.picture.size = DVec2::new(width + 2.0 * MARGIN, self.y + 22.0);
+        self.picture
+    }
+}

@@ -1,0 +1,101 @@
+//! What becomes of each name: kept, reassigned, new or erased.
+
+use crate::diagram::{Drawing, Kind, NameId};
+
+/// What becomes of an element, path or fan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) enum Status {
+    /// It is the same on both sides.
+    Kept,
+    /// It is on both sides, but hangs together with others.
+    Reassigned,
+    /// It is only in `after`.
+    New,
+    /// It is only in `before`.
+    Erased,
+}
+
+impl Status {
+    /// All, in the order of a legend.
+    pub const ALL: [Status; 4] = [
+        Status::Kept,
+        Status::Reassigned,
+        Status::New,
+        Status::Erased,
+    ];
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Kept => "kept",
+            Status::Reassigned => "reassigned",
+            Status::New => "new",
+            Status::Erased => "erased",
+        }
+    }
+
+    /// What becomes of a name.
+    pub fn of(drawing: &Drawing, name: NameId) -> Self {
+        if drawing.created(name).is_some() {
+            return Status::New;
+        }
+        if drawing.erased(name).is_some() {
+            return Status::Erased;
+        }
+        let (before, after) = (&drawing.before, &drawing.after);
+        let item = |item| {
+            before.item_after(item) != after.item_after(item)
+                || before.face(item) != after.face(item)
+                || drawing.origin_before(item) != drawing.origin_after(item)
+        };
+        let changed = match drawing.rule.kind(name) {
+            Kind::Halfedge => {
+                item(name)
+                    || before.twin(name) != after.twin(name)
+                    || before.edge(name) != after.edge(name)
+            }
+            Kind::Path => item(name),
+            Kind::Fan => before.star_of_spoke(name) != after.star_of_spoke(name),
+            Kind::Edge => edge_moves(drawing, name),
+            Kind::Face => loop_changes(drawing, name),
+            Kind::Vertex => {
+                let mut set = drawing.rule.assignments.iter();
+                set.any(|assignment| assignment.target.name == name)
+            }
+        };
+        if changed {
+            Status::Reassigned
+        } else {
+            Status::Kept
+        }
+    }
+}
+
+/// Whether an edge gets other halfedges, or these other ends.
+fn edge_moves(drawing: &Drawing, edge: NameId) -> bool {
+    let ends = |view: &crate::diagram::View, origin: &dyn Fn(NameId) -> Option<NameId>| {
+        let statement = view.edge_statement(edge)?;
+        let mut ends = statement
+            .halfedges
+            .map(|halfedge| (halfedge.name, origin(halfedge.name)));
+        ends.sort();
+        Some(ends)
+    };
+    let before = ends(&drawing.before, &|halfedge| drawing.origin_before(halfedge));
+    let after = ends(&drawing.after, &|halfedge| drawing.origin_after(halfedge));
+    before != after
+}
+
+/// Whether other halfedges and paths follow each other around a face.
+fn loop_changes(drawing: &Drawing, face: NameId) -> bool {
+    let around = |view: &crate::diagram::View| {
+        let orbit = view.loop_of_face(face)?;
+        let mut items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+        // The loop may be written from any of its vertices on.
+        let first = items.iter().enumerate().min_by_key(|(_, item)| **item);
+        let first = first.map_or(0, |(at, _)| at);
+        items.rotate_left(first);
+        Some(items)
+    };
+    around(&drawing.before) != around(&drawing.after)
+}

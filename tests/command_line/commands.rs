@@ -1,0 +1,246 @@
+//! Every command, for people and for programs.
+
+use crate::bench::{Bench, TETRAHEDRON, example, flip};
+
+#[test]
+fn check_tells_what_was_proved() {
+    let bench = Bench::new();
+    let told = bench.succeeds(&["check", &example("flip.hedge"), &example("split.hedge")]);
+    assert!(
+        told.contains("proved  flip      1 case  V ±0  E ±0  F ±0  constant time"),
+        "{told}"
+    );
+    assert!(
+        told.contains("proved  split interior  1 case  V +1  E +3  F +2  constant time"),
+        "{told}"
+    );
+    let told = bench.json(&["check", &example("split.hedge")]);
+    assert_eq!(told["proved"], true);
+    let rule = &told["files"][0]["ops"][0]["rules"][1];
+    assert_eq!(rule["rule"], "border");
+    assert_eq!(rule["edges"], 2);
+    assert_eq!(rule["constant_time"], true);
+}
+
+#[test]
+fn check_tells_what_is_wrong() {
+    let bench = Bench::new();
+    let flip = std::fs::read_to_string(example("flip.hedge")).unwrap();
+    let broken = flip.replacen("    edge e: a | d\n  }\n}", "  }\n}", 1);
+    assert_ne!(flip, broken);
+    bench.write("broken.hedge", broken);
+    let said = bench.fails(1, &["check", "broken.hedge"], "error[missing-reassignment]");
+    assert!(said.err.contains("insert `edge e: a | d`"), "{}", said.err);
+    assert!(said.out.contains("not proved  flip\n"), "{}", said.out);
+    assert!(said.out.contains("proved      flip_any"), "{}", said.out);
+
+    let said = bench.run(&["check", "broken.hedge", "--format", "json"]);
+    assert_eq!((said.code, said.err.as_str()), (1, ""));
+    let told: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(told["proved"], false);
+    let error = &told["files"][0]["diagnostics"][0];
+    assert_eq!(error["code"], "missing-reassignment");
+    assert_eq!(error["labels"][0]["line"], 20);
+    assert_eq!(error["fixes"][0]["edits"][0]["text"], "\n    edge e: a | d");
+}
+
+#[test]
+fn run_writes_a_mesh_and_a_table() {
+    let bench = Bench::new();
+    let arguments = [
+        "run",
+        &example("remesh.hedge"),
+        &example("meshes/bunny.obj"),
+        "-o",
+        "out.obj",
+        "--set",
+        "iterations=1",
+    ];
+    let told = bench.succeeds(&arguments);
+    for words in [
+        "op        applied  refused",
+        "boundary loops",
+        "seconds: load ",
+    ] {
+        assert!(told.contains(words), "{told}");
+    }
+    let summary = bench.json(&["info", "out.obj"]);
+    assert_eq!(summary["measures"]["genus"], 0, "{summary}");
+    assert_eq!(summary["level"], "simple", "{summary}");
+
+    // As data, what the script prints goes the other way.
+    let said = bench.run(&[&arguments[..], &["--format", "json"]].concat());
+    assert_eq!(said.code, 0);
+    assert!(said.err.contains("aiming at edges"), "{}", said.err);
+    let told: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(told["script"], "remesh");
+    assert_eq!(told["before"]["vertices"], 1839);
+    assert_eq!(told["ops"][0]["op"], "split");
+}
+
+#[test]
+fn a_script_that_fails_points_at_the_place_and_writes_nothing() {
+    let bench = Bench::with_square();
+    bench.write(
+        "s.hedge",
+        "script s() { print 1 div (count(vertices) - 4) }",
+    );
+    bench.fails(
+        1,
+        &["run", "s.hedge", "square.obj", "-o", "out.obj"],
+        "s.hedge:1:20",
+    );
+    assert_eq!(bench.files(), ["s.hedge", "square.obj"]);
+}
+
+#[test]
+fn apply_does_one_thing_at_one_place() {
+    let bench = Bench::with_square();
+    let at = ["--at", "edge:1-3", "-o", "out.obj"];
+    let told = bench.succeeds(&[&["apply", &flip(), "square.obj"], &at[..]].concat());
+    assert_eq!(
+        told,
+        "applied flip\nnow      4 vertices, 5 edges, 2 faces\n"
+    );
+    assert!(
+        bench.read("out.obj").contains("f 4 2 3\n"),
+        "{}",
+        bench.read("out.obj")
+    );
+
+    let split = example("split.hedge");
+    let told = bench.json(&[&["apply", &split, "square.obj"], &at[..]].concat());
+    assert_eq!(told["applied"], true);
+    assert_eq!(told["result"], "vertex:5");
+    assert_eq!(told["after"]["faces"], 4);
+    let created = told["created"].as_array().unwrap();
+    assert!(created.contains(&"face:3".into()), "{told}");
+}
+
+#[test]
+fn a_refusal_has_a_code_a_reason_and_no_output() {
+    let bench = Bench::new();
+    bench.write("t.obj", TETRAHEDRON);
+    let arguments = [
+        "apply",
+        &flip(),
+        "t.obj",
+        "--at",
+        "edge:1-2",
+        "-o",
+        "out.obj",
+    ];
+    let said = bench.fails(3, &arguments, "refused: the edge v2 v3 is already there\n");
+    assert_eq!(said.out, "");
+    let said = bench.fails(
+        3,
+        &[&arguments[..], &["--format", "json"]].concat(),
+        "refused: ",
+    );
+    let told: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(told["applied"], false);
+    assert_eq!(told["refused"], "the edge v2 v3 is already there");
+    assert_eq!(told["before"], told["after"]);
+    assert_eq!(bench.files(), ["t.obj"]);
+}
+
+#[test]
+fn an_edge_is_taken_the_way_it_is_written() {
+    let bench = Bench::with_square();
+    bench.write(
+        "from.hedge",
+        "op pull(e: edge) -> v0 {
+           before { loop f: v0 -a-> v1 =P=> v0  edge e: a | d }
+           after { keep f e  v0.position = v1.position }
+         }",
+    );
+    for (at, moved) in [
+        ("edge:1-3", "v 1 1 0\nv 1 0 0\n"),
+        ("edge:3-1", "v 0 0 0\nv 1 0 0\nv 0 0 0\n"),
+    ] {
+        bench.succeeds(&[
+            "apply",
+            "from.hedge",
+            "square.obj",
+            "--at",
+            at,
+            "-o",
+            "out.obj",
+        ]);
+        let out = bench.read("out.obj");
+        assert!(out.starts_with(moved), "{at}: {out}");
+    }
+}
+
+#[test]
+fn several_elements_are_given_by_name() {
+    let bench = Bench::new();
+    bench.write(
+        "quad.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+    );
+    let connect = example("connect.hedge");
+    let with = |places: &[&str]| {
+        let places = places.iter().flat_map(|place| ["--at", place]);
+        let arguments = ["apply", &connect, "quad.obj", "-o", "out.obj"];
+        bench.run(&arguments.into_iter().chain(places).collect::<Vec<_>>())
+    };
+    let said = with(&["a=halfedge:1-2", "b=halfedge:3-4"]);
+    assert_eq!((said.code, said.err.as_str()), (0, ""));
+    assert!(said.out.contains("edge:"), "{}", said.out);
+    for (places, words) in [
+        (&["halfedge:1-2"][..], "several element parameters"),
+        (&["a=halfedge:1-2"], "`b` is missing"),
+        (&["a=halfedge:1-2", "a=halfedge:3-4"], "`a` is given twice"),
+        (&["a=halfedge:1-2", "b=edge:3-4"], "`b` is of type halfedge"),
+    ] {
+        let said = with(places);
+        assert_eq!(said.code, 2, "{said:?}");
+        assert!(said.err.contains(words), "{said:?}");
+    }
+}
+
+#[test]
+fn plan_prints_four_phases() {
+    let bench = Bench::new();
+    let told = bench.succeeds(&["plan", &flip()]);
+    let phases = ["1. collect", "2. allocate", "3. reassign", "4. erase"];
+    let places: Vec<_> = phases.iter().map(|phase| told.find(phase)).collect();
+    assert!(
+        places.iter().all(Option::is_some) && places.is_sorted(),
+        "{told}"
+    );
+    assert!(told.contains("\n   a.next       = c\n"), "{told}");
+    assert!(told.contains("\n · a.face       = f0\n"), "{told}");
+    let widest = told.lines().map(|line| line.chars().count()).max();
+    assert!(widest <= Some(80), "{told}");
+}
+
+#[test]
+fn info_describes_a_mesh() {
+    let bench = Bench::with_square();
+    let told = bench.succeeds(&["info", "square.obj"]);
+    for words in [
+        "vertices              4\n",
+        "valid, of level simple",
+        "boundary loops        1\n",
+    ] {
+        assert!(told.contains(words), "{told}");
+    }
+    let told = bench.json(&["info", "square.obj"]);
+    assert_eq!(told["vertices"], 4);
+    assert_eq!(told["holes"], 1);
+}
+
+#[test]
+fn every_line_of_help_fits_a_terminal() {
+    let bench = Bench::new();
+    for command in ["", "check", "run", "apply", "plan", "info"] {
+        let arguments = [command, "--help"];
+        let arguments = arguments.into_iter().filter(|word| !word.is_empty());
+        let told = bench.succeeds(&arguments.collect::<Vec<_>>());
+        for line in told.lines() {
+            assert!(line.chars().count() <= 80, "{command}: {line}");
+        }
+    }
+}

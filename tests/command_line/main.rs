@@ -1,0 +1,10 @@
+//! The binary, as a person or a program meets it: what it answers, its exit codes, and that
+//! no input whatsoever makes it panic or leaves half a file behind.
+
+mod bench;
+mod commands;
+mod meshes;
+mod outputs;
+mod programs;
+mod streams;
+mod usage;

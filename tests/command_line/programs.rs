@@ -1,0 +1,124 @@
+//! Programs that are none: a message with the place and an exit code.
+
+use crate::bench::{Bench, example};
+use crate::meshes::noise;
+
+#[test]
+fn not_a_text() {
+    let bench = Bench::new();
+    bench.write("noise.hedge", noise(5000));
+    bench.write("latin.hedge", b"// fine\n// caf\xe9\n");
+    for name in ["noise.hedge", "latin.hedge"] {
+        bench.fails(2, &["check", name], "is not UTF-8 text");
+    }
+    bench.fails(2, &["check", "latin.hedge"], "line 2");
+    bench.fails(2, &["check", "nothing.hedge"], "nothing.hedge");
+    bench.fails(2, &["check", "."], "`.`");
+}
+
+#[test]
+fn an_empty_program_is_in_order() {
+    let bench = Bench::new();
+    for text in ["", "\n", "\u{feff}", "// nothing\n"] {
+        bench.write("empty.hedge", text);
+        assert_eq!(
+            bench.succeeds(&["check", "empty.hedge"]),
+            "empty.hedge: no operations\n"
+        );
+    }
+}
+
+#[test]
+fn the_other_files_are_looked_at_all_the_same() {
+    let bench = Bench::new();
+    let said = bench.fails(
+        2,
+        &["check", "nothing.hedge", &example("flip.hedge")],
+        "nothing.hedge",
+    );
+    assert!(said.out.contains("proved  flip"), "{said:?}");
+}
+
+#[test]
+fn depth_and_size() {
+    let bench = Bench::new();
+    let million = 1_000_000;
+    let texts = [
+        "(".repeat(100_000),
+        "{".repeat(100_000),
+        format!("op f(e: edge) {{ before {}", "{".repeat(100_000)),
+        format!("script s() {{ let x = {}1 }}", "(".repeat(100_000)),
+        format!("script s() {{ let x = {}1 }}", "-".repeat(100_000)),
+        format!("script s() {{ let x = {}true }}", "not ".repeat(100_000)),
+        format!("script s() {{ let x = 1{} }}", " + 1".repeat(100_000)),
+        format!("script s() {{ {} }}", "if true { } else ".repeat(100_000)),
+        format!("script s() {{ {}", "repeat 2 { ".repeat(100_000)),
+        "{".repeat(3 * million),
+        "}".repeat(3 * million),
+        "{}".repeat(2 * million),
+        "[".repeat(million),
+        "op ".repeat(million),
+        "a".repeat(3 * million),
+        "\"".repeat(million),
+        "\u{1d11e}".repeat(million),
+    ];
+    for text in texts {
+        bench.write("deep.hedge", &text);
+        let said = bench.fails(1, &["check", "deep.hedge"], "error[");
+        let start: String = text.chars().take(40).collect();
+        assert!(said.err.len() < 100_000, "{start}: {}", said.err.len());
+    }
+}
+
+#[test]
+fn a_program_cut_anywhere_has_a_message() {
+    let bench = Bench::new();
+    for name in ["collapse.hedge", "remesh.hedge"] {
+        let text = std::fs::read_to_string(example(name)).unwrap();
+        let start = text.find("op ").unwrap() + 3;
+        let mut cut = 0;
+        for end in (start..text.len() - 3).step_by(97) {
+            bench.write("cut.hedge", &text[..text.floor_char_boundary(end)]);
+            let said = bench.run(&["check", "cut.hedge"]);
+            // A cut between two items leaves a whole program.
+            assert!(matches!(said.code, 0 | 1), "{end}: {said:?}");
+            assert_eq!(
+                said.code == 1,
+                said.err.contains("error["),
+                "{end}: {said:?}"
+            );
+            cut += said.code;
+        }
+        assert!(cut > 10, "{name}");
+    }
+}
+
+#[test]
+fn nothing_runs_that_is_not_proved() {
+    let bench = Bench::with_square();
+    bench.write(
+        "bad.hedge",
+        "op drop(e: edge) {
+           before { loop f: v0 -a-> v1 =P=> v0  edge e: a | d }
+           after { keep f }
+         }
+         script s() { for e in edges { drop(e) } }",
+    );
+    let words = "error[missing-reassignment]";
+    for arguments in [
+        &["plan", "bad.hedge"][..],
+        &[
+            "apply",
+            "bad.hedge",
+            "square.obj",
+            "--at",
+            "edge:1-2",
+            "-o",
+            "out.obj",
+        ],
+        &["run", "bad.hedge", "square.obj", "-o", "out.obj"],
+    ] {
+        bench.fails(1, arguments, words);
+    }
+    assert!(!bench.has("out.obj"));
+}

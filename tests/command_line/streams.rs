@@ -1,0 +1,86 @@
+//! Readers that go away, and colours.
+
+use std::io::Read;
+use std::process::Stdio;
+
+use crate::bench::{Bench, example};
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    let bench = Bench::with_square();
+    let script = "script s() { repeat 20000 { print \"a line of some length\" } }";
+    bench.write("s.hedge", script);
+    let flip = example("flip.hedge");
+    let plan = format!("{flip}::flip");
+    for arguments in [
+        &["run", "s.hedge", "square.obj", "-o", "out.obj"][..],
+        &["check", &flip],
+        &["check", &flip, "--format", "json"],
+        &["plan", &plan],
+        &["info", "square.obj"],
+        &["--help"],
+    ] {
+        let mut command = bench.command(arguments);
+        let mut child = command
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut out = child.stdout.take().unwrap();
+        let _ = out.read(&mut [0]);
+        drop(out);
+        let output = child.wait_with_output().unwrap();
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {err}");
+        assert_eq!(err, "", "{arguments:?}");
+    }
+    assert!(bench.has("out.obj"), "the result is written all the same");
+}
+
+#[test]
+fn no_colours_but_on_a_terminal() {
+    let bench = Bench::new();
+    bench.write(
+        "bad.hedge",
+        "op f(e: edge) { before { edge e: a | d } after { } }",
+    );
+    for colour in [None, Some(""), Some("1")] {
+        let mut command = bench.command(&["check", "bad.hedge"]);
+        match colour {
+            Some(value) => command.env("NO_COLOR", value),
+            None => command.env_remove("NO_COLOR"),
+        };
+        let output = command.env("CLICOLOR_FORCE", "1").output().unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert!(err.contains("error[") && !err.contains('\u{1b}'), "{err}");
+    }
+}
+
+/// On a terminal, which `script` of util-linux makes, there are colours; not with `NO_COLOR`.
+#[cfg(target_os = "linux")]
+#[test]
+fn colours_on_a_terminal() {
+    let bench = Bench::new();
+    bench.write(
+        "bad.hedge",
+        "op f(e: edge) { before { edge e: a | d } after { } }",
+    );
+    let shown = |no_colour: &str| {
+        let line = format!("{} check bad.hedge", env!("CARGO_BIN_EXE_hedgerow"));
+        let mut command = std::process::Command::new("script");
+        command
+            .args(["-qec", &line, "/dev/null"])
+            .current_dir(bench.path(""))
+            .env("NO_COLOR", no_colour)
+            .stdin(Stdio::null());
+        let output = command.output().ok()?;
+        let shown = String::from_utf8_lossy(&output.stdout).into_owned();
+        shown.contains("error[").then_some(shown)
+    };
+    let (Some(with), Some(without)) = (shown(""), shown("1")) else {
+        return; // no such program here
+    };
+    assert!(with.contains('\u{1b}'), "{with}");
+    assert!(!without.contains('\u{1b}'), "{without}");
+}

@@ -1,0 +1,118 @@
+//! The examples' pictures.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use hedgerow::draw::{draw_op, text_op};
+
+use super::{example_ops, folder};
+
+#[test]
+fn pictures_are_as_committed() {
+    let update = std::env::var_os("UPDATE").is_some();
+    let mut names = BTreeSet::new();
+    for (stem, op) in example_ops() {
+        let name = match op.name == stem {
+            true => stem,
+            false => format!("{stem}-{}", op.name),
+        };
+        for (end, drawn) in [("svg", draw_op(&op).svg()), ("txt", text_op(&op))] {
+            let name = format!("{name}.{end}");
+            let path = folder("examples/pictures").join(&name);
+            if update {
+                fs::write(&path, &drawn).expect("a writable folder");
+            }
+            let committed = fs::read_to_string(&path).unwrap_or_default();
+            assert!(
+                committed == drawn,
+                "{name} is not as committed: run with UPDATE=1 and look at it"
+            );
+            names.insert(name);
+        }
+    }
+    for entry in fs::read_dir(folder("examples/pictures")).expect("the pictures") {
+        let name = entry.expect("a readable entry").file_name();
+        let name = name.to_string_lossy().into_owned();
+        assert!(names.contains(&name), "{name} is a picture of nothing");
+    }
+}
+
+#[test]
+fn every_named_element_has_an_id_and_a_title() {
+    let mut seen = 0;
+    for (_, op) in example_ops() {
+        let svg = draw_op(&op).svg();
+        for rule in &op.rules {
+            let label = rule.label.as_ref().map(|label| format!("{label}-"));
+            for name in rule.names.iter().filter(|name| name.named) {
+                let word = name.text.replace('\'', "-prime");
+                let id = |side| {
+                    let label = label.as_deref().unwrap_or("");
+                    format!("id=\"{}-{label}{side}-{word}\"", op.name)
+                };
+                let drawn = svg.contains(&id("before")) || svg.contains(&id("after"));
+                assert!(drawn, "{} does not show `{}`", op.name, name.text);
+                let title = format!("<title>{} {}, ", name.kind.word(), name.text);
+                assert!(svg.contains(&title), "{}: no title {title}", op.name);
+                seen += 1;
+            }
+        }
+        let ids = svg
+            .split(" id=\"")
+            .skip(1)
+            .map(|part| part.split('"').next());
+        let ids: Vec<_> = ids.collect();
+        let once: BTreeSet<_> = ids.iter().collect();
+        assert_eq!(ids.len(), once.len(), "an id of {} stands twice", op.name);
+    }
+    assert!(seen > 100);
+}
+
+#[test]
+fn no_two_texts_overlap() {
+    let mut pairs = 0;
+    for (stem, op) in example_ops() {
+        let picture = draw_op(&op);
+        let texts = picture.texts();
+        for (at, a) in texts.iter().enumerate() {
+            for b in &texts[..at] {
+                let apart =
+                    (0..2).any(|axis| a.to[axis] <= b.from[axis] || b.to[axis] <= a.from[axis]);
+                assert!(
+                    apart,
+                    "{stem}::{}: `{}` covers `{}`",
+                    op.name, a.text, b.text
+                );
+                pairs += 1;
+            }
+            let [width, height] = picture.size();
+            let inside =
+                a.from[0] >= 0.0 && a.from[1] >= 0.0 && a.to[0] <= width && a.to[1] <= height;
+            assert!(inside, "{stem}::{}: `{}` lies outside", op.name, a.text);
+        }
+    }
+    assert!(pairs > 1000);
+}
+
+#[test]
+fn no_two_edges_cross() {
+    for (stem, op) in example_ops() {
+        assert_eq!(draw_op(&op).crossings(), 0, "{stem}::{}", op.name);
+    }
+}
+
+#[test]
+fn drawing_twice_is_drawing_once() {
+    for (_, op) in example_ops() {
+        assert_eq!(draw_op(&op).svg(), draw_op(&op).svg());
+    }
+}
+
+#[test]
+fn a_picture_is_an_image() {
+    for (_, op) in example_ops().into_iter().take(3) {
+        let image = draw_op(&op).png(1.0).expect("small enough");
+        assert!(image.starts_with(b"\x89PNG"));
+        assert!(draw_op(&op).png(1e9).is_err());
+    }
+}

@@ -1,0 +1,48 @@
+//! Pictures: those of the examples as committed, and that there is always one.
+//!
+//! `UPDATE=1` writes the pictures of the examples anew; look at them then.
+
+mod examples;
+mod meshes;
+mod mutants;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use hedgerow::analysis::Analysis;
+use hedgerow::diagram::Op;
+use hedgerow::source::Sources;
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+/// The operations of the examples, each with the stem of its file, in order.
+fn example_ops() -> Vec<(String, Op)> {
+    let entries = fs::read_dir(folder("examples")).expect("the examples");
+    let mut paths: Vec<_> = entries
+        .map(|entry| entry.expect("a readable entry").path())
+        .filter(|path| path.extension().is_some_and(|end| end == "hedge"))
+        .collect();
+    paths.sort();
+    let mut ops = Vec::new();
+    for path in paths {
+        let stem = path.file_stem().expect("a name").to_string_lossy();
+        let text = fs::read_to_string(&path).expect("an example");
+        ops.extend(ops_of(&text).into_iter().map(|op| (stem.to_string(), op)));
+    }
+    assert!(ops.len() > 8, "only {} operations", ops.len());
+    ops
+}
+
+/// The operations of a text.
+fn ops_of(text: &str) -> Vec<Op> {
+    let mut sources = Sources::new();
+    let file = sources.add("test.hedge".to_string(), text.to_string());
+    let program = Analysis::of(&sources, file).program;
+    program
+        .ops
+        .into_iter()
+        .filter_map(|op| op.diagram)
+        .collect()
+}
