@@ -2,7 +2,7 @@
 //! reference.
 //!
 //! At each place the machine either refuses and leaves the mesh as it was, bit for bit, and
-//! then the reference finds no match, or a `require` said no; or it applies, the mesh passes
+//! then the reference finds no match, or a `require` or `guard` said no; or it applies, the mesh passes
 //! the validator, the counts change as the verdict says, and the result is that of a literal
 //! rewrite of one of the matches that the reference finds, and is what `after` draws.
 //!
@@ -177,7 +177,7 @@ impl<'s> Comparison<'s> {
         let mut agrees = false;
         for ((rule, verdict), found) in op.rules.iter().zip(rules).zip(&found) {
             let mut candidates: Vec<&Match> = found.iter().collect();
-            if rule.requires.is_empty() && !found.is_empty() {
+            if !asks(rule) && !found.is_empty() {
                 let first = self.first_orientations(original, rule, found, arguments);
                 if !first.is_empty() {
                     candidates = first;
@@ -196,7 +196,7 @@ impl<'s> Comparison<'s> {
                 );
                 break;
             }
-            if rule.requires.is_empty() && !found.is_empty() {
+            if !asks(rule) && !found.is_empty() {
                 break;
             }
         }
@@ -249,6 +249,11 @@ impl<'s> Comparison<'s> {
             .filter(|found| found.elements[half.index()] == Some(first))
             .collect()
     }
+}
+
+/// Whether a rule may refuse where it matches.
+fn asks(rule: &hedgerow::diagram::Rule) -> bool {
+    !rule.requires.is_empty() || rule.guard.is_some()
 }
 
 /// How the numbers of vertices, edges, and faces with holes have changed.

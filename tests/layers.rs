@@ -12,7 +12,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("source", &[]),
     ("mesh", &[]),
     ("diagnostic", &["source"]),
-    ("diagram", &["source"]),
+    ("diagram", &["source", "mesh"]),
     ("rewrite", &["mesh", "source"]),
     ("syntax", &["source", "diagnostic"]),
     ("check", &["source", "diagnostic", "diagram", "mesh"]),

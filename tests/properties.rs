@@ -32,7 +32,14 @@ fn a_flip_keeps_everything() {
     let flip = verdict(include_str!("../examples/flip.hedge"));
     assert_eq!(
         flip.keeps,
-        ["triangles", "euler", "boundary", "constant_time"]
+        [
+            "triangles",
+            "euler",
+            "boundary",
+            "constant_time",
+            "surface",
+            "simple"
+        ]
     );
     let degrees: Vec<_> = flip
         .degrees

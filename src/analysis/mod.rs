@@ -10,4 +10,4 @@ mod verdict;
 pub use crate::check::{Argument, Counterexample};
 pub use argument::{RuleArgument, why_proved};
 pub use program::Analysis;
-pub use verdict::{RuleVerdict, Verdict, verdicts};
+pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, Verdict, verdicts};

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::Analysis;
-use crate::check::{Facts, SizeChange};
+use crate::check::{Proof, SizeChange};
+use crate::diagram::{Level, Rule};
 
 /// What was proved of an operation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -37,16 +38,59 @@ pub struct RuleVerdict {
     pub grows_with: Vec<String>,
     /// The properties that are kept, in the words of `keeps`.
     pub keeps: Vec<&'static str>,
+    /// What its guard asks, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guard: Option<GuardVerdict>,
     /// How degrees change, by vertex: `-1 +S`; those that stay are left out.
     pub degrees: BTreeMap<String, String>,
     /// How the numbers of sides change, by face.
     pub sizes: BTreeMap<String, String>,
 }
 
+/// What a guard asks of the result.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct GuardVerdict {
+    /// Its level.
+    pub level: Level,
+    /// What is tested before anything is written.
+    pub tests: Vec<String>,
+    /// What needs no test, and why not.
+    pub proved: Vec<ProvedStatement>,
+}
+
+/// Something that a level asks and that cannot fail.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ProvedStatement {
+    /// What holds after.
+    pub statement: String,
+    /// Why it does.
+    pub because: &'static str,
+}
+
+impl GuardVerdict {
+    fn new(rule: &Rule, proof: &Proof) -> Option<Self> {
+        let (level, _) = rule.guard?;
+        let (mut tests, mut proved) = (Vec::new(), Vec::new());
+        for obligation in proof.guard() {
+            let statement = obligation.statement.claim(rule);
+            match obligation.because {
+                Some(because) => proved.push(ProvedStatement { statement, because }),
+                None => tests.push(statement),
+            }
+        }
+        Some(Self {
+            level,
+            tests,
+            proved,
+        })
+    }
+}
+
 impl RuleVerdict {
-    fn new(rule: Option<String>, facts: &Facts) -> Self {
+    fn new(rule: &Rule, proof: &Proof) -> Self {
+        let facts = proof.facts();
         Self {
-            rule,
+            rule: rule.label.clone(),
             cases: facts.cases,
             vertices: facts.change.vertices,
             edges: facts.change.edges,
@@ -54,6 +98,7 @@ impl RuleVerdict {
             constant_time: facts.grows_with.is_empty(),
             grows_with: facts.grows_with.clone(),
             keeps: facts.keeps.iter().map(|property| property.word()).collect(),
+            guard: GuardVerdict::new(rule, proof),
             degrees: changes(&facts.degrees),
             sizes: changes(&facts.sizes),
         }
@@ -88,6 +133,6 @@ pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
 fn rules(proved: &crate::check::Proved) -> Vec<RuleVerdict> {
     let rules = proved.op().rules.iter().zip(proved.proofs());
     rules
-        .map(|(rule, proof)| RuleVerdict::new(rule.label.clone(), proof.facts()))
+        .map(|(rule, proof)| RuleVerdict::new(rule, proof))
         .collect()
 }

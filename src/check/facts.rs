@@ -1,5 +1,6 @@
 //! What a proof establishes besides validity: the change of the counts, and the cost.
 
+use super::guard::Obligation;
 use super::matching::{Claim, Step};
 use super::properties::{SizeChange, degree_changes, kept, size_changes};
 use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
@@ -58,9 +59,14 @@ impl Change {
 
 impl Facts {
     /// Reads the facts of a proved rule off its drawing and its matching.
-    pub(super) fn of(drawing: &Drawing, matching: &[Step], cases: usize) -> Self {
+    pub(super) fn of(
+        drawing: &Drawing,
+        matching: &[Step],
+        guard: &[Obligation],
+        cases: usize,
+    ) -> Self {
         let change = Change::of(drawing.rule);
-        let grows_with = grows_with(drawing, matching);
+        let grows_with = grows_with(drawing, matching, guard);
         Self {
             cases,
             change,
@@ -72,7 +78,7 @@ impl Facts {
     }
 }
 
-fn grows_with(drawing: &Drawing, matching: &[Step]) -> Vec<String> {
+fn grows_with(drawing: &Drawing, matching: &[Step], guard: &[Obligation]) -> Vec<String> {
     let rule = drawing.rule;
     let mut grows = Vec::new();
     let attempts = matching.iter().filter_map(|step| match step {
@@ -104,6 +110,8 @@ fn grows_with(drawing: &Drawing, matching: &[Step]) -> Vec<String> {
     }
     grows.extend(moved_paths(drawing).map(|path| format!("the length of {}", rule.quoted(path))));
     grows.extend(moved_fans(drawing).map(|fan| format!("the size of {}", rule.quoted(fan))));
+    let tests = guard.iter().filter(|obligation| obligation.is_test());
+    grows.extend(tests.filter_map(|test| test.statement.grows_with(rule)));
     let mut seen = Vec::new();
     grows.retain(|item| {
         !seen.contains(item) && {

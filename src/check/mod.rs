@@ -18,9 +18,10 @@
 //! 8. [`new_is_placed`].
 //!
 //! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
-//! [`properties`] holds what `keeps` claims against the drawing, and [`reach`] finds the
-//! order in which the names are bound. Only this layer makes a
-//! [`Proved`], and only that can be compiled. Nothing here knows the machine.
+//! [`reach`] finds the order in which the names are bound, and [`properties`] holds what
+//! `keeps` claims against the drawing; for the levels, and for what a guard has to test, it
+//! asks [`guard`]. Only this layer makes a [`Proved`], and only that can be compiled. Nothing
+//! here knows the machine.
 
 mod argument;
 mod arrangement;
@@ -29,6 +30,8 @@ mod chain;
 mod claims;
 mod ends_agree;
 mod facts;
+pub mod guard;
+mod keeps;
 pub mod matching;
 mod mend;
 mod names_are_accounted_for;

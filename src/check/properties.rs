@@ -5,6 +5,7 @@
 //! halfedges, in which the length of a path follows from the loop it comes from.
 
 use super::facts::Change;
+use super::keeps;
 use super::problem::{Problem, join};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Op, Property};
@@ -37,6 +38,7 @@ pub(super) fn kept(drawing: &Drawing, change: Change, grows_with: &[String]) -> 
         Property::Euler => change.euler() == 0,
         Property::Boundary => keeps_boundary(drawing),
         Property::ConstantTime => grows_with.is_empty(),
+        Property::Level(level) => keeps::left_to_test(drawing, *level).is_empty(),
     };
     Property::ALL.into_iter().filter(keeps).collect()
 }
@@ -64,6 +66,9 @@ pub(super) fn broken_claims(
             let message = format!("{who} does not keep `{word}`");
             let diagnostic = Diagnostic::error("property-not-kept", message, span);
             let why = match property {
+                Property::Level(level) => {
+                    return keeps::not_kept(drawing, diagnostic, level).into();
+                }
                 Property::Triangles => wrong_size(drawing, 3),
                 Property::Quads => wrong_size(drawing, 4),
                 Property::Euler => Some(format!("V - E + F changes by {:+}", change.euler())),

@@ -3,6 +3,7 @@
 use super::argument::{self, Argument};
 use super::arrangement::Arc;
 use super::facts::Facts;
+use super::guard::{Obligation, obligations};
 use super::matching::Step;
 use super::problem::Problem;
 use super::vertices_are_orbits::Rings;
@@ -25,6 +26,7 @@ pub struct Proved {
 #[derive(Clone, Debug)]
 pub struct Proof {
     matching: Vec<Step>,
+    guard: Vec<Obligation>,
     facts: Facts,
     rings: Rings,
 }
@@ -45,6 +47,11 @@ impl Proof {
     /// How the rule is matched.
     pub fn matching(&self) -> &[Step] {
         &self.matching
+    }
+
+    /// What the guard of the rule asks of the result; some of it is left to test.
+    pub fn guard(&self) -> &[Obligation] {
+        &self.guard
     }
 
     /// What the proof established.
@@ -137,7 +144,11 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     stop_at(problems)?;
     let rings = vertices_are_orbits::test(&drawing)?;
     let matching = reach::matching(op, &drawing)?;
-    let facts = Facts::of(&drawing, &matching, rings.cases);
+    let guard = match rule.guard {
+        Some((level, _)) => obligations(&drawing, level),
+        None => Vec::new(),
+    };
+    let facts = Facts::of(&drawing, &matching, &guard, rings.cases);
     let Facts {
         keeps,
         change,
@@ -149,6 +160,7 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     ))?;
     Ok(Proof {
         matching,
+        guard,
         facts,
         rings,
     })

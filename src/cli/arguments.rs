@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::mesh::Level;
+
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
 #[command(name = "hedgerow", version, after_help = EXIT_CODES)]
@@ -125,9 +127,34 @@ pub(super) struct PlanArguments {
 pub(super) struct InfoArguments {
     /// The mesh (.obj), or tables of halfedges (.halfedges)
     pub mesh: PathBuf,
+    /// Only tell whether the mesh is of this level, and if not, why; then the exit code is 1
+    #[arg(long, value_enum, value_name = "LEVEL")]
+    pub level: Option<LevelName>,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+/// A level of mesh, as it is said on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum LevelName {
+    /// Every orbit is in order
+    Map,
+    /// As other mesh libraries want it: no pinches, no faces of two sides
+    Surface,
+    /// Edges and faces are told by their vertices
+    Simple,
+}
+
+impl LevelName {
+    /// The level.
+    pub fn level(self) -> Level {
+        match self {
+            Self::Map => Level::Map,
+            Self::Surface => Level::Surface,
+            Self::Simple => Level::Simple,
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -9,7 +9,9 @@ use super::failure::Failure;
 use super::output::{complain_of, say, say_json, table};
 use super::program;
 use super::witness::Witnesses;
-use crate::analysis::{RuleArgument, RuleVerdict, Verdict, verdicts, why_proved};
+use crate::analysis::{
+    GuardVerdict, ProvedStatement, RuleArgument, RuleVerdict, Verdict, verdicts, why_proved,
+};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
 
@@ -118,8 +120,21 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
         ("sides", changes(&rule.sizes)),
     ];
     let told = lines.into_iter().filter(|(_, text)| !text.is_empty());
-    told.map(|(what, text)| format!("      {what}: {text}"))
-        .collect()
+    let told = told.map(|(what, text)| format!("      {what}: {text}"));
+    told.chain(rule.guard.iter().flat_map(guard)).collect()
+}
+
+/// What a guard tests, and what it need not.
+fn guard(guard: &GuardVerdict) -> Vec<String> {
+    let tests = guard.tests.iter();
+    let tests = tests.map(|claim| format!("        tested: {claim}"));
+    let proved = guard.proved.iter();
+    let proved = proved.map(|proved| {
+        let ProvedStatement { statement, because } = proved;
+        format!("        proved: {statement}: {because}")
+    });
+    let title = format!("      guard {}, after it:", guard.level);
+    std::iter::once(title).chain(tests).chain(proved).collect()
 }
 
 /// What was established of a rule, in three parts.

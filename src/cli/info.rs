@@ -8,7 +8,9 @@ use super::arguments::{Format, InfoArguments};
 use super::failure::Failure;
 use super::meshes;
 use super::output::{say, say_json, table};
-use crate::mesh::{Bin, Element, Lengths, Measures, Summary, read_dump};
+use crate::mesh::{
+    Bin, Element, Lengths, Level, Measures, Mesh, Summary, read_dump, validate_level,
+};
 
 /// How many bars of a histogram are shown.
 const MOST_BARS: usize = 12;
@@ -27,6 +29,9 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
         return describe_dump(&shown, arguments);
     }
     let obj = meshes::read(&arguments.mesh)?;
+    if let Some(level) = arguments.level {
+        return tell_level(arguments, &obj.mesh, level.level());
+    }
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
         Format::Json => say_json(&summary),
@@ -84,6 +89,35 @@ struct DumpReport<'a> {
     remarks: &'a [String],
     meshes: BTreeMap<&'a str, Summary>,
     names: BTreeMap<&'a str, String>,
+}
+
+/// Whether a mesh is of a level.
+fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<(), Failure> {
+    let below = validate_level(mesh, level)
+        .err()
+        .map(|below| below.to_string());
+    let file = arguments.mesh.display();
+    match (arguments.format, &below) {
+        (Format::Json, _) => say_json(&LevelReport {
+            level,
+            holds: below.is_none(),
+            reason: below.as_deref(),
+        })?,
+        (Format::Human, None) => say(&format!("{file}: of level {level}")),
+        (Format::Human, Some(reason)) => say(&format!("{file}: not of level {level}: {reason}")),
+    }
+    match below {
+        None => Ok(()),
+        Some(_) => Err(Failure::Silent(1.into())),
+    }
+}
+
+#[derive(Serialize)]
+struct LevelReport<'r> {
+    level: Level,
+    holds: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'r str>,
 }
 
 fn show(file: &str, summary: &Summary) -> String {

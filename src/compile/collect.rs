@@ -3,6 +3,7 @@
 use super::operation::Output;
 use super::registers::Registers;
 use super::{lower, reason, width};
+use crate::check::guard::Obligation;
 use crate::check::matching::{Bound, Claim, Source, Step};
 use crate::check::{moved_fans, moved_paths};
 use crate::diagram::{Access, Drawing, Kind, LoopKind, NameId, Spoke};
@@ -31,7 +32,7 @@ pub(super) struct Collected {
 
 impl Collect<'_, '_, '_, '_> {
     /// The code of the whole phase.
-    pub fn emit(mut self, matching: &[Step]) -> Collected {
+    pub fn emit(mut self, matching: &[Step], guard: &[Obligation]) -> Collected {
         let drawing = self.drawing;
         let count = drawing.rule.names.len();
         let mut empty = vec![None; count];
@@ -55,18 +56,26 @@ impl Collect<'_, '_, '_, '_> {
             self.test(claim, &empty);
         }
         self.requires();
-        let values = self.values();
-        self.room();
-        let runs = self.runs();
-        Collected {
-            registers: self.registers,
+        let mut collected = Collected {
+            registers: self.registers.clone(),
             empty,
-            runs,
-            values,
+            runs: vec![None; count],
+            values: Vec::new(),
+        };
+        let is_guarded = guard.iter().any(Obligation::is_test);
+        if is_guarded {
+            collected.runs = self.runs();
+            self.guard(guard, &collected);
         }
+        collected.values = self.values();
+        self.room();
+        if !is_guarded {
+            collected.runs = self.runs();
+        }
+        collected
     }
 
-    fn row(&mut self, cell: Cell) {
+    pub(super) fn row(&mut self, cell: Cell) {
         self.rows.push(Row {
             cell,
             executed: true,
@@ -379,33 +388,46 @@ impl Collect<'_, '_, '_, '_> {
         let drawing = self.drawing;
         let mut runs = vec![None; drawing.rule.names.len()];
         for path in moved_paths(drawing) {
-            let buffer = self.output.asm.buffer();
-            runs[path.index()] = Some(buffer);
-            let from = self.registers.first(path);
-            let next = drawing
-                .before
-                .item_after(path)
-                .expect("a path of `before` lies in a loop");
-            let until = self.registers.element(next);
-            let whole = next == path;
-            self.output.asm.emit(Inst::Collect {
-                walk: Walk::Loop,
-                buffer,
-                from,
-                until,
-                whole,
-            });
-            let text = &drawing.rule.name(path).text;
-            self.row(Cell::Note(format!("collect the halfedges of {text}")));
+            runs[path.index()] = Some(self.collect_path(path));
         }
         for fan in moved_fans(drawing) {
-            let buffer = self.output.asm.buffer();
+            let buffer = self.buffer();
             runs[fan.index()] = Some(buffer);
             self.collect_fan(fan, buffer);
             let text = &drawing.rule.name(fan).text;
             self.row(Cell::Note(format!("collect the spokes of {text}")));
         }
         runs
+    }
+
+    /// Collects the halfedges of a path.
+    pub(super) fn collect_path(&mut self, path: NameId) -> u16 {
+        let buffer = self.buffer();
+        let from = self.registers.first(path);
+        let next = self
+            .drawing
+            .before
+            .item_after(path)
+            .expect("a path of `before` lies in a loop");
+        let until = self.registers.element(next);
+        let whole = next == path;
+        self.output.asm.emit(Inst::Collect {
+            walk: Walk::Loop,
+            buffer,
+            from,
+            until,
+            whole,
+        });
+        let text = &self.drawing.rule.name(path).text;
+        self.row(Cell::Note(format!("collect the halfedges of {text}")));
+        buffer
+    }
+
+    /// A buffer that is empty here: an attempt that failed may have filled it.
+    fn buffer(&mut self) -> u16 {
+        let buffer = self.output.asm.buffer();
+        self.output.asm.emit(Inst::BufferClear { buffer });
+        buffer
     }
 
     fn collect_fan(&mut self, fan: NameId, buffer: u16) {

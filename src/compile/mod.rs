@@ -7,6 +7,7 @@
 
 mod collect;
 mod expression;
+mod guard;
 mod operation;
 mod reason;
 mod reassign;

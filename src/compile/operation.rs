@@ -1,12 +1,12 @@
 //! An operation: its alternatives, tried in order.
 
 use super::collect::Collect;
-use super::reassign::Reassign;
+use super::reassign::{Onto, Reassign};
 use super::registers::Registers;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
-use crate::diagram::{Drawing, Kind, Rule};
-use crate::mesh::ElementKind;
+use crate::diagram::{Drawing, Kind, Op, Property, Rule};
+use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
     Assembler, Cell, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
 };
@@ -39,11 +39,32 @@ pub fn compile(proved: &Proved, sources: &Sources) -> Result<Plan, TooLarge> {
         name: op.name.clone(),
         params: widths,
         result: op.result.and_then(element_kind),
+        level: level(op),
+        keeps: kept_levels(proved),
         code: output.asm.finish()?,
         places: output.places,
         refusals: output.refusals,
         stages,
     })
+}
+
+/// The level of the meshes that an operation is for: the highest that a rule guards.
+fn level(op: &Op) -> Level {
+    let guards = op.rules.iter().filter_map(|rule| rule.guard);
+    guards.map(|(level, _)| level).max().unwrap_or(Level::Map)
+}
+
+/// The levels that every rule keeps.
+fn kept_levels(proved: &Proved) -> Vec<Level> {
+    let keeps = |level: &Level| {
+        let property = Property::Level(*level);
+        let mut proofs = proved.proofs().iter();
+        proofs.all(|proof| proof.facts().keeps.contains(&property))
+    };
+    [Level::Surface, Level::Simple]
+        .into_iter()
+        .filter(keeps)
+        .collect()
 }
 
 fn alternative(
@@ -66,12 +87,13 @@ fn alternative(
         fail,
         rows: &mut stage.collect,
     }
-    .emit(proof.matching());
+    .emit(proof.matching(), proof.guard());
     allocate(output, &drawing, &collected.registers, &mut stage.allocate);
     Reassign {
         output,
         drawing: &drawing,
         collected: &collected,
+        onto: Onto::Mesh,
         rows: &mut stage.reassign,
     }
     .emit();

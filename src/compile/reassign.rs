@@ -10,7 +10,57 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub output: &'o mut Output<'s>,
     pub drawing: &'d Drawing<'d>,
     pub collected: &'d Collected,
+    /// Where the pointers are set.
+    pub onto: Onto,
     pub rows: &'r mut Vec<Row>,
+}
+
+/// Where pointers are set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Onto {
+    /// On the mesh.
+    Mesh,
+    /// On the sheet over the mesh that guards look at.
+    Preview,
+}
+
+impl Onto {
+    /// The same store, there.
+    fn aim(self, inst: Inst) -> Inst {
+        match (self, inst) {
+            (
+                Onto::Preview,
+                Inst::Store {
+                    field,
+                    halfedge,
+                    value,
+                },
+            ) => Inst::PreviewStore {
+                field,
+                halfedge,
+                value,
+            },
+            (Onto::Preview, Inst::StoreHalfedge { of, element, value }) => {
+                Inst::PreviewStoreHalfedge { of, element, value }
+            }
+            (Onto::Preview, Inst::StoreHole { face, hole }) => {
+                Inst::PreviewStoreHole { face, hole }
+            }
+            (
+                Onto::Preview,
+                Inst::StoreAll {
+                    field,
+                    buffer,
+                    value,
+                },
+            ) => Inst::PreviewStoreAll {
+                field,
+                buffer,
+                value,
+            },
+            (_, inst) => inst,
+        }
+    }
 }
 
 impl Reassign<'_, '_, '_, '_> {
@@ -45,7 +95,7 @@ impl Reassign<'_, '_, '_, '_> {
     fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
         self.rows.push(Row::set(target, value, inst.is_some()));
         if let Some(inst) = inst {
-            self.output.asm.emit(inst);
+            self.output.asm.emit(self.onto.aim(inst));
         }
     }
 

@@ -16,3 +16,5 @@ pub use op::{
     Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property, Ref,
     Require, Rule, Side, Spoke, Star,
 };
+
+pub use crate::mesh::Level;

@@ -1,6 +1,6 @@
 //! Operations, rules, sides and the three kinds of orbit.
 
-use super::{Expr, Type};
+use super::{Expr, Level, Type};
 use crate::source::Span;
 
 /// What a name of a diagram stands for.
@@ -124,16 +124,20 @@ pub enum Property {
     Boundary,
     /// The time does not grow with the mesh.
     ConstantTime,
+    /// A mesh of the level stays one. Every mesh stays a map.
+    Level(Level),
 }
 
 impl Property {
-    /// All properties.
-    pub const ALL: [Property; 5] = [
+    /// All properties, but that every mesh stays a map.
+    pub const ALL: [Property; 7] = [
         Property::Triangles,
         Property::Quads,
         Property::Euler,
         Property::Boundary,
         Property::ConstantTime,
+        Property::Level(Level::Surface),
+        Property::Level(Level::Simple),
     ];
 
     /// The word for it after `keeps`.
@@ -144,6 +148,7 @@ impl Property {
             Property::Euler => "euler",
             Property::Boundary => "boundary",
             Property::ConstantTime => "constant_time",
+            Property::Level(level) => level.name(),
         }
     }
 }
@@ -177,6 +182,8 @@ pub struct Rule {
     pub before: Side,
     /// What must hold, in order.
     pub requires: Vec<Require>,
+    /// The level that the mesh has, and that it must have again afterwards.
+    pub guard: Option<(Level, Span)>,
     /// The drawing after.
     pub after: Side,
     /// What is created.

@@ -3,26 +3,20 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Assignment, NameId, Ref, Require, Type};
+use crate::diagram::{Access, Assignment, Level, NameId, Ref, Require, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
 use super::field::{attribute, attributes_of};
 use super::lookup::element_type;
 use super::names::Names;
-use super::parameter::Parameter;
-use super::report::not_yet;
+use super::report::Report;
 use super::suggestion::suggest;
 use super::typing::Typing;
 use super::words::{a_type, quoted};
 
-/// The conditions of a rule of `op`.
-pub(super) fn requires(
-    conditions: &[Condition],
-    op: &str,
-    params: &[Parameter],
-    typing: &mut Typing,
-) -> Vec<Require> {
+/// What a rule of `op` requires.
+pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) -> Vec<Require> {
     let mut requires = Vec::new();
     for condition in conditions {
         match condition {
@@ -42,18 +36,46 @@ pub(super) fn requires(
                     span: *span,
                 }));
             }
-            Condition::Guard { span, .. } => {
-                let edge = params.iter().find(|param| param.ty == Some(Type::Edge));
-                let edge = edge.map_or("e", |param| &param.name);
-                let error = not_yet("`guard` is not supported yet", *span).note(format!(
-                    "where an edge is collapsed, write `require link_condition({edge}) else \
-                     \"…\"`"
-                ));
-                typing.report.add(error);
-            }
+            Condition::Guard { .. } => {}
         }
     }
     requires
+}
+
+/// The level that a rule guards, and where it says so.
+pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Level, Span)> {
+    let mut first: Option<Span> = None;
+    let mut guard = None;
+    for condition in conditions {
+        let Condition::Guard { level: word, span } = condition else {
+            continue;
+        };
+        if let Some(first) = first {
+            let error = Diagnostic::error("guarded-twice", "the rule has two guards", *span)
+                .saying("guarded again")
+                .label(first, "guarded first");
+            report.add(error);
+            continue;
+        }
+        first = Some(*span);
+        match level(&word.text) {
+            Some(level) => guard = Some((level, *span)),
+            None => {
+                let names = Level::ALL.map(Level::name);
+                let message = format!("there is no level `{}`", word.text);
+                let error = Diagnostic::error("unknown-level", message, word.span);
+                let error = suggest(error, &word.text, word.span, names)
+                    .note(format!("the levels are {}", quoted(&names)));
+                report.add(error);
+            }
+        }
+    }
+    guard
+}
+
+/// The level of this name.
+fn level(word: &str) -> Option<Level> {
+    Level::ALL.into_iter().find(|level| level.name() == word)
 }
 
 /// The assignments of `after`, whose elements must not be among the `erased`.

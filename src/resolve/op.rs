@@ -16,9 +16,6 @@ use super::rule::{Context, resolve_rule};
 use super::suggestion::suggest;
 use super::words::quoted;
 
-/// Levels whose keeping is not proved yet.
-const LEVELS: [&str; 2] = ["surface", "simple"];
-
 /// What a call of an op needs to know.
 #[derive(Clone, Debug)]
 pub(super) struct Signature {
@@ -110,8 +107,7 @@ pub(super) fn resolve_op(
     (signature, resolved)
 }
 
-/// The properties that `keeps` claims. Levels are a claim that nobody proves yet; `map` is
-/// what the checker always proves.
+/// The properties that `keeps` claims; `map` is what the checker always proves.
 fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
     let mut properties = Vec::new();
     for word in keeps {
@@ -119,15 +115,11 @@ fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
         match Property::ALL.into_iter().find(known) {
             Some(property) => properties.push((property, word.span)),
             None if word.text == "map" => {}
-            None if LEVELS.contains(&word.text.as_str()) => {
-                let message = format!("that an op keeps `{}` is not checked yet", word.text);
-                report.add(Diagnostic::warning("not-yet", message, word.span));
-            }
             None => {
                 let message = format!("there is no property `{}` to keep", word.text);
                 let error = Diagnostic::error("unknown-property", message, word.span);
                 let words = Property::ALL.map(Property::word);
-                let words = [&words[..], &["map"], &LEVELS].concat();
+                let words = [&words[..], &["map"]].concat();
                 let error = suggest(error, &word.text, word.span, words.iter().copied())
                     .note(format!("the properties are {}", quoted(&words)));
                 report.add(error);

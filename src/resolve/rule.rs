@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Ref, Rule};
 use crate::syntax::tree::{self, Ident};
 
-use super::condition::{assignments, requires};
+use super::condition::{assignments, guard, requires};
 use super::declared::Declared;
 use super::drawing::{draw_after, draw_before};
 use super::lists::read_lists;
@@ -35,6 +35,8 @@ pub(super) fn resolve_rule(
     let drawn_after = draw_after(after, &drawn_before, &names, report);
     let lists = read_lists(after, &drawn_before, &names, report);
 
+    let guard = guard(&rule.conditions, report);
+
     let mut scopes = Scopes::default();
     scopes.enter();
     for param in context.params {
@@ -47,7 +49,7 @@ pub(super) fn resolve_rule(
         report,
     };
     let op = &context.op.name.text;
-    let requires = requires(&rule.conditions, op, context.params, &mut typing);
+    let requires = requires(&rule.conditions, op, &mut typing);
     let assignments = assignments(after, &names, &lists.erased, &mut typing);
 
     let result = match (&context.op.result, context.result) {
@@ -68,6 +70,7 @@ pub(super) fn resolve_rule(
         result,
         before: drawn_before,
         requires,
+        guard,
         after: drawn_after,
         created: lists.created,
         erased: lists.erased,

@@ -76,6 +76,32 @@ impl Elements {
     }
 }
 
+/// What can be asked of the result before it is written: the conditions of the levels,
+/// for one orbit each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Foreseen {
+    /// A face has three sides or more; a hole may have fewer.
+    ThreeSides,
+    /// A loop meets no vertex twice.
+    MeetsOnce,
+    /// A loop has no more than one corner at a vertex.
+    CornerOnce,
+    /// A vertex has two spokes or more, or none at all.
+    TwoSpokes,
+    /// At most one corner of a vertex lies in a hole.
+    OneHole,
+    /// No loop lies around a vertex twice.
+    FacesDiffer,
+    /// No two edges join a vertex to the same neighbor.
+    NeighborsDiffer,
+    /// No other edge has the ends of that of a halfedge.
+    SingleEdge,
+    /// No two faces around a vertex have the same set of corners.
+    CornersDiffer,
+    /// No other face around a vertex of a face has the same set of corners.
+    CornersOwn,
+}
+
 /// A flat program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Code {
@@ -529,6 +555,47 @@ pub enum Inst {
         from: Reg,
         goal: Reg,
         stop: Reg,
+    },
+    // Looking ahead: what would be written is noted on a sheet over the mesh, and asked
+    // about. The mesh stays as it is. Each traps as loads do.
+    /// An empty sheet.
+    PreviewClear,
+    /// A number for an element that would be created.
+    PreviewNew {
+        to: Reg,
+    },
+    PreviewStore {
+        field: HalfedgeField,
+        halfedge: Reg,
+        value: Reg,
+    },
+    PreviewStoreHalfedge {
+        of: ElementField,
+        element: Reg,
+        value: Reg,
+    },
+    PreviewStoreHole {
+        face: Reg,
+        hole: bool,
+    },
+    PreviewStoreAll {
+        field: HalfedgeField,
+        buffer: u16,
+        value: Reg,
+    },
+    /// Whether a condition would hold for an element: a face, vertex or halfedge; `at` is
+    /// the vertex, where it speaks of a face and a vertex.
+    Foresee {
+        condition: Foreseen,
+        to: Reg,
+        element: Reg,
+        at: Reg,
+    },
+    /// Whether a condition of vertices would hold where the halfedges of a buffer start.
+    ForeseeAlong {
+        condition: Foreseen,
+        to: Reg,
+        buffer: u16,
     },
     /// Gives up: the op refuses with the reason noted.
     Refuse,

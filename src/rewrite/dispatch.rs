@@ -313,6 +313,48 @@ impl Machine<'_> {
                     let ends = [w.id(goal), w.id(stop)];
                     w.set_truth(to, or_trap!(access::meets(mesh, walk, w.id(from), ends)));
                 }
+                PreviewClear => self.preview.clear(mesh),
+                PreviewNew { to } => w.set_id(to, self.preview.add()),
+                PreviewStore {
+                    field,
+                    halfedge,
+                    value,
+                } => {
+                    let (halfedge, value) = (w.id(halfedge), w.id(value));
+                    or_trap!(self.preview.store(mesh, field, halfedge, value));
+                }
+                PreviewStoreHalfedge { of, element, value } => {
+                    self.preview.store_halfedge(of, w.id(element), w.id(value));
+                }
+                PreviewStoreHole { face, hole } => self.preview.store_hole(w.id(face), hole),
+                PreviewStoreAll {
+                    field,
+                    buffer,
+                    value,
+                } => {
+                    let halfedges = buffer!(buffer);
+                    let all = self.preview.store_all(mesh, field, halfedges, w.id(value));
+                    or_trap!(all);
+                }
+                Foresee {
+                    condition,
+                    to,
+                    element,
+                    at: place,
+                } => {
+                    let (element, place) = (w.id(element), w.id(place));
+                    let holds = self.preview.foresees(mesh, condition, element, place);
+                    w.set_truth(to, or_trap!(holds));
+                }
+                ForeseeAlong {
+                    condition,
+                    to,
+                    buffer,
+                } => {
+                    let halfedges = buffer!(buffer);
+                    let holds = self.preview.foresees_along(mesh, condition, halfedges);
+                    w.set_truth(to, or_trap!(holds));
+                }
                 Refuse => {
                     let reason = noted.map(|(_, reason)| reason);
                     return Ok(Outcome::Refused { reason });

@@ -6,10 +6,11 @@
 //! which is the duty of whoever makes the code; a script that traps has done what it did
 //! so far.
 
+use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
-use crate::mesh::{ElementKind, Mesh};
+use crate::mesh::{ElementKind, Level, Mesh};
 
 /// How deep calls may be nested.
 const DEPTH: usize = 16;
@@ -20,10 +21,14 @@ pub struct Machine<'p> {
     pub(super) plans: &'p [Option<Plan>],
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
+    /// What guards look at.
+    pub(super) preview: Preview,
     pub(super) progress: Progress,
     /// The line that is being printed.
     pub(super) line: String,
     counts: Vec<Count>,
+    /// The level that the mesh surely has.
+    level: Level,
     /// Why the op called last refused.
     last_reason: Option<u16>,
     /// What was created, if anybody wants to know.
@@ -52,12 +57,21 @@ impl<'p> Machine<'p> {
             plans,
             stack: Vec::new(),
             buffers: Vec::new(),
+            preview: Preview::default(),
             progress: Progress::default(),
             line: String::new(),
             counts: plans.iter().map(count).collect(),
+            level: Level::Map,
             last_reason: None,
             created: None,
         }
+    }
+
+    /// Says that the mesh of the next run has a level. An operation for meshes of a higher
+    /// one that is called traps, and so it does after another has been applied that may have
+    /// left a lower one.
+    pub fn trust_level(&mut self, level: Level) {
+        self.level = level;
     }
 
     /// From now on remembers what each run creates.
@@ -127,6 +141,12 @@ impl<'p> Machine<'p> {
         if caller.depth >= DEPTH {
             return Err(Trap::new(Message::TooDeep));
         }
+        if plan.level > self.level {
+            return Err(Trap::new(Message::BelowLevel {
+                op: plan.name.clone(),
+                level: plan.level,
+            }));
+        }
         let call = caller.calling(op, plan);
         reserve(&mut self.stack, call.base);
         let from = caller.base + usize::from(args);
@@ -137,6 +157,9 @@ impl<'p> Machine<'p> {
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
         let outcome = self.execute(mesh, &call, watch)?;
+        if matches!(outcome, Outcome::Applied { .. }) {
+            self.level = plan.level_after(self.level);
+        }
         self.count(op, outcome);
         Ok(outcome)
     }

@@ -17,6 +17,7 @@ mod window;
 
 mod access;
 mod arithmetic;
+mod preview;
 mod print;
 
 mod trap;
@@ -24,7 +25,9 @@ mod watch;
 
 pub use assembler::{Assembler, Mark, TooLarge};
 pub use call::Outcome;
-pub use code::{Code, ElementField, Elements, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk};
+pub use code::{
+    Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk,
+};
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
 pub use print::{ElementText, RealText, VectorText};

@@ -1,7 +1,7 @@
 //! A compiled operation: its code, and the same as a table to read.
 
 use super::Code;
-use crate::mesh::ElementKind;
+use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
 
 /// A compiled operation.
@@ -14,6 +14,10 @@ pub struct Plan {
     pub params: Vec<u16>,
     /// The kind of its result.
     pub result: Option<ElementKind>,
+    /// The level of the meshes it is for: that of its guard.
+    pub level: Level,
+    /// The levels, of those that are more than a map, that a mesh keeps.
+    pub keeps: Vec<Level>,
     /// The code: match, allocate, reassign, erase; whole or not at all.
     pub code: Code,
     /// Where in the source the code can trap, by the numbers in [`Code::traps`].
@@ -22,6 +26,14 @@ pub struct Plan {
     pub refusals: Vec<Refusal>,
     /// Each alternative in four phases, to read.
     pub stages: Vec<Stage>,
+}
+
+impl Plan {
+    /// The highest level that a mesh of some level surely has when the op has been applied.
+    pub fn level_after(&self, level: Level) -> Level {
+        let kept = self.keeps.iter().filter(|&&kept| kept <= level);
+        kept.copied().max().unwrap_or(Level::Map)
+    }
 }
 
 /// Why an op can refuse.

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use crate::mesh::ElementKind;
+use crate::mesh::{ElementKind, Level};
 
 /// A run that could not go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,6 +55,13 @@ pub enum Message {
         /// Its reason.
         reason: String,
     },
+    /// An op with a guard is called on a mesh that may not be of its level.
+    BelowLevel {
+        /// Its name.
+        op: String,
+        /// The level.
+        level: Level,
+    },
     /// An op without a plan is called.
     Unproved,
     /// Calls are nested too deeply.
@@ -79,6 +86,10 @@ impl fmt::Display for Message {
             Message::Endless => f.write_str("the mesh is broken: a walk does not end"),
             Message::Said(text) => f.write_str(text),
             Message::Refused { op, reason } => write!(f, "`{op}` refused: {reason}"),
+            Message::BelowLevel { op, level } => write!(
+                f,
+                "`{op}` is for meshes of level {level}, and what was applied before may have left another"
+            ),
             Message::Unproved => f.write_str("the operation has not been proved"),
             Message::TooDeep => f.write_str("calls are nested too deeply"),
             Message::Interrupted => f.write_str("interrupted"),

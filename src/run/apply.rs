@@ -1,6 +1,6 @@
 //! One call of an operation, from outside of any script.
 
-use super::report::{Failure, diagnostic};
+use super::report::{Failure, diagnostic, expect_level};
 use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Mesh};
@@ -51,6 +51,11 @@ pub fn apply(
             report: Report::default(),
         })
     };
+    let place = program.ops.get(op).map(|op| match &op.diagram {
+        Some(diagram) => diagram.name_span,
+        None => op.span,
+    });
+    expect_level(plan, mesh, place.unwrap_or_default()).map_err(failure)?;
     let parameters = parameters_alone(program, op);
     let prepared = prepare(&parameters, 0, &[]).map_err(|mut errors| failure(errors.remove(0)))?;
     let mut code = prepared.code().clone();

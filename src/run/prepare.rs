@@ -22,6 +22,8 @@ pub struct Prepared<'p> {
     pub(super) assertions: Vec<u32>,
     /// The operations it may call, in the order of the program.
     pub(super) called: Vec<usize>,
+    /// Where it calls each of them first.
+    pub(super) calls: Vec<Span>,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -69,6 +71,7 @@ pub fn prepare<'p>(
         code: code.map_err(|too_large| vec![does_not_fit(script, too_large)])?,
         places: lowering.names.places,
         assertions: lowering.assertions,
+        calls: called.iter().map(|&(_, call)| call).collect(),
         called: called.into_iter().map(|(op, _)| op).collect(),
     })
 }

@@ -2,7 +2,7 @@
 
 use super::{Argument, Prepared};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::Mesh;
+use crate::mesh::{Level, Mesh, validate_level};
 use crate::rewrite::{Count, Machine, Message, Plan, Site, Trap, Watch};
 use crate::source::Span;
 
@@ -53,7 +53,14 @@ pub fn run(
             report: Report::default(),
         })
     })?;
+    let level = level(prepared, mesh).map_err(|diagnostic| {
+        Box::new(Failure {
+            diagnostic,
+            report: Report::default(),
+        })
+    })?;
     let mut machine = Machine::new(prepared.plans);
+    machine.trust_level(level);
     let outcome = machine.run(mesh, &code, &slots, watch);
     let report = report(prepared, machine.counts());
     match outcome {
@@ -63,6 +70,32 @@ pub fn run(
             report,
         })),
     }
+}
+
+/// The level that the operations with a guard need, if the mesh has it.
+fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
+    let mut level = Level::Map;
+    for (&op, &call) in prepared.called.iter().zip(&prepared.calls) {
+        if let Some(Some(plan)) = prepared.plans.get(op)
+            && plan.level > level
+        {
+            expect_level(plan, mesh, call)?;
+            level = plan.level;
+        }
+    }
+    Ok(level)
+}
+
+/// Whether the mesh has the level that an operation is for.
+pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), Diagnostic> {
+    if plan.level == Level::Map {
+        return Ok(());
+    }
+    validate_level(mesh, plan.level).map_err(|below| {
+        let (name, level) = (&plan.name, plan.level);
+        let message = format!("`{name}` is for meshes of level {level}, and this one is not");
+        Diagnostic::error("below-level", message, place).note(below.to_string())
+    })
 }
 
 fn report(prepared: &Prepared, counts: &[Count]) -> Report {
@@ -151,6 +184,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
             false => "aggregate-of-nothing",
         },
         Message::Refused { .. } => "op-refused",
+        Message::BelowLevel { .. } => "below-level",
         Message::Unproved => "unproved-op",
         Message::Interrupted => "interrupted",
         Message::WildPointer(_) | Message::OutOfRange | Message::TooDeep | Message::Malformed => {

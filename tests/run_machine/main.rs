@@ -5,7 +5,7 @@ mod mesh;
 mod operations;
 mod values;
 
-use hedgerow::mesh::Mesh;
+use hedgerow::mesh::{Level, Mesh};
 use hedgerow::rewrite::*;
 
 /// A code with that many parameter slots.
@@ -25,6 +25,8 @@ fn plan(name: &str, params: &[u16], refusals: &[(&str, Phase)], code: Code) -> P
         name: name.to_owned(),
         params: params.to_vec(),
         result: None,
+        level: Level::Map,
+        keeps: Vec::new(),
         code,
         places: Vec::new(),
         refusals: refusals.collect(),

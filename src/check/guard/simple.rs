@@ -1,0 +1,152 @@
+//! What `simple` asks beyond `surface`: edges and faces that are told by their vertices.
+
+use super::evidence;
+use super::obligation::{Obligation, Statement};
+use super::sketch::Sketch;
+use crate::diagram::{Loop, LoopKind, NameId};
+
+/// All of them.
+pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
+    let mut obligations = Vec::new();
+    // The vertices around which all edges, or all faces, are compared.
+    let mut by_edges = Vec::new();
+    let mut by_faces = Vec::new();
+    for vertex in sketch.vertices() {
+        let from = sketch.arcs(vertex);
+        if gathers(sketch, vertex, &from) {
+            by_edges.push(vertex);
+            let because = evidence::neighbors(sketch, vertex, &from);
+            let statement = Statement::NeighborsDiffer { vertex, from };
+            obligations.push(Obligation::new(statement, because));
+        }
+    }
+    for halfedge in sketch.halfedges().filter(|&half| is_changed(sketch, half)) {
+        obligations.extend(single_edge(sketch, halfedge, &by_edges));
+    }
+    for vertex in sketch.vertices() {
+        if gathers(sketch, vertex, &sketch.outside(vertex)) {
+            by_faces.push(vertex);
+            obligations.push(Obligation::new(Statement::CornersDiffer(vertex), None));
+        }
+    }
+    for orbit in sketch.loops() {
+        let seen = by_faces.iter().any(|&vertex| Sketch::draws(orbit, vertex));
+        if !seen && has_other_corners(sketch, orbit) {
+            obligations.push(corners_own(sketch, orbit));
+        }
+    }
+    obligations
+}
+
+/// Whether a vertex has pieces of stars that were apart, or a piece beside a star that it
+/// had.
+fn gathers(sketch: &Sketch, vertex: NameId, from: &[NameId]) -> bool {
+    let foreign = from.iter().any(|&source| source != vertex);
+    foreign && (sketch.drawing.survives(vertex) || from.len() > 1)
+}
+
+/// Whether the edge of a halfedge is new, or has moved an end; of two drawn twins, one is
+/// asked.
+fn is_changed(sketch: &Sketch, half: NameId) -> bool {
+    let drawing = sketch.drawing;
+    let moved = |half: NameId| drawing.origin_before(half) != drawing.origin_after(half);
+    match drawing.after.twin(half) {
+        Some(twin) if twin < half => false,
+        Some(twin) => drawing.before.twin(half) != Some(twin) || moved(half) || moved(twin),
+        None => moved(half),
+    }
+}
+
+fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option<Obligation> {
+    let drawing = sketch.drawing;
+    let ends = [
+        drawing.origin_after(halfedge)?,
+        drawing.target_after(halfedge)?,
+    ];
+    if ends.iter().any(|end| by_edges.contains(end)) {
+        return None;
+    }
+    let alone = sketch.drawn_edges_between(ends[0], ends[1]) == 1;
+    let named = ends.iter().any(|&end| sketch.neighbors_are_named(end));
+    let because = match alone {
+        true if named => Some("all edges of one of its ends are drawn"),
+        true => evidence::not_adjacent(sketch, ends),
+        false => None,
+    };
+    Some(Obligation::new(
+        Statement::SingleEdge { halfedge, ends },
+        because,
+    ))
+}
+
+/// Whether a loop is new or has not the corners that it had.
+fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
+    let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else {
+        return true;
+    };
+    let parts = |orbit: &Loop| {
+        let corners = orbit.items.iter().map(|item| item.from.name);
+        let mut parts: Vec<_> = corners.chain(sketch.paths(orbit)).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        parts
+    };
+    let becomes_a_face = before.kind != orbit.kind;
+    orbit.kind != LoopKind::Hole && (becomes_a_face || parts(before) != parts(orbit))
+}
+
+fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
+    let corners: Vec<_> = orbit.items.iter().map(|item| item.from.name).collect();
+    let named = |vertex: &&NameId| sketch.neighbors_are_named(**vertex);
+    let lonely = corners.iter().find(named);
+    let because = if is_triangle_apart(sketch, orbit) {
+        Some("it is a triangle, and what lies across an edge has another corner")
+    } else if lonely.is_some_and(|&vertex| others_differ(sketch, orbit, vertex)) {
+        Some("one of its corners lies around drawn faces only, which have other corners")
+    } else {
+        None
+    };
+    let statement = Statement::CornersOwn {
+        face: orbit.face.name,
+        vertex: lonely.copied().unwrap_or(corners[0]),
+    };
+    Obligation::new(statement, because)
+}
+
+/// Whether a triangle has something else than its own corners across one of its edges. A
+/// triangle with the same corners would have the same edges, since edges are single, and
+/// so would lie across each of them.
+fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
+    let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
+    if items.len() != 3 || items.iter().any(|&item| sketch.is_path(item)) {
+        return false;
+    }
+    items.iter().any(|&item| {
+        let twin = sketch.drawing.after.twin(item);
+        let across = twin.and_then(|twin| sketch.drawing.after.loop_of_item(twin));
+        across.is_some_and(|across| {
+            let mut corners = across.items.iter().map(|item| item.from.name);
+            across.kind == LoopKind::Hole || corners.any(|corner| !Sketch::draws(orbit, corner))
+        })
+    })
+}
+
+/// Whether all other loops around a vertex, which are all drawn, have a corner that this one
+/// has not, or the other way round.
+fn others_differ(sketch: &Sketch, orbit: &Loop, vertex: NameId) -> bool {
+    let has_more = |this: &Loop, than: &Loop| {
+        let mut corners = this.items.iter().map(|item| item.from.name);
+        corners.any(|corner| {
+            let mut paths = sketch.paths(than);
+            !Sketch::draws(than, corner) && !paths.any(|path| sketch.may_lie_on(corner, path))
+        })
+    };
+    let others = sketch.loops().iter().filter(|other| {
+        other.face.name != orbit.face.name
+            && other.kind != LoopKind::Hole
+            && Sketch::draws(other, vertex)
+    });
+    others
+        .into_iter()
+        .all(|other| has_more(orbit, other) || has_more(other, orbit))
+}
