@@ -3,7 +3,7 @@
 //!
 //! `tests/data/local_ops.json.gz` was made by an independent implementation, whose results a
 //! validator checked; its `doc` key tells the format. Here the drawings of
-//! `examples/polygon.hedge` must reproduce each case of theirs that is not ambiguous, whatever
+//! `tests/guard/polygon.hedge` must reproduce each case of theirs that is not ambiguous, whatever
 //! halfedges the elements of the mesh name. Those are too many to try all choices of all
 //! elements together: tried are every choice of every single element, and many random choices
 //! of all.
@@ -36,7 +36,7 @@ fn table() -> Value {
 }
 
 fn plans() -> BTreeMap<String, Plan> {
-    let text = std::fs::read_to_string(file("examples/polygon.hedge")).unwrap();
+    let text = std::fs::read_to_string(file("tests/guard/polygon.hedge")).unwrap();
     let mut sources = Sources::new();
     let file = sources.add("polygon.hedge", text);
     let analysis = Analysis::of(&sources, file);

@@ -127,7 +127,7 @@ pub(super) struct PlanArguments {
 pub(super) struct InfoArguments {
     /// The mesh (.obj), or tables of halfedges (.halfedges)
     pub mesh: PathBuf,
-    /// Only tell whether the mesh is of this level, and if not, why; then the exit code is 1
+    /// Only tell whether the mesh is of this level; exit code 1 if not
     #[arg(long, value_enum, value_name = "LEVEL")]
     pub level: Option<LevelName>,
     /// What the answer looks like
@@ -140,7 +140,7 @@ pub(super) struct InfoArguments {
 pub(super) enum LevelName {
     /// Every orbit is in order
     Map,
-    /// As other mesh libraries want it: no pinches, no faces of two sides
+    /// As other libraries want it: no pinches, no two-sided faces
     Surface,
     /// Edges and faces are told by their vertices
     Simple,
