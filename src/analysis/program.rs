@@ -1,7 +1,7 @@
 //! From a text to proved and compiled operations.
 
-use crate::check::{Counterexample, Outcome, Proved, examine};
-use crate::compile::compile;
+use super::Examined;
+use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve};
 use crate::rewrite::Plan;
@@ -37,34 +37,11 @@ impl Analysis {
         let mut plans = Vec::new();
         let mut counterexamples = Vec::new();
         for op in &program.ops {
-            // Where a part could not be read, what is left is another operation.
-            let whole = op.diagram.as_ref().filter(|diagram| {
-                let inside = |error: &Diagnostic| diagram.span.touches(error.span().start as usize);
-                !diagnostics
-                    .iter()
-                    .any(|told| told.is_error() && inside(told))
-            });
-            let (proof, plan) = match whole.map(examine) {
-                Some(Ok(proof)) => {
-                    let plan = compile(&proof, sources);
-                    if plan.is_err() {
-                        diagnostics.push(too_large(op.span, &op.name));
-                    }
-                    (Some(proof), plan.ok())
-                }
-                Some(Err(rejection)) => {
-                    diagnostics.extend(rejection.diagnostics);
-                    let broken = rejection.outcomes.into_iter();
-                    counterexamples.extend(broken.filter_map(|outcome| match outcome {
-                        Outcome::Breaks(example) => Some(*example),
-                        Outcome::Valid(_) | Outcome::NoMesh | Outcome::NotTried => None,
-                    }));
-                    (None, None)
-                }
-                None => (None, None),
-            };
-            proved.push(proof);
-            plans.push(plan);
+            let examined = Examined::of(op, &diagnostics, sources);
+            diagnostics.extend(examined.diagnostics);
+            counterexamples.extend(examined.counterexamples);
+            proved.push(examined.proved);
+            plans.push(examined.plan);
         }
         diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
         Self {
@@ -94,13 +71,4 @@ impl Analysis {
             .iter()
             .position(|script| script.name == name)
     }
-}
-
-fn too_large(span: crate::source::Span, name: &str) -> Diagnostic {
-    Diagnostic::error(
-        "too-large",
-        format!("`{name}` is too large to compile"),
-        span,
-    )
-    .note("its diagrams need more registers than there can be: split it into smaller ops")
 }
