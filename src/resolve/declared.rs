@@ -3,9 +3,11 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::Diagnostic;
+use crate::diagram::{Access, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident, Item};
 
+use super::attribute::{Head, head};
 use super::builtin::function_names;
 use super::report::not_yet;
 use super::sequence::fold_names;
@@ -19,7 +21,11 @@ pub(super) struct Declared {
     op_numbers: HashMap<String, usize>,
     scripts: HashMap<String, Span>,
     functions: HashSet<String>,
-    attributes: HashSet<String>,
+    /// The attributes in order; `None` for one that could not be understood.
+    attributes: Vec<Option<Head>>,
+    attribute_numbers: HashMap<(Type, String), u32>,
+    /// The names of those that could not be understood.
+    lost_attributes: HashSet<String>,
     uses: bool,
 }
 
@@ -37,11 +43,7 @@ impl Declared {
                     let what = "functions (`fn`) are not supported yet";
                     diagnostics.push(not_yet(what, function.name.span));
                 }
-                Item::Attr(attr) => {
-                    declared.attributes.insert(attr.name.text.clone());
-                    let what = "attributes (`attr`) are not supported yet";
-                    diagnostics.push(not_yet(what, attr.name.span));
-                }
+                Item::Attr(attr) => declared.declare_attribute(attr, diagnostics),
                 Item::Use(r#use) => {
                     declared.uses = true;
                     let what = "`use` of other files is not supported yet";
@@ -77,6 +79,25 @@ impl Declared {
         }
         self.op_numbers.insert(name.text.clone(), number);
         None
+    }
+
+    fn declare_attribute(&mut self, attr: &tree::Attr, diagnostics: &mut Vec<Diagnostic>) {
+        let head = head(attr, diagnostics).and_then(|head| {
+            let key = (head.element, attr.name.text.clone());
+            let number = self.attributes.len() as u32;
+            let Some(first) = self.attribute_numbers.get(&key) else {
+                self.attribute_numbers.insert(key, number);
+                return Some(head);
+            };
+            let first = self.attributes[*first as usize].as_ref();
+            let what = format!("a {} attribute", head.element.word());
+            diagnostics.extend(first.map(|first| duplicate(&what, &attr.name, first.span)));
+            None
+        });
+        if head.is_none() {
+            self.lost_attributes.insert(attr.name.text.clone());
+        }
+        self.attributes.push(head);
     }
 
     fn declare_script(&mut self, name: &Ident) -> Option<Diagnostic> {
@@ -130,9 +151,29 @@ impl Declared {
         self.uses
     }
 
-    /// Whether the file declares an attribute of this name.
+    /// Whether an attribute of this name has been refused, or may stand where it cannot be
+    /// seen yet.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
-        self.uses || self.attributes.contains(name)
+        self.uses || self.lost_attributes.contains(name)
+    }
+
+    /// The attribute of this name of elements of a type, and the type of its values.
+    pub(super) fn attribute(&self, element: Type, name: &str) -> Option<(Access, Type)> {
+        let number = *self.attribute_numbers.get(&(element, name.to_owned()))?;
+        let head = self.attributes[number as usize].as_ref()?;
+        Some((Access::Declared(number), head.ty))
+    }
+
+    /// The names of the attributes that elements of a type are declared to have.
+    pub(super) fn attributes_of(&self, element: Type) -> impl Iterator<Item = &str> {
+        let known = self.attributes.iter().flatten();
+        let of_element = known.filter(move |head| head.element == element);
+        of_element.map(|head| head.name.as_str())
+    }
+
+    /// The attributes in order.
+    pub(super) fn attributes(&self) -> &[Option<Head>] {
+        &self.attributes
     }
 }
 

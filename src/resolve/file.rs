@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{self, Item};
 
+use super::attribute::attributes;
 use super::declared::Declared;
 use super::op::resolve_op;
 use super::program::Program;
@@ -25,12 +26,16 @@ pub struct Resolved {
 pub fn resolve(tree: &tree::File) -> Resolved {
     let mut diagnostics = Vec::new();
     let declared = Declared::of(tree, &mut diagnostics);
-    let mut program = Program::default();
+    let attributes = attributes(tree, &declared, &mut diagnostics);
+    let mut program = Program {
+        attributes,
+        ..Program::default()
+    };
     let mut signatures = Vec::new();
     for item in &tree.items {
         if let Item::Op(op) = item {
             let mut report = Report::default();
-            let (signature, resolved) = resolve_op(op, &declared, &mut report);
+            let (signature, resolved) = resolve_op(op, &declared, &program.attributes, &mut report);
             signatures.push(signature);
             program.ops.push(resolved);
             diagnostics.extend(report.into_diagnostics());

@@ -19,6 +19,7 @@ mod report;
 mod suggestion;
 mod words;
 
+mod attribute;
 mod condition;
 mod drawing;
 mod family;
@@ -30,6 +31,7 @@ mod parameter;
 mod rule;
 
 mod builtin;
+mod construct;
 mod field;
 mod function;
 mod lookup;
