@@ -58,7 +58,9 @@ fn missing(rule: &Rule, created: &Ref, access: Access) -> Diagnostic {
         Access::Declared(number) => {
             let declared = rule.attributes.get(number as usize);
             let span = declared.map_or(created.span, |declared| declared.span);
-            problem.label(span, "declared here")
+            problem
+                .label(span, "declared here")
+                .note("or give the attribute a default where it is declared")
         }
     }
 }

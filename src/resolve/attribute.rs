@@ -1,4 +1,4 @@
-//! Attributes that a file declares.
+//! Attributes that the files of a program declare.
 
 use std::sync::Arc;
 
@@ -9,6 +9,7 @@ use crate::syntax::tree::{self, Item};
 
 use super::declared::Declared;
 use super::field::is_taken;
+use super::file::Unit;
 use super::parameter::type_named;
 use super::report::Report;
 use super::scopes::Scopes;
@@ -24,10 +25,25 @@ pub(super) struct Head {
     pub(super) element: Type,
     /// The type of its values.
     pub(super) ty: Type,
+    /// Whether only its file sees it.
+    pub(super) private: bool,
+    /// Its number among those of the whole program.
+    pub(super) number: u32,
+}
+
+impl Head {
+    /// Whether another attribute of the same elements has the name.
+    pub(super) fn is_named_as(&self, other: &Self) -> bool {
+        self.element == other.element && self.name == other.name
+    }
 }
 
 /// Reads a declaration; `None` if a diagnostic says what is wrong.
-pub(super) fn head(attr: &tree::Attr, diagnostics: &mut Vec<Diagnostic>) -> Option<Head> {
+pub(super) fn head(
+    attr: &tree::Attr,
+    number: u32,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Head> {
     let mut report = Report::default();
     let (element, ty) = (
         type_named(&attr.kind, &mut report),
@@ -64,48 +80,59 @@ pub(super) fn head(attr: &tree::Attr, diagnostics: &mut Vec<Diagnostic>) -> Opti
         span: attr.name.span,
         element,
         ty,
+        private: attr.private,
+        number,
     })
 }
 
-/// The attributes of a file with their defaults, in order. One that could not be understood
-/// keeps its place; nobody names it.
+/// The attributes of all files with their defaults, by number. One that could not be
+/// understood keeps its place; nobody names it.
 pub(super) fn attributes(
-    file: &tree::File,
-    declared: &Declared,
+    units: &[Unit],
+    declared: &[Declared],
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Arc<[Attribute]> {
-    let written = file.items.iter().filter_map(|item| match item {
-        Item::Attr(attr) => Some(attr),
-        _ => None,
-    });
-    let heads = written.zip(declared.attributes());
-    let attributes = heads.map(|(attr, head)| {
-        let mut report = Report::default();
-        let ty = head.as_ref().map(|head| head.ty);
-        let default = attr.default.as_ref().and_then(|default| {
-            let mut scopes = Scopes::default();
-            scopes.enter();
-            let mut typing = Typing {
-                place: Place::Default,
-                declared,
-                scopes,
-                report: &mut report,
-            };
-            match ty {
-                Some(ty) => typing.whole_as(default, ty, &format!("`{}`", attr.name.text)),
-                None => typing.whole(default),
+    let mut attributes = Vec::new();
+    for (unit, declared) in units.iter().zip(declared) {
+        for item in &unit.tree.items {
+            if let Item::Attr(attr) = item {
+                attributes.push(attribute(attr, declared, diagnostics));
             }
-        });
-        diagnostics.extend(report.into_diagnostics());
-        Attribute {
-            name: attr.name.text.clone(),
-            span: attr.name.span,
-            docs: attr.docs.clone(),
-            element: head.as_ref().map_or(Type::Vertex, |head| head.element),
-            ty: ty.unwrap_or(Type::Real),
-            default: default.filter(|_| ty.is_some()),
-            private: attr.private,
+        }
+    }
+    attributes.into()
+}
+
+fn attribute(
+    attr: &tree::Attr,
+    declared: &Declared,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Attribute {
+    let head = declared.attribute_at(attr.name.span);
+    let ty = head.map(|head| head.ty);
+    let mut report = Report::default();
+    let default = attr.default.as_ref().and_then(|default| {
+        let mut scopes = Scopes::default();
+        scopes.enter();
+        let mut typing = Typing {
+            place: Place::Default,
+            declared,
+            scopes,
+            report: &mut report,
+        };
+        match ty {
+            Some(ty) => typing.whole_as(default, ty, &format!("`{}`", attr.name.text)),
+            None => typing.whole(default),
         }
     });
-    attributes.collect()
+    diagnostics.extend(report.into_diagnostics());
+    Attribute {
+        name: attr.name.text.clone(),
+        span: attr.name.span,
+        docs: attr.docs.clone(),
+        element: head.map_or(Type::Vertex, |head| head.element),
+        ty: ty.unwrap_or(Type::Real),
+        default: default.filter(|_| ty.is_some()),
+        private: attr.private,
+    }
 }

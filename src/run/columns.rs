@@ -46,14 +46,15 @@ impl Columns {
                 *used = true;
             }
         }
-        let needed = attributes.iter().zip(used).map(|(attribute, used)| {
+        let needed = (0..).zip(attributes.iter().zip(used));
+        let needed = needed.map(|(number, (attribute, used)): (u32, _)| {
             let kind = element_kind(attribute.element).filter(|_| used);
             let needed = kind.map(|kind| {
                 let name = &attribute.name;
                 Ok(Needed {
                     kind,
                     name: match attribute.private {
-                        true => format!("private {name}"),
+                        true => format!("private {number} {name}"),
                         false => name.clone(),
                     },
                     default: default(attribute)?,
