@@ -15,6 +15,7 @@ use super::builtin::function_names;
 use super::file::Unit;
 use super::report::{Report, not_yet};
 use super::sequence::fold_names;
+use super::words::a_type;
 
 /// What stands for a name of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -306,7 +307,7 @@ fn is_of_the_language(name: &str) -> bool {
 
 /// The error for an attribute whose name another has.
 fn clash(head: &Head, other: &Head) -> Diagnostic {
-    let what = format!("a {} attribute", head.element.word());
+    let what = format!("{} attribute", a_type(head.element));
     let name = Ident {
         text: head.name.clone(),
         span: head.span,
