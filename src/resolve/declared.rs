@@ -4,6 +4,7 @@
 //! have items of one name; only to call it is an error then.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
@@ -12,6 +13,7 @@ use crate::syntax::tree::{self, Ident, Item};
 use super::builtin::function_names;
 use super::file::Unit;
 use super::report::{Report, not_yet};
+use super::routine::FunctionSignature;
 use super::sequence::fold_names;
 
 /// What stands for a name of an item.
@@ -30,12 +32,15 @@ pub(super) struct Named {
 pub(super) enum What {
     /// An operation.
     Op,
+    /// A function.
+    Function,
 }
 
 impl What {
     fn a_word(self) -> &'static str {
         match self {
             What::Op => "an op",
+            What::Function => "a function",
         }
     }
 }
@@ -48,7 +53,8 @@ pub(super) struct Declared {
     /// What else a used file has under such a name.
     others: HashMap<String, Span>,
     scripts: HashMap<String, Span>,
-    functions: HashSet<String>,
+    /// The functions that are known so far, by name.
+    functions: HashMap<String, Rc<FunctionSignature>>,
     attributes: HashSet<String>,
     /// Whether some of what is used is not known.
     lacks: bool,
@@ -58,6 +64,7 @@ pub(super) struct Declared {
 #[derive(Debug, Default)]
 struct Numbers {
     ops: usize,
+    functions: usize,
 }
 
 impl Declared {
@@ -101,9 +108,13 @@ impl Declared {
                 }
                 Item::Script(script) => diagnostics.extend(self.declare_script(&script.name)),
                 Item::Fn(function) => {
-                    self.functions.insert(function.name.text.clone());
-                    let what = "functions (`fn`) are not supported yet";
-                    diagnostics.push(not_yet(what, function.name.span));
+                    let named = Named {
+                        what: What::Function,
+                        number: numbers.functions,
+                        span: function.name.span,
+                    };
+                    numbers.functions += 1;
+                    diagnostics.extend(self.declare_called(&function.name, named));
                 }
                 Item::Attr(attr) => {
                     self.attributes.insert(attr.name.text.clone());
@@ -164,7 +175,6 @@ impl Declared {
                 Some(_) => drop(self.others.insert(name.clone(), named.span)),
             }
         }
-        self.functions.extend(used.functions.iter().cloned());
         self.attributes.extend(used.attributes.iter().cloned());
     }
 
@@ -177,6 +187,20 @@ impl Declared {
     pub(super) fn op(&self, name: &str) -> Option<usize> {
         let named = self.called(name)?;
         (named.what == What::Op).then_some(named.number)
+    }
+
+    /// The function of this name, as far as it is known.
+    pub(super) fn function(&self, name: &str) -> Option<&Rc<FunctionSignature>> {
+        self.functions.get(name)
+    }
+
+    /// Takes in what is known of a function by now, if it can be named here.
+    pub(super) fn learn(&mut self, signature: &Rc<FunctionSignature>) {
+        let named = self.called(&signature.name);
+        if named.is_some_and(|named| named.span == signature.span) {
+            let name = signature.name.clone();
+            self.functions.insert(name, Rc::clone(signature));
+        }
     }
 
     /// Complains about a name that could mean two things.
@@ -193,15 +217,20 @@ impl Declared {
         None
     }
 
-    /// Whether the op whose name stands here has the name, and not an earlier one.
-    pub(super) fn is_op_of_its_name(&self, name: &Ident) -> bool {
+    /// Whether the op or function whose name stands here has the name, and not an earlier one.
+    pub(super) fn has_its_name(&self, name: &Ident) -> bool {
         self.called(&name.text)
-            .is_some_and(|named| named.what == What::Op && named.span == name.span)
+            .is_some_and(|named| named.span == name.span)
     }
 
     /// Whether the script whose name stands here has the name, and not an earlier one.
     pub(super) fn is_script_of_its_name(&self, name: &Ident) -> bool {
         self.scripts.get(&name.text) == Some(&name.span)
+    }
+
+    /// The names of all that can be called.
+    pub(super) fn called_names(&self) -> impl Iterator<Item = &str> {
+        self.called.keys().map(String::as_str)
     }
 
     /// The names of the ops.
@@ -220,12 +249,12 @@ impl Declared {
 
     /// Whether the name is that of something to call.
     pub(super) fn is_called(&self, name: &str) -> bool {
-        self.called(name).is_some() || self.functions.contains(name) || is_of_the_language(name)
+        self.called(name).is_some() || is_of_the_language(name)
     }
 
-    /// Whether a function or op of this name may stand where it cannot be seen.
-    pub(super) fn may_be_function(&self, name: &str) -> bool {
-        self.lacks || self.functions.contains(name)
+    /// Whether what is called may stand where it cannot be seen.
+    pub(super) fn lacks_files(&self) -> bool {
+        self.lacks
     }
 
     /// Whether the file declares an attribute of this name.

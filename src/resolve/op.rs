@@ -44,7 +44,7 @@ pub(super) fn resolve_op(
     declared: &Declared,
     report: &mut Report,
 ) -> (Signature, program::Op) {
-    if !declared.is_op_of_its_name(&op.name) {
+    if !declared.has_its_name(&op.name) {
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);

@@ -5,6 +5,9 @@
 //! consecutive slots. Each instruction fixes the types of its registers, so the code is
 //! typed though the slots are not. Jumps name instructions by index.
 
+use std::sync::Arc;
+
+use super::Function;
 use crate::mesh::ElementKind;
 
 /// A register: a slot of the window.
@@ -115,6 +118,8 @@ pub struct Code {
     pub traps: Traps,
     /// The constant texts, by number; no two are equal.
     pub texts: Vec<String>,
+    /// The functions that it may call, by number.
+    pub functions: Arc<[Function]>,
 }
 
 impl Code {
@@ -692,7 +697,22 @@ pub enum Inst {
     /// Lets erased slots be used again: nothing can see them any more.
     Recycle,
 
-    // Calls, progress and output (scripts).
+    // Calls.
+    /// Calls a function: arguments in consecutive slots from `args`; its value goes to `to`.
+    /// If `holds`, the caller still needs ids, so that none is given out again meanwhile.
+    Call {
+        function: u16,
+        args: Reg,
+        to: Reg,
+        holds: bool,
+    },
+    /// The function is done; its value stands in so many slots from `from`.
+    Give {
+        from: Reg,
+        width: u16,
+    },
+
+    // Operations, progress and output (scripts).
     /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
     /// bool; the result, if applied, goes to `result`.
     Apply {

@@ -109,6 +109,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
     });
     Program {
         ops: Vec::new(),
+        functions: program.functions.clone(),
         scripts: scripts.into_iter().collect(),
     }
 }

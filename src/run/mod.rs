@@ -15,6 +15,7 @@
 //! A script that fails has done what it did so far: who runs it discards the mesh then.
 
 mod call;
+mod function;
 mod live;
 mod lower;
 mod prepare;
@@ -26,5 +27,6 @@ mod report;
 
 pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
+pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};

@@ -89,3 +89,8 @@ fn expressions() {
 fn scripts() {
     check("scripts.md");
 }
+
+#[test]
+fn functions() {
+    check("functions.md");
+}

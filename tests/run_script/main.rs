@@ -3,6 +3,7 @@
 mod arguments;
 mod expressions;
 mod failures;
+mod functions;
 mod loops;
 mod remesh;
 
