@@ -79,7 +79,7 @@ impl<'t> Functions<'t> {
             .filter(|&at| wanted(&self.items[at].deeds))
             .collect();
         while !left.is_empty() {
-            let mut ready: Vec<usize> = left.iter().copied().collect();
+            let mut ready = left.clone();
             ready.retain(|&at| !self.waits(at));
             // Nothing is ready: some call each other in a circle.
             let cycles = ready.is_empty();

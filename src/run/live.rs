@@ -320,7 +320,7 @@ mod tests {
     #[test]
     fn leaving_a_loop_leaves_what_it_would_have_read() {
         let leave = repeat(vec![statement(StatementKind::Break), read(0)]);
-        let stop = [statement(StatementKind::Return), read(1)];
+        let stop = [statement(StatementKind::Return(None)), read(1)];
         assert!(before_each(&[leave])[0].is_empty());
         assert_eq!(before_each(&stop), [vec![], vec![1]]);
         let exits = Exits {

@@ -122,7 +122,7 @@ fn memory_stays_bounded_also_inside_of_functions() {
           for e in edges where length(e) < 0.45 { collapse(e, 100) }
         }
         fn often(n: int) { repeat n { breathe() } }
-        script main() { often(30)  repeat 30 { breathe() } }";
+        script main() { often(200)  repeat 200 { breathe() } }";
     let mut mesh = shape::icosphere(1);
     let (report, _) = try_run(&mut mesh, program, &[]).unwrap();
     let splits = applied(&report, "split");
