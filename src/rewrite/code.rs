@@ -2,12 +2,13 @@
 //!
 //! Registers are slots of 64 bits in one window per call. An int is an `i64`, a real an
 //! `f64`, a bool 0 or 1, an element its id (`u32::MAX`: none); a vector takes three
-//! consecutive slots. Each instruction fixes the types of its registers, so the code is
+//! consecutive slots, a matrix its columns one after the other. Each instruction fixes the types of its registers, so the code is
 //! typed though the slots are not. Jumps name instructions by index.
 
 use std::sync::Arc;
 
 use super::Function;
+use super::wide::{Lanes, Matrix};
 use crate::mesh::ElementKind;
 
 /// A register: a slot of the window.
@@ -123,6 +124,25 @@ pub struct Code {
 }
 
 impl Code {
+    /// The code itself, and that of the functions that it calls, directly or through others.
+    pub fn with_called(&self) -> Vec<&Code> {
+        let mut found = vec![self];
+        let mut seen = vec![false; self.functions.len()];
+        let mut looked_at = 0;
+        while let Some(code) = found.get(looked_at).copied() {
+            looked_at += 1;
+            for inst in &code.insts {
+                if let Inst::Call { function, .. } = inst
+                    && let Some(seen) = seen.get_mut(usize::from(*function))
+                    && !std::mem::replace(seen, true)
+                {
+                    found.push(&self.functions[usize::from(*function)].code);
+                }
+            }
+        }
+        found
+    }
+
     /// The number of the place in the source of an instruction that can trap.
     pub fn place(&self, inst: usize) -> Option<u32> {
         let at = u32::try_from(inst).ok()?;
@@ -381,6 +401,29 @@ pub enum Inst {
         to: Reg,
         from: Reg,
     },
+    /// A value of any width.
+    CopyWide {
+        to: Reg,
+        from: Reg,
+        width: u8,
+    },
+    /// Vectors and matrices of any width, component by component.
+    Wide {
+        operation: Lanes,
+        width: u8,
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    /// Square matrices with so many rows, and their vectors. What takes one operand reads
+    /// `left`.
+    Matrix {
+        operation: Matrix,
+        size: u8,
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
 
     // Loads. Each traps if the element is none or erased.
     Load {
@@ -400,6 +443,12 @@ pub enum Inst {
     LoadPosition {
         to: Reg,
         vertex: Reg,
+    },
+    /// A declared attribute, by its number in the machine's table.
+    LoadAttribute {
+        attribute: u16,
+        to: Reg,
+        element: Reg,
     },
     /// The number of slots of a kind, living or dead: the bound of a loop over all.
     Capacity {
@@ -687,9 +736,21 @@ pub enum Inst {
         vertex: Reg,
         value: Reg,
     },
-    /// Writes the positions kept back in a buffer, in order, and clears it. Vertices
-    /// erased in the meantime are passed over.
-    ReleasePositions {
+    StoreAttribute {
+        attribute: u16,
+        element: Reg,
+        value: Reg,
+    },
+    /// Keeps the value of an attribute back in a buffer. Traps if the element is gone.
+    HoldAttribute {
+        buffer: u16,
+        attribute: u16,
+        element: Reg,
+        value: Reg,
+    },
+    /// Writes what is kept back in a buffer, in order, and clears it. Elements erased in
+    /// the meantime are passed over.
+    ReleaseHeld {
         buffer: u16,
     },
     /// Writes one pointer of every halfedge in a buffer.
@@ -760,6 +821,12 @@ pub enum Inst {
     },
     PrintVec {
         from: Reg,
+    },
+    /// Prints a vector or matrix with columns of this size.
+    PrintWide {
+        from: Reg,
+        size: u8,
+        columns: u8,
     },
     PrintElement {
         kind: ElementKind,

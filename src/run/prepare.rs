@@ -2,6 +2,7 @@
 
 use super::Argument;
 use super::argument::example;
+use super::columns::Columns;
 use super::function::{Functions, routine, with_functions};
 use super::lower::Lowering;
 use crate::diagnostic::Diagnostic;
@@ -18,6 +19,7 @@ pub struct Prepared<'p> {
     pub(super) plans: &'p [Option<Plan>],
     pub(super) code: Code,
     pub(super) functions: Functions,
+    pub(super) columns: Columns,
     /// Where in the source the code can trap, by number.
     pub(super) places: Vec<Span>,
     /// The numbers of those places where the script asserts something, in order.
@@ -79,13 +81,16 @@ pub fn prepare<'p>(
             Ok(_) => Ok(code),
             Err(_) => Err(TooLarge),
         });
+    let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
+    let code = with_functions(code, &functions);
+    let called_code = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
+    let all_code = called_code.map(|plan| &plan.code).chain([&code]);
+    let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
     Ok(Prepared {
         script,
         plans,
-        code: match code {
-            Ok(code) => with_functions(code, &functions),
-            Err(too_large) => return Err(vec![does_not_fit(script, too_large)]),
-        },
+        columns,
+        code,
         functions,
         places: lowering.names.places,
         assertions: lowering.assertions,
