@@ -48,6 +48,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "check",
             "compile",
             "resolve",
+            "run",
         ],
     ),
     (

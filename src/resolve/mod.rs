@@ -43,11 +43,18 @@ mod scopes;
 mod sequence;
 mod typing;
 
+mod effects;
+mod functions;
+mod invoke;
+mod returns;
+mod routine;
+
 mod application;
 mod script;
 mod statement;
 
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
-    Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
+    Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
+    Variable,
 };
