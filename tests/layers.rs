@@ -49,6 +49,10 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lsp",
+        &["source", "diagnostic", "diagram", "draw", "analysis"],
+    ),
+    (
         "cli",
         &[
             "source",
@@ -60,6 +64,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "run",
             "draw",
             "analysis",
+            "lsp",
         ],
     ),
 ];

@@ -39,6 +39,8 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Make a picture of a mesh
     View(ViewArguments),
+    /// Speak the Language Server Protocol on standard input and output, for editors
+    Lsp(LspArguments),
 }
 
 /// What the answer looks like.
@@ -186,6 +188,13 @@ pub(super) enum Drawn {
     Svg,
     /// Lines and letters, for terminals
     Text,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct LspArguments {
+    /// Accepted for clients that say it; there is nothing else
+    #[arg(long, hide = true)]
+    pub stdio: bool,
 }
 
 #[derive(Debug, Args)]

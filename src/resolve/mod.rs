@@ -37,6 +37,7 @@ mod operator;
 mod scopes;
 mod sequence;
 mod typing;
+mod vocabulary;
 
 mod application;
 mod script;
@@ -45,4 +46,8 @@ mod statement;
 pub use file::{Resolved, resolve};
 pub use program::{
     Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
+};
+pub use vocabulary::{
+    FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,
+    type_with_article,
 };
