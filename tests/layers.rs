@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, &[&str])] = &[
     ("source", &[]),
     ("mesh", &[]),
+    ("library", &[]),
     ("diagnostic", &["source"]),
     ("diagram", &["source", "mesh"]),
     ("rewrite", &["mesh", "source"]),
@@ -39,6 +40,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
             "diagram",
             "rewrite",
@@ -50,14 +52,23 @@ const LAYERS: &[(&str, &[&str])] = &[
     ),
     (
         "lsp",
-        &["source", "diagnostic", "diagram", "draw", "analysis"],
+        &[
+            "source",
+            "diagnostic",
+            "diagram",
+            "draw",
+            "library",
+            "analysis",
+        ],
     ),
     (
         "cli",
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
+            "syntax",
             "diagram",
             "rewrite",
             "resolve",

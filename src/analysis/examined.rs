@@ -27,7 +27,10 @@ impl Examined {
     /// is another operation.
     pub fn of(op: &ResolvedOp, told: &[Diagnostic], sources: &Sources) -> Self {
         let whole = op.diagram.as_ref().filter(|diagram| {
-            let inside = |error: &Diagnostic| diagram.span.touches(error.span().start as usize);
+            let inside = |error: &Diagnostic| {
+                let place = error.span();
+                place.file == diagram.span.file && diagram.span.touches(place.start as usize)
+            };
             !told.iter().any(|told| told.is_error() && inside(told))
         });
         let mut found = Self::default();

@@ -6,6 +6,7 @@
 mod argument;
 pub mod element;
 mod examined;
+mod files;
 mod hints;
 mod hover;
 mod links;
@@ -23,10 +24,14 @@ mod words;
 pub use crate::check::{Argument, Counterexample};
 pub use argument::{RuleArgument, why_proved};
 pub use examined::Examined;
+pub use files::{Nowhere, Reader};
 pub use hints::{Hint, hints};
 pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
 pub use links::{Link, links};
-pub use occurrences::{a_word, definition, occurrences, rename, renameable, used_path};
+pub use occurrences::{
+    Shared, a_word, definition, mentions_of_shared, occurrences, rename, renameable, shared,
+    used_path,
+};
 pub use outline::{Entry, EntryKind, folds, outline};
 pub use program::Analysis;
 pub use snapshot::{Snapshot, span_of};

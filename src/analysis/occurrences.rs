@@ -7,10 +7,71 @@ use crate::source::Span;
 use crate::syntax::tree::Item;
 use crate::syntax::{TokenKind, parse};
 
-/// The place that declares the name at a byte, or draws it first.
+/// The place that declares the name at a byte, or draws it first; perhaps in another file.
 pub fn definition(snapshot: &Snapshot, offset: usize) -> Option<Span> {
     let mention = snapshot.names().at(offset)?;
-    snapshot.names().symbol(mention.symbol).definition
+    let symbol = snapshot.names().symbol(mention.symbol);
+    match symbol.kind {
+        SymbolKind::Elsewhere => declared_elsewhere(snapshot, &symbol.name),
+        _ => symbol.definition,
+    }
+}
+
+/// The item of a file that is used, by its name.
+fn declared_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
+    let items = snapshot.used().iter().flat_map(|(_, tree)| &tree.items);
+    let mut names = items.filter_map(|item| match item {
+        Item::Op(op) => Some(&op.name),
+        Item::Script(script) => Some(&script.name),
+        Item::Fn(function) => Some(&function.name),
+        Item::Attr(attr) => Some(&attr.name),
+        Item::Use(_) | Item::Test(_) | Item::Broken(_) => None,
+    });
+    names.find(|known| known.text == name).map(|name| name.span)
+}
+
+/// An item that more than one file may name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shared {
+    /// The file that declares it, as it is called among the sources.
+    pub file: String,
+    /// Its name.
+    pub name: String,
+}
+
+/// The item whose name stands at a byte, whichever file declares it.
+pub fn shared(snapshot: &Snapshot, offset: usize) -> Option<Shared> {
+    let mention = snapshot.names().at(offset)?;
+    let symbol = snapshot.names().symbol(mention.symbol);
+    if symbol.item.is_some() {
+        return None;
+    }
+    let place = definition(snapshot, offset)?;
+    Some(Shared {
+        file: snapshot.sources().get(place.file).name().to_owned(),
+        name: symbol.name.clone(),
+    })
+}
+
+/// Where a text mentions an item that may be declared in another file.
+pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> {
+    let names = snapshot.names();
+    let own_name = snapshot.sources().get(snapshot.file()).name();
+    let symbol = names.symbols().find(|(_, symbol)| {
+        let declared_here = own_name == shared.file;
+        let is_elsewhere = symbol.kind == SymbolKind::Elsewhere;
+        symbol.item.is_none()
+            && symbol.name == shared.name
+            && declared_here != is_elsewhere
+            && (declared_here || declared_in(snapshot, shared))
+    });
+    symbol.map_or_else(Vec::new, |(id, _)| names.mentions_of(id).copied().collect())
+}
+
+/// Whether the name means the item of that file here.
+fn declared_in(snapshot: &Snapshot, shared: &Shared) -> bool {
+    declared_elsewhere(snapshot, &shared.name)
+        .is_some_and(|place| snapshot.sources().get(place.file).name() == shared.file)
 }
 
 /// All mentions of the name at a byte, in the order of the text: in a rule, on both sides.
@@ -32,7 +93,15 @@ pub fn renameable(snapshot: &Snapshot, offset: usize) -> Result<Mention, String>
     let mention = found.ok_or("there is no name here that this file declares")?;
     let symbol = snapshot.names().symbol(mention.symbol);
     if symbol.kind == SymbolKind::Elsewhere {
-        return Err(format!("`{}` is not declared in this file", symbol.name));
+        let Some(shared) = shared(snapshot, offset) else {
+            return Err(format!("`{}` is not declared in this file", symbol.name));
+        };
+        if shared.file.starts_with(crate::library::FOLDER) {
+            return Err(format!(
+                "`{}` is declared in `{}`, which ships with the language",
+                symbol.name, shared.file
+            ));
+        }
     }
     Ok(mention)
 }

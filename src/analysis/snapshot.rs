@@ -7,16 +7,18 @@
 
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::rc::Rc;
 
-use super::Examined;
+use super::files::{Parts, Reader, fetch, name_of};
 use super::names::Names;
+use super::{Examined, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
-use crate::resolve::{Program, resolve};
+use crate::resolve::{Program, resolve_all};
 use crate::source::{FileId, Sources, Span};
+use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
-use crate::syntax::{Parsed, parse};
 
 /// How many proofs are remembered before those of other texts are dropped.
 const MOST_REMEMBERED: usize = 1024;
@@ -27,10 +29,11 @@ pub struct Snapshot {
     sources: Sources,
     file: FileId,
     parsed: Parsed,
+    used: Vec<(FileId, tree::File)>,
     program: Program,
     told: Vec<Diagnostic>,
     names: Names,
-    surroundings: String,
+    surroundings: u64,
     examined: Vec<OnceCell<Rc<Examined>>>,
     memory: Rc<RefCell<Memory>>,
 }
@@ -44,32 +47,43 @@ struct Memory {
 
 #[derive(Clone, Debug)]
 struct Remembered {
-    surroundings: String,
+    surroundings: u64,
     at: Span,
     examined: Rc<Examined>,
 }
 
 impl Snapshot {
-    /// Reads the first text of a document.
-    pub fn new(name: &str, text: &str) -> Self {
-        Self::read(name, text, Rc::default())
+    /// Reads the first text of a document. What it uses, the reader gives.
+    pub fn new(name: &str, text: &str, reader: &mut dyn Reader) -> Self {
+        Self::read(name, text, reader, Rc::default())
     }
 
     /// Reads the next text of the same document.
-    pub fn next(&self, text: &str) -> Self {
+    pub fn next(&self, text: &str, reader: &mut dyn Reader) -> Self {
         let name = self.sources.get(self.file).name();
-        Self::read(name, text, Rc::clone(&self.memory))
+        Self::read(name, text, reader, Rc::clone(&self.memory))
     }
 
-    fn read(name: &str, text: &str, memory: Rc<RefCell<Memory>>) -> Self {
+    fn read(name: &str, text: &str, reader: &mut dyn Reader, memory: Rc<RefCell<Memory>>) -> Self {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
-        let mut parsed = parse(file, text);
-        let resolved = resolve(&parsed.tree);
-        let mut told = std::mem::take(&mut parsed.diagnostics);
+        let absent = fetch(&mut sources, file, reader);
+        let Parts {
+            mut parts,
+            diagnostics: mut told,
+            ..
+        } = Parts::of(&sources, file, &absent);
+        let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
+        let resolved = resolve_all(&units);
         told.extend(resolved.diagnostics);
+        drop(units);
+        let own = parts.remove(0);
+        let used = parts.into_iter().map(|part| (part.file, part.parsed.tree));
+        let Parsed { diagnostics, .. } = &own.parsed;
+        told.extend(diagnostics.iter().cloned());
+        told.retain(|told| told.span().file == file);
         let program = resolved.program;
-        for op in &program.ops {
+        for op in program.ops.iter().filter(|op| op.span.file == file) {
             if let Some(diagram) = &op.diagram {
                 let readable = Rc::new(diagram.clone());
                 memory
@@ -79,12 +93,13 @@ impl Snapshot {
             }
         }
         Self {
-            names: Names::of(&parsed.tree),
-            surroundings: surroundings(&parsed.tree, text),
+            names: Names::of(&own.parsed.tree),
+            surroundings: surroundings(&own.parsed.tree, &sources, file),
             examined: vec![OnceCell::new(); program.ops.len()],
             sources,
             file,
-            parsed,
+            parsed: own.parsed,
+            used: used.collect(),
             program,
             told,
             memory,
@@ -109,6 +124,34 @@ impl Snapshot {
     /// Its tree, tokens and comments.
     pub fn parsed(&self) -> &Parsed {
         &self.parsed
+    }
+
+    /// The files it uses, directly or through others.
+    pub fn used(&self) -> &[(FileId, tree::File)] {
+        &self.used
+    }
+
+    /// The file that a `use` of the text means, if it could be had.
+    pub fn used_file(&self, path: &str) -> Option<FileId> {
+        self.sources.find(&self.name_of(path))
+    }
+
+    fn name_of(&self, path: &str) -> String {
+        name_of(self.sources.get(self.file).name(), path)
+    }
+
+    /// Whether it depends on a file of this name, be it there or not.
+    pub fn looks_for(&self, file: &str) -> bool {
+        let used = self.used.iter().map(|(_, tree)| tree);
+        let own = std::iter::once(&self.parsed.tree);
+        let has = self
+            .sources
+            .find(file)
+            .is_some_and(|found| found != self.file);
+        has || own
+            .chain(used)
+            .flat_map(|tree| &tree.items)
+            .any(|item| matches!(item, Item::Use(used) if self.name_of(&used.path) == file))
     }
 
     /// Its items.
@@ -150,10 +193,7 @@ impl Snapshot {
 
     /// Proves one more op, and says whether there was one.
     pub fn examine_next(&self) -> bool {
-        let left = self
-            .examined
-            .iter()
-            .position(|examined| examined.get().is_none());
+        let left = self.own().find(|&op| self.examined[op].get().is_none());
         match left {
             Some(op) => {
                 self.examined(op);
@@ -165,11 +205,15 @@ impl Snapshot {
 
     /// How many ops have been looked at, and how many there are.
     pub fn progress(&self) -> (usize, usize) {
-        let done = self
-            .examined
-            .iter()
-            .filter(|examined| examined.get().is_some());
-        (done.count(), self.examined.len())
+        let done = self.own().filter(|&op| self.examined[op].get().is_some());
+        (done.count(), self.own().count())
+    }
+
+    /// The ops of the program that stand in this file.
+    fn own(&self) -> impl Iterator<Item = usize> + '_ {
+        let ops = self.program.ops.iter().enumerate();
+        let own = ops.filter(|(_, op)| op.span.file == self.file);
+        own.map(|(at, _)| at)
     }
 
     fn examine(&self, op: usize) -> Rc<Examined> {
@@ -195,7 +239,7 @@ impl Snapshot {
                 memory.proofs.retain(|text, _| here.contains(text.as_str()));
             }
             let remembered = Remembered {
-                surroundings: self.surroundings.clone(),
+                surroundings: self.surroundings,
                 at: span,
                 examined: Rc::clone(&examined),
             };
@@ -207,7 +251,7 @@ impl Snapshot {
     /// Everything that is wrong, in the order of the text.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let mut diagnostics = self.told.clone();
-        for op in 0..self.examined.len() {
+        for op in self.own() {
             diagnostics.extend(self.examined(op).diagnostics.iter().cloned());
         }
         diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
@@ -250,11 +294,17 @@ pub fn span_of(item: &Item) -> Span {
 }
 
 /// What a proof may depend on besides the op: attributes, functions, and what is used.
-fn surroundings(tree: &tree::File, text: &str) -> String {
-    let matter = |item: &&Item| matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_));
-    let items = tree.items.iter().filter(matter);
-    let texts = items.map(|item| text.get(span_of(item).range()).unwrap_or(""));
-    texts.collect::<Vec<_>>().join("\n")
+fn surroundings(tree: &tree::File, sources: &Sources, file: FileId) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for item in &tree.items {
+        if matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_)) {
+            sources.slice(span_of(item)).hash(&mut hasher);
+        }
+    }
+    for other in sources.ids().filter(|other| *other != file) {
+        sources.get(other).text().hash(&mut hasher);
+    }
+    hasher.finish()
 }
 
 /// The same answer for an op that stands elsewhere now.

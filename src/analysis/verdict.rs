@@ -119,9 +119,10 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
     told.collect()
 }
 
-/// The verdict on every op of a file, in order.
+/// The verdict on every op of a file, in order; those of the files it uses are left out.
 pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
     let ops = analysis.program.ops.iter().zip(&analysis.proved);
+    let ops = ops.filter(|(op, _)| op.span.file == analysis.file);
     ops.map(|(op, proved)| Verdict::of(&op.name, proved.as_ref()))
         .collect()
 }

@@ -15,6 +15,8 @@ pub(super) enum Lies {
     Fan(NameId),
     /// In no named fan: it stays with its vertex.
     Rest,
+    /// It is this outer halfedge, which the statement lists: the first of a path.
+    Spoke(NameId),
     /// The piece is known to hold no spoke.
     Empty,
 }
@@ -132,19 +134,23 @@ fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangeme
         }
     }
     if let Some(star) = drawing.before.star(corner.vertex) {
-        agree(star, &pieces, &mut way)?;
+        agree(drawing, star, &pieces, &mut way)?;
     }
     Some(way)
 }
 
 /// Puts each piece in its fan, or says that the order contradicts the statement.
-fn agree(star: &Star, pieces: &[Piece], way: &mut Arrangement) -> Option<()> {
+fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement) -> Option<()> {
     // The statement reads counterclockwise, pieces run clockwise.
     let stated: Vec<_> = star.spokes.iter().rev().collect();
     let count = pieces.len();
     let place = |lies: Lies, piece: Piece, way: &mut Arrangement| -> Option<()> {
         match piece {
             Piece::Spoke(_) => return None,
+            // Without a spoke between them `a` would be its own twin.
+            Piece::Arc(arc) if lies == Lies::Empty && is_own_twin(drawing, way.arcs[arc]) => {
+                return None;
+            }
             Piece::Arc(arc) => way.arcs[arc].lies = lies,
             Piece::First(first, empty) => match lies {
                 Lies::Empty if !empty => return None,
@@ -187,11 +193,29 @@ fn agree(star: &Star, pieces: &[Piece], way: &mut Arrangement) -> Option<()> {
             Lies::Empty
         };
         while at < count && !matches!(pieces[(start + at) % count], Piece::Spoke(_)) {
-            place(lies, pieces[(start + at) % count], way)?;
+            let piece = pieces[(start + at) % count];
+            let following = [1, 2].map(|on| pieces[(start + at + on) % count]);
+            match (piece, following) {
+                // Between the two there is no spoke, so they are one: the path begins with
+                // an outer halfedge.
+                (Piece::First(first, false), [Piece::Arc(arc), Piece::Spoke(outer)])
+                    if lies == Lies::Empty && way.arcs[arc].to == Port::Out(outer) =>
+                {
+                    way.first_spokes[first].1 = Lies::Spoke(outer);
+                }
+                _ => place(lies, piece, way)?,
+            }
             at += 1;
         }
     }
     (at == count).then_some(())
+}
+
+/// Whether an arc leaves a halfedge and arrives at the same one.
+fn is_own_twin(drawing: &Drawing, arc: Arc) -> bool {
+    let item = arc.from.item();
+    (arc.from, arc.to) == (Port::Out(item), Port::In(item))
+        && drawing.rule.kind(item) == Kind::Halfedge
 }
 
 fn belongs(spoke: &Spoke) -> Lies {

@@ -82,6 +82,7 @@ impl<'a> Case<'a> {
         match lies {
             Lies::Fan(fan) => Some(self.drawing.after.star_of_spoke(fan).unwrap_or(vertex)),
             Lies::Rest => Some(vertex),
+            Lies::Spoke(outer) => self.drawing.origin_after(outer),
             Lies::Empty => None,
         }
     }

@@ -39,8 +39,10 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Make a picture of a mesh
     View(ViewArguments),
-    /// Speak the Language Server Protocol on standard input and output, for editors
+    /// Speak the Language Server Protocol, for editors
     Lsp(LspArguments),
+    /// List the standard library, print a file of it, or copy it out
+    Std(StdArguments),
 }
 
 /// What the answer looks like.
@@ -210,4 +212,13 @@ pub(super) struct ViewArguments {
     /// Where to look from, as a direction
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct StdArguments {
+    /// A file of the library: std/triangle.hedge, or triangle
+    pub name: Option<String>,
+    /// Copy it, or all files, to a folder; a single one also to a file (.hedge)
+    #[arg(long, value_name = "DIR|FILE")]
+    pub copy: Option<PathBuf>,
 }

@@ -13,6 +13,7 @@ mod draw;
 mod explain;
 mod failure;
 mod info;
+mod library;
 mod lsp;
 mod meshes;
 mod output;
@@ -50,6 +51,7 @@ pub fn main() -> ExitCode {
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::View(arguments) => view::view(&arguments),
         Command::Lsp(arguments) => lsp::lsp(&arguments),
+        Command::Std(arguments) => library::std(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -105,7 +105,7 @@ impl Client {
         }
     }
 
-    /// Whether the client asks for diagnostics by itself.
+    /// Whether a hover may be Markdown.
     pub(super) fn reads_markdown(&self) -> bool {
         let hover = self
             .can
@@ -114,14 +114,6 @@ impl Client {
             .and_then(|can| can.hover.as_ref());
         let formats = hover.and_then(|hover| hover.content_format.as_ref());
         formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
-    }
-
-    /// Whether completions may have placeholders.
-    pub(super) fn takes_snippets(&self) -> bool {
-        let text = self.can.text_document.as_ref();
-        let completion = text.and_then(|text| text.completion.as_ref());
-        let item = completion.and_then(|completion| completion.completion_item.as_ref());
-        item.and_then(|item| item.snippet_support).unwrap_or(false)
     }
 
     /// Whether symbols may stand in one another.
@@ -138,22 +130,6 @@ impl Client {
         let workspace = self.can.workspace.as_ref();
         let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
         edit.and_then(|edit| edit.document_changes).unwrap_or(false)
-    }
-
-    /// Whether the server may show progress of its own.
-    pub(super) fn shows_progress(&self) -> bool {
-        let window = self.can.window.as_ref();
-        window
-            .and_then(|window| window.work_done_progress)
-            .unwrap_or(false)
-    }
-
-    /// Whether the client opens a page when it is asked to.
-    pub(super) fn shows_documents(&self) -> bool {
-        let window = self.can.window.as_ref();
-        window
-            .and_then(|window| window.show_document.as_ref())
-            .is_some_and(|show| show.support)
     }
 
     /// Whether the client can be asked for its settings.

@@ -66,12 +66,11 @@ pub(super) fn diagnostic(document: &Document, told: &diagnostic::Diagnostic) -> 
         message.push_str(note);
     }
     let labels = told.labels.iter().filter(|label| !label.text.is_empty());
-    let related = labels.map(|label| DiagnosticRelatedInformation {
-        location: Location {
-            uri: document.uri().clone(),
-            range: document.range(label.span),
-        },
-        message: label.text.clone(),
+    let related = labels.filter_map(|label| {
+        Some(DiagnosticRelatedInformation {
+            location: document.location(label.span)?,
+            message: label.text.clone(),
+        })
     });
     Diagnostic {
         range: document.range(told.span()),

@@ -4,10 +4,10 @@ use std::cell::OnceCell;
 use std::ops::Range;
 use std::rc::Rc;
 
-use gen_lsp_types::{Position, TextDocumentContentChangeEvent, Uri};
+use gen_lsp_types::{Location, Position, TextDocumentContentChangeEvent, TextDocumentItem, Uri};
 
+use super::files::{Files, name};
 use super::position::{Encoding, Lines};
-use super::uri;
 use crate::analysis::Snapshot;
 use crate::source::Span;
 
@@ -19,6 +19,7 @@ pub(super) struct Document {
     text: String,
     lines: Lines,
     encoding: Encoding,
+    files: Files,
     snapshot: OnceCell<Rc<Snapshot>>,
     /// The snapshot of an earlier text, from which the next one learns.
     earlier: Option<Rc<Snapshot>>,
@@ -27,8 +28,12 @@ pub(super) struct Document {
 }
 
 impl Document {
-    pub(super) fn new(uri: Uri, version: i32, text: String, encoding: Encoding) -> Self {
+    pub(super) fn new(item: TextDocumentItem, encoding: Encoding, files: Files) -> Self {
+        let TextDocumentItem {
+            uri, version, text, ..
+        } = item;
         Self {
+            files,
             lines: Lines::new(&text, encoding),
             uri,
             version,
@@ -68,6 +73,7 @@ impl Document {
             self.lines = Lines::new(&self.text, self.encoding);
         }
         self.version = version;
+        self.files.hold(&self.uri, &self.text);
         self.forget();
     }
 
@@ -82,19 +88,43 @@ impl Document {
     /// What is understood of the text.
     pub(super) fn snapshot(&self) -> &Rc<Snapshot> {
         self.snapshot.get_or_init(|| {
+            let mut files = self.files.clone();
             Rc::new(match &self.earlier {
-                Some(earlier) => earlier.next(&self.text),
-                None => Snapshot::new(&self.name(), &self.text),
+                Some(earlier) => earlier.next(&self.text, &mut files),
+                None => Snapshot::new(&name(&self.uri), &self.text, &mut files),
             })
         })
     }
 
-    /// What the document is called in messages.
-    fn name(&self) -> String {
-        match uri::path(&self.uri) {
-            Some(path) => path.display().to_string(),
-            None => self.uri.0.clone(),
+    /// Whether the text, as it was read last, uses a file of this name.
+    pub(super) fn uses(&self, file: &str) -> bool {
+        let read = self.snapshot.get().or(self.earlier.as_ref());
+        read.is_some_and(|snapshot| snapshot.looks_for(file))
+    }
+
+    /// Where a span is, perhaps in another file.
+    pub(super) fn location(&self, span: Span) -> Option<Location> {
+        let snapshot = self.snapshot();
+        if span.file == snapshot.file() {
+            return Some(Location {
+                uri: self.uri.clone(),
+                range: self.range(span),
+            });
         }
+        let source = snapshot.sources().get(span.file);
+        let uri = self.files.uri(source.name(), source.text())?;
+        let lines = Lines::new(source.text(), self.encoding);
+        Some(Location {
+            uri,
+            range: lines.range(source.text(), span.range()),
+        })
+    }
+
+    /// The beginning of a file that the text uses.
+    pub(super) fn used_file(&self, path: &str) -> Option<Location> {
+        let snapshot = self.snapshot();
+        let file = snapshot.used_file(path)?;
+        self.location(Span::new(file, 0, 0))
     }
 
     pub(super) fn offset(&self, position: Position) -> usize {

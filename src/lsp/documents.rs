@@ -33,6 +33,15 @@ impl Documents {
         self.open.values()
     }
 
+    /// Has those read again that use a file of this name.
+    pub(super) fn file_changed(&mut self, name: &str) {
+        for document in self.open.values_mut() {
+            if document.uses(name) {
+                document.forget();
+            }
+        }
+    }
+
     pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Document> {
         self.open.values_mut()
     }

@@ -4,7 +4,6 @@ use gen_lsp_types::*;
 
 use super::requests::Answer;
 use super::server::Server;
-use super::uri;
 use crate::analysis::{hints, links};
 
 impl Server {
@@ -31,13 +30,10 @@ impl Server {
     /// `textDocument/documentLink`
     pub(super) fn links(&mut self, params: DocumentLinkParams) -> Answer<DocumentLinkRequest> {
         let document = self.document(&params.text_document.uri)?;
-        let folder = uri::path(document.uri());
-        let folder = folder.as_ref().and_then(|path| path.parent());
         let links = links(document.snapshot()).into_iter().filter_map(|link| {
-            let path = folder?.join(&link.path);
             Some(DocumentLink {
                 range: document.range(link.span),
-                target: Some(uri::of_path(&path)),
+                target: Some(document.used_file(&link.path)?.uri),
                 tooltip: None,
                 data: None,
             })

@@ -10,6 +10,8 @@
 // What comes and goes.
 mod stdio;
 
+mod disk;
+
 mod server;
 
 mod lifecycle;
@@ -22,6 +24,7 @@ mod notifications;
 mod client;
 mod document;
 mod documents;
+mod files;
 mod position;
 mod uri;
 

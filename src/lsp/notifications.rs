@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use super::client::Settings;
 use super::document::Document;
+use super::files::name;
 use super::server::{Asked, Server};
 
 impl Server {
@@ -19,19 +20,50 @@ impl Server {
             Method::TextDocumentDidChange => read(params, |params| self.changed(params)),
             Method::TextDocumentDidClose => read(params, |params| self.closed(params)),
             Method::WorkspaceDidChangeConfiguration => self.configuration_changed(&params),
+            Method::WorkspaceDidChangeWatchedFiles => read(params, |params| self.watched(params)),
             _ => {}
         }
     }
 
+    /// Files that no client has open have changed on the disk.
+    fn watched(&mut self, params: DidChangeWatchedFilesParams) {
+        for change in params.changes {
+            self.documents.file_changed(&name(&change.uri));
+        }
+    }
+
+    /// Asks the client to say when a program changes on the disk.
+    fn watch_files(&mut self) {
+        if !self.client.watches_files() {
+            return;
+        }
+        let options = DidChangeWatchedFilesRegistrationOptions {
+            watchers: vec![FileSystemWatcher {
+                glob_pattern: GlobPattern::Pattern("**/*.hedge".into()),
+                kind: None,
+            }],
+        };
+        let registration = Registration {
+            id: "hedgerow-watch".into(),
+            method: "workspace/didChangeWatchedFiles".into(),
+            register_options: serde_json::to_value(options).ok(),
+        };
+        let registrations = vec![registration];
+        self.ask::<RegistrationRequest>(RegistrationParams { registrations }, Asked::Other);
+    }
+
     fn initialized(&mut self) {
         self.ask_for_settings();
+        self.watch_files();
     }
 
     fn opened(&mut self, params: DidOpenTextDocumentParams) {
         let item = params.text_document;
-        let encoding = self.client.encoding;
-        self.documents
-            .open(Document::new(item.uri, item.version, item.text, encoding));
+        let name = name(&item.uri);
+        self.files.hold(&item.uri, &item.text);
+        let document = Document::new(item, self.client.encoding, self.files.clone());
+        self.documents.open(document);
+        self.documents.file_changed(&name);
     }
 
     fn changed(&mut self, params: DidChangeTextDocumentParams) {
@@ -41,12 +73,15 @@ impl Server {
         } = params.text_document;
         if let Some(document) = self.documents.get_mut(&uri) {
             document.change(version, params.content_changes);
+            self.documents.file_changed(&name(&uri));
         }
     }
 
     fn closed(&mut self, params: DidCloseTextDocumentParams) {
         let uri = params.text_document.uri;
         if self.documents.close(&uri).is_some() {
+            self.files.release(&uri);
+            self.documents.file_changed(&name(&uri));
             // What was wrong with it is no longer shown.
             self.tell::<PublishDiagnosticsNotification>(PublishDiagnosticsParams {
                 uri,

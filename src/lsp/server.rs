@@ -8,6 +8,8 @@ use serde::Serialize;
 
 use super::client::Client;
 use super::documents::Documents;
+use super::files::Files;
+use crate::analysis::Reader;
 
 /// How far the conversation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,22 +39,19 @@ pub struct Server {
     pub(super) stage: Stage,
     pub(super) client: Client,
     pub(super) documents: Documents,
+    pub(super) files: Files,
     waiting: VecDeque<Message>,
     outgoing: Vec<Message>,
     pub(super) asked: Vec<(RequestId, Asked)>,
     next_id: i32,
 }
 
-impl Default for Server {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl Server {
-    /// A server to which nobody has spoken yet.
-    pub fn new() -> Self {
+    /// A server to which nobody has spoken yet. The reader gives it the files that no client
+    /// has open.
+    pub fn new(reader: Box<dyn Reader>) -> Self {
         Self {
+            files: Files::new(reader),
             stage: Stage::Silent,
             client: Client::default(),
             documents: Documents::default(),

@@ -4,6 +4,7 @@ use std::io;
 
 use lsp_server::Connection;
 
+use super::disk::Disk;
 use super::server::Server;
 
 /// Speaks the protocol until the client says that it is enough.
@@ -21,7 +22,7 @@ pub fn serve() -> io::Result<u8> {
 
 /// Answers until the client is gone; the exit code says whether it took its leave.
 fn converse(connection: &Connection) -> u8 {
-    let mut server = Server::new();
+    let mut server = Server::new(Box::new(Disk));
     loop {
         // All that waits is taken in first, so that a cancellation is seen in time.
         while let Ok(message) = connection.receiver.try_recv() {

@@ -1,5 +1,6 @@
 //! An editor without a screen: it speaks the protocol with a server in this process.
 
+use hedgerow::analysis::Nowhere;
 use hedgerow::lsp::Server;
 use lsp_server::{Message, Notification, Request, RequestId, Response};
 use serde_json::{Value, json};
@@ -28,7 +29,7 @@ impl Client {
     /// A client that has not said anything.
     pub fn silent() -> Self {
         Self {
-            server: Server::new(),
+            server: Server::new(Box::new(Nowhere)),
             next_id: 0,
             told: Vec::new(),
             asked: Vec::new(),
