@@ -40,10 +40,12 @@ pub fn function_words() -> impl Iterator<Item = &'static str> {
 
 /// The ways to call a function of the language; none if there is no such function.
 pub fn signatures(function: &str) -> Vec<Signature> {
-    if function == "vec3" {
-        let takes = vec!["real"; 3];
-        let gives = Some(Type::Vec3);
-        return vec![Signature { takes, gives }];
+    for (ty, count) in [(Type::Vec2, 2), (Type::Vec3, 3), (Type::Vec4, 4)] {
+        if function == ty.word() {
+            let takes = vec!["real"; count];
+            let gives = Some(ty);
+            return vec![Signature { takes, gives }];
+        }
     }
     let mut ways: Vec<_> = overloads(function)
         .iter()
