@@ -22,6 +22,7 @@ mod report;
 mod suggestion;
 mod words;
 
+mod attribute;
 mod condition;
 mod drawing;
 mod family;
@@ -33,6 +34,7 @@ mod parameter;
 mod rule;
 
 mod builtin;
+mod construct;
 mod field;
 mod function;
 mod lookup;
