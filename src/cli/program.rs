@@ -18,6 +18,15 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let shown = path.display();
     let bytes = std::fs::read(path)
         .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
+    let text = as_text(bytes, &shown.to_string())?;
+    let mut sources = Sources::new();
+    let file = sources.add(shown.to_string(), text);
+    let analysis = Analysis::of(&sources, file);
+    Ok(Program { sources, analysis })
+}
+
+/// The bytes of a file as text.
+pub(super) fn as_text(bytes: Vec<u8>, shown: &str) -> Result<String, Failure> {
     let text = String::from_utf8(bytes).map_err(|error| {
         let line = error.as_bytes()[..error.utf8_error().valid_up_to()]
             .iter()
@@ -29,10 +38,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     if u32::try_from(text.len()).is_err() {
         return Err(Failure::usage(format!("`{shown}` is larger than 4 GiB")));
     }
-    let mut sources = Sources::new();
-    let file = sources.add(shown.to_string(), text);
-    let analysis = Analysis::of(&sources, file);
-    Ok(Program { sources, analysis })
+    Ok(text)
 }
 
 /// Reads a program that is wanted whole: says what is wrong, and stops there.

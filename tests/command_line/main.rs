@@ -3,6 +3,7 @@
 
 mod bench;
 mod commands;
+mod formatting;
 mod meshes;
 mod outputs;
 mod programs;
