@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, &[&str])] = &[
     ("source", &[]),
     ("mesh", &[]),
+    ("library", &[]),
     ("diagnostic", &["source"]),
     ("diagram", &["source", "mesh"]),
     ("rewrite", &["mesh", "source"]),
@@ -40,6 +41,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
             "diagram",
             "rewrite",
@@ -54,7 +56,9 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
+            "syntax",
             "diagram",
             "rewrite",
             "resolve",

@@ -41,6 +41,8 @@ pub(super) enum Command {
     View(ViewArguments),
     /// Format programs, so that their drawings stand in columns
     Fmt(FmtArguments),
+    /// List the standard library, print a file of it, or copy it out
+    Std(StdArguments),
 }
 
 /// What the answer looks like.
@@ -213,4 +215,13 @@ pub(super) struct FmtArguments {
     /// Change nothing; exit code 1 if something is not formatted
     #[arg(long)]
     pub check: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct StdArguments {
+    /// A file of the library: std/triangle.hedge, or triangle
+    pub name: Option<String>,
+    /// Copy it, or all files, to a folder; a single one also to a file (.hedge)
+    #[arg(long, value_name = "DIR|FILE")]
+    pub copy: Option<PathBuf>,
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::arguments::FmtArguments;
 use super::failure::Failure;
 use super::output::{complain, complain_of};
-use super::program::as_text;
+use super::program::{as_text, text_of};
 use crate::format::{Formatted, format};
 use crate::source::Sources;
 
@@ -42,10 +42,11 @@ pub(super) fn fmt(arguments: &FmtArguments) -> Result<(), Failure> {
 
 fn from_standard_input(check: bool) -> Result<bool, Failure> {
     let mut bytes = Vec::new();
-    stdin()
-        .read_to_end(&mut bytes)
-        .map_err(|error| Failure::usage(format!("cannot read standard input: {error}")))?;
-    let text = as_text(bytes, STANDARD_INPUT)?;
+    let read = stdin().read_to_end(&mut bytes);
+    let text = read
+        .map_err(|error| error.to_string())
+        .and_then(|_| as_text(bytes))
+        .map_err(|why| Failure::usage(format!("cannot read `{STANDARD_INPUT}`: {why}")))?;
     let formatted = formatted(&text, STANDARD_INPUT)?;
     if check {
         return Ok(is_as_it_should(&text, &formatted, STANDARD_INPUT));
@@ -58,9 +59,8 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
 
 fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
     let shown = path.display().to_string();
-    let bytes = fs::read(path)
-        .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
-    let text = as_text(bytes, &shown)?;
+    let text =
+        text_of(path).map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
     let formatted = formatted(&text, &shown)?;
     if check {
         return Ok(is_as_it_should(&text, &formatted, &shown));

@@ -14,6 +14,7 @@ mod explain;
 mod failure;
 mod fmt;
 mod info;
+mod library;
 mod meshes;
 mod output;
 mod place;
@@ -50,6 +51,7 @@ pub fn main() -> ExitCode {
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::View(arguments) => view::view(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
+        Command::Std(arguments) => library::std(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,6 +4,7 @@
 mod bench;
 mod commands;
 mod formatting;
+mod library;
 mod meshes;
 mod outputs;
 mod programs;
