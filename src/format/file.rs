@@ -48,14 +48,22 @@ fn span_of(item: &Item) -> Span {
     }
 }
 
-/// The text as a whole ends its lines as its first line ends.
+/// All lines end as the first line of the source does, also where nothing else is changed:
+/// what comes first may be another line the next time.
 fn with_line_ends_of(source: &str, text: String) -> String {
     let first = source.find('\n').unwrap_or(0);
-    if source[..first].ends_with('\r') {
-        text.replace("\r\n", "\n").replace('\n', "\r\n")
+    let end = if source[..first].ends_with('\r') {
+        "\r\n"
     } else {
-        text
+        "\n"
+    };
+    if end == "\n" && !text.contains('\r') {
+        return text;
     }
+    let mut lines = text.split('\n');
+    let last = lines.next_back().unwrap_or("");
+    let ended = lines.map(|line| line.trim_end_matches('\r').to_owned() + end);
+    ended.chain([last.to_owned()]).collect()
 }
 
 /// The places at which something is wrong.
