@@ -100,8 +100,8 @@ pub(super) struct ApplyArguments {
     /// The mesh (.obj)
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
-    /// with the numbers of the file, from 1; if the operation
-    /// has several, each by its name: --at a=halfedge:1-2
+    /// with the numbers of the file, from 1; several in the
+    /// order of the parameters, or by name: --at a=halfedge:1-2
     #[arg(
         long = "at",
         value_name = "PLACE",

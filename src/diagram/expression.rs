@@ -185,6 +185,10 @@ pub enum Builtin {
     Adjacent,
     /// edge -> bool
     LinkCondition,
+    /// edge -> bool: has the polygon around its ends a kernel?
+    StarShaped,
+    /// edge -> vec3: the centroid of that kernel
+    KernelCentroid,
     /// edge -> real; halfedge -> real
     LengthEdge,
     LengthHalfedge,

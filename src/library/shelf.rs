@@ -12,10 +12,16 @@ pub struct LibraryFile {
     pub text: &'static str,
 }
 
-const FILES: &[LibraryFile] = &[LibraryFile {
-    name: "std/triangle.hedge",
-    text: include_str!("std/triangle.hedge"),
-}];
+const FILES: &[LibraryFile] = &[
+    LibraryFile {
+        name: "std/polygon.hedge",
+        text: include_str!("std/polygon.hedge"),
+    },
+    LibraryFile {
+        name: "std/triangle.hedge",
+        text: include_str!("std/triangle.hedge"),
+    },
+];
 
 /// All files, in the order in which they are best read.
 pub fn files() -> impl Iterator<Item = LibraryFile> {

@@ -65,6 +65,8 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
     ("hole", &[f(&[F], BOOL, Builtin::IsHole)]),
     ("adjacent", &[f(&[V, V], BOOL, Builtin::Adjacent)]),
     ("link_condition", &[f(&[E], BOOL, Builtin::LinkCondition)]),
+    ("star_shaped", &[f(&[E], BOOL, Builtin::StarShaped)]),
+    ("kernel_centroid", &[f(&[E], VEC3, Builtin::KernelCentroid)]),
     (
         "length",
         &[

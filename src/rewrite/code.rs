@@ -447,6 +447,14 @@ pub enum Inst {
         to: Reg,
         edge: Reg,
     },
+    StarShaped {
+        to: Reg,
+        edge: Reg,
+    },
+    KernelCentroid {
+        to: Reg,
+        edge: Reg,
+    },
     LengthEdge {
         to: Reg,
         edge: Reg,

@@ -4,6 +4,8 @@
 //! in its own file. Registers are never out of range (see the window), jumps out of the
 //! code return, so the loop itself cannot fail but by a trap.
 
+use glam::DVec3;
+
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::print::{ElementText, RealText, VectorText, append};
@@ -192,6 +194,14 @@ impl Machine<'_> {
                 LinkCondition { to, edge } => {
                     let e = or_trap!(access::edge(mesh, w.id(edge)));
                     w.set_truth(to, mesh.link_condition(e));
+                }
+                StarShaped { to, edge } => {
+                    let e = or_trap!(access::edge(mesh, w.id(edge)));
+                    w.set_truth(to, mesh.kernel_centroid(e).is_some());
+                }
+                KernelCentroid { to, edge } => {
+                    let e = or_trap!(access::edge(mesh, w.id(edge)));
+                    w.set_vector(to, mesh.kernel_centroid(e).unwrap_or(DVec3::NAN));
                 }
                 LengthEdge { to, edge } => {
                     let e = or_trap!(access::edge(mesh, w.id(edge)));

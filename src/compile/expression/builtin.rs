@@ -73,6 +73,8 @@ fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {
         Builtin::BoundaryEdge => Inst::BoundaryEdge { to, edge: from },
         Builtin::IsHole => Inst::LoadHole { to, face: from },
         Builtin::LinkCondition => Inst::LinkCondition { to, edge: from },
+        Builtin::StarShaped => Inst::StarShaped { to, edge: from },
+        Builtin::KernelCentroid => Inst::KernelCentroid { to, edge: from },
         Builtin::LengthEdge => Inst::LengthEdge { to, edge: from },
         Builtin::LengthVec3 => Inst::LengthVec { to, from },
         Builtin::Area => Inst::Area { to, face: from },
