@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
     ("draw", &["source", "diagram", "mesh"]),
+    ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
         "run",
@@ -74,6 +75,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "resolve",
             "run",
             "draw",
+            "format",
             "analysis",
             "lsp",
         ],
