@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
     ("draw", &["source", "diagram", "mesh"]),
+    ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
         "run",
@@ -52,6 +53,17 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lsp",
+        &[
+            "source",
+            "diagnostic",
+            "diagram",
+            "draw",
+            "library",
+            "analysis",
+        ],
+    ),
+    (
         "cli",
         &[
             "source",
@@ -64,7 +76,9 @@ const LAYERS: &[(&str, &[&str])] = &[
             "resolve",
             "run",
             "draw",
+            "format",
             "analysis",
+            "lsp",
         ],
     ),
 ];
