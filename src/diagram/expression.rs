@@ -85,6 +85,39 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl Expr {
+    /// Calls `each` with the expressions that this one is made of.
+    pub fn each_part<'e>(&'e self, each: &mut dyn FnMut(&'e Expr)) {
+        match &self.kind {
+            ExprKind::Bool(_)
+            | ExprKind::Int(_)
+            | ExprKind::Real(_)
+            | ExprKind::Text(_)
+            | ExprKind::Element(_)
+            | ExprKind::Local(_) => {}
+            ExprKind::Follow(_, base)
+            | ExprKind::Read(_, base)
+            | ExprKind::Component(_, base)
+            | ExprKind::Unary(_, base) => each(base),
+            ExprKind::Binary(_, left, right) => {
+                each(left);
+                each(right);
+            }
+            ExprKind::Vector(parts) | ExprKind::Call(_, parts) => parts.iter().for_each(each),
+            ExprKind::If(condition, then, otherwise) => {
+                [condition, then, otherwise]
+                    .into_iter()
+                    .for_each(|part| each(part));
+            }
+            ExprKind::Fold(fold) => {
+                fold.collection.base().into_iter().for_each(&mut *each);
+                fold.filter.iter().for_each(&mut *each);
+                each(&fold.body);
+            }
+        }
+    }
+}
+
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
@@ -346,6 +379,23 @@ pub enum Collection {
 }
 
 impl Collection {
+    /// The element that it lies around.
+    pub fn base(&self) -> Option<&Expr> {
+        use Collection::*;
+        match self {
+            Vertices | Halfedges | Edges | Faces | Holes => None,
+            VertexHalfedges(base)
+            | VertexEdges(base)
+            | VertexFaces(base)
+            | VertexNeighbors(base)
+            | FaceHalfedges(base)
+            | FaceVertices(base)
+            | FaceEdges(base)
+            | EdgeVertices(base)
+            | EdgeFaces(base) => Some(base),
+        }
+    }
+
     /// The type of its elements.
     pub fn element(&self) -> Type {
         use Collection::*;

@@ -119,6 +119,12 @@ pub struct Code {
 }
 
 impl Code {
+    /// Whether a drain may run in it.
+    pub(super) fn drains(&self) -> bool {
+        let opens = |inst: &Inst| matches!(inst, Inst::DrainOpen { .. });
+        self.insts.iter().any(opens)
+    }
+
     /// The number of the place in the source of an instruction that can trap.
     pub fn place(&self, inst: usize) -> Option<u32> {
         let at = u32::try_from(inst).ok()?;
@@ -742,6 +748,33 @@ pub enum Inst {
     /// Lets erased slots be used again: nothing can see them any more.
     Recycle,
 
+    // Drains: loops over elements in the order of keys that are kept current. All but the
+    // first concern the innermost that runs.
+    /// Begins a drain: of all such elements, or of those in a buffer.
+    DrainOpen {
+        of: Elements,
+        members: Option<u16>,
+    },
+    /// What all keys depend on has changed.
+    DrainAllStale,
+    /// The next element whose key is to be computed; jumps if there is none.
+    DrainStale {
+        to: Reg,
+        otherwise: Label,
+    },
+    /// Its key, a real. Traps if it is not a number.
+    DrainKey {
+        key: Reg,
+    },
+    /// The element with the least key; jumps if there is none.
+    DrainLeast {
+        to: Reg,
+        otherwise: Label,
+    },
+    /// That element leaves the queue.
+    DrainTake,
+    DrainClose,
+
     // Calls, progress and output (scripts).
     /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
     /// bool; the result, if applied, goes to `result`.
@@ -810,9 +843,10 @@ impl Inst {
             | Inst::JumpUnequal { to, .. }
             | Inst::JumpEqual { to, .. } => Some(to),
             Inst::JumpUnlessLiving { to, .. } => Some(to),
-            Inst::NextLiving { otherwise, .. } | Inst::BufferNext { otherwise, .. } => {
-                Some(otherwise)
-            }
+            Inst::NextLiving { otherwise, .. }
+            | Inst::BufferNext { otherwise, .. }
+            | Inst::DrainStale { otherwise, .. }
+            | Inst::DrainLeast { otherwise, .. } => Some(otherwise),
             Inst::ExpectEqual { otherwise, .. }
             | Inst::ExpectDistinct { otherwise, .. }
             | Inst::Expect { otherwise, .. }

@@ -134,6 +134,7 @@ impl<'p> Lowering<'p> {
             }
             StatementKind::For { .. } => self.visit(statement),
             StatementKind::Update { .. } => self.update(statement),
+            StatementKind::Drain { .. } => self.drain(statement, exits),
             StatementKind::If {
                 condition,
                 then,
@@ -180,12 +181,12 @@ impl<'p> Lowering<'p> {
     /// The exits of the body of a loop that has these exits.
     pub(super) fn exits_of_body(
         &self,
-        condition: Option<&Expr>,
+        conditions: &[&Expr],
         body: &[Statement],
         exits: Option<&Exits>,
     ) -> Option<Exits> {
         let exits = exits?;
-        let head = self.liveness.at_head(condition, body, exits);
+        let head = self.liveness.at_head(conditions, body, exits);
         Some(exits.of_body(head))
     }
 

@@ -16,6 +16,7 @@
 
 mod call;
 mod columns;
+mod drain;
 mod live;
 mod lower;
 mod prepare;
