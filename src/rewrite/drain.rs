@@ -209,12 +209,19 @@ impl Drains {
         }
     }
 
-    /// An element has been created.
+    /// An element has been created. It has no key, whatever had its number before, and
+    /// belongs only to drains of all elements.
     pub(super) fn born(&mut self, kind: ElementKind, id: u32) {
         for drain in &mut self.0 {
             drain.touch(Place::Whole);
-            if drain.of.kind() == kind && drain.members.is_none() {
-                drain.make_stale(id);
+            if drain.of.kind() != kind {
+                continue;
+            }
+            drain.forget(id);
+            match drain.members.as_mut().map(|all| all.get_mut(id as usize)) {
+                None => drain.make_stale(id),
+                Some(Some(member)) => *member = false,
+                Some(None) => {}
             }
         }
     }
@@ -229,21 +236,15 @@ impl Drains {
         }
     }
 
-    /// An element is about to be erased.
+    /// An element is about to be erased. Its key is known until the next turn, for what is
+    /// rolled back lives again.
     pub(super) fn erased(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         if let Some(place) = place(mesh, kind, id) {
             self.touch(place);
         }
         for drain in &mut self.0 {
             if drain.of.kind() == kind {
-                drain.forget(id);
-                if let Some(member) = drain
-                    .members
-                    .as_mut()
-                    .and_then(|all| all.get_mut(id as usize))
-                {
-                    *member = false;
-                }
+                drain.make_stale(id);
             }
         }
     }

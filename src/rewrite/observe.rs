@@ -61,10 +61,10 @@ impl Drains {
             Inst::StoreHalfedge { of, element, .. } => {
                 self.touch_element(mesh, of.kind(), w.id(element));
             }
-            Inst::StoreHole { face, hole } => {
-                if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) {
-                    self.turned(w.id(face));
-                }
+            Inst::StoreHole { face, hole }
+                if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
+            {
+                self.turned(w.id(face));
             }
             Inst::StorePosition { vertex, .. } => self.touch(Place::Vertex(w.id(vertex))),
             Inst::StoreAttribute {

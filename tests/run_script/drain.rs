@@ -206,8 +206,9 @@ fn keys_are_as_if_all_were_computed_in_each_turn() {
             for mesh in [&mut quick, &mut slow] {
                 for kind in ElementKind::ALL {
                     for name in ["known", "queued"] {
-                        mesh.find_column(kind, name)
-                            .map(|column| mesh.remove_column(column));
+                        if let Some(column) = mesh.find_column(kind, name) {
+                            mesh.remove_column(column);
+                        }
                     }
                 }
             }
