@@ -86,33 +86,34 @@ pub struct Expr {
 }
 
 impl Expr {
-    /// Calls `each` with the expressions that this one is made of.
-    pub fn each_part<'e>(&'e self, each: &mut dyn FnMut(&'e Expr)) {
-        match &self.kind {
-            ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Element(_)
-            | ExprKind::Local(_) => {}
-            ExprKind::Follow(_, base)
-            | ExprKind::Read(_, base)
-            | ExprKind::Component(_, base)
-            | ExprKind::Unary(_, base) => each(base),
-            ExprKind::Binary(_, left, right) => {
-                each(left);
-                each(right);
-            }
-            ExprKind::Vector(parts) | ExprKind::Call(_, parts) => parts.iter().for_each(each),
-            ExprKind::If(condition, then, otherwise) => {
-                [condition, then, otherwise]
-                    .into_iter()
-                    .for_each(|part| each(part));
-            }
-            ExprKind::Fold(fold) => {
-                fold.collection.base().into_iter().for_each(&mut *each);
-                fold.filter.iter().for_each(&mut *each);
-                each(&fold.body);
+    /// Shows the expression and all its parts, in no particular order.
+    pub fn each<'e>(&'e self, look: &mut impl FnMut(&'e Expr)) {
+        let mut open = vec![self];
+        while let Some(expr) = open.pop() {
+            look(expr);
+            match &expr.kind {
+                ExprKind::Follow(_, inner)
+                | ExprKind::Read(_, inner)
+                | ExprKind::Component(_, inner)
+                | ExprKind::Unary(_, inner) => open.push(inner),
+                ExprKind::Vector(parts) => open.extend(parts.iter()),
+                ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
+                    open.extend([&**left, &**right]);
+                }
+                ExprKind::Call(_, args) | ExprKind::Invoke(_, args) => open.extend(args),
+                ExprKind::If(condition, then, otherwise) => {
+                    open.extend([&**condition, &**then, &**otherwise]);
+                }
+                ExprKind::Fold(fold) => {
+                    open.extend(fold.filter.iter().chain([&fold.body]));
+                    open.extend(fold.collection.base());
+                }
+                ExprKind::Bool(_)
+                | ExprKind::Int(_)
+                | ExprKind::Real(_)
+                | ExprKind::Text(_)
+                | ExprKind::Element(_)
+                | ExprKind::Local(_) => {}
             }
         }
     }
@@ -154,6 +155,11 @@ pub enum ExprKind {
     If(Box<Expr>, Box<Expr>, Box<Expr>),
     /// `mean(x for e in edges where c)`, `count(edges)`
     Fold(Box<Fold>),
+    /// A function of the program, by its number there, and an argument for each parameter.
+    Invoke(u32, Vec<Expr>),
+    /// `let x = …` in a block that is a value: the variable's number, what it is, and the
+    /// value of the block.
+    Let(u32, Box<Expr>, Box<Expr>),
 }
 
 /// A pointer of the mesh, as navigation.
@@ -379,7 +385,7 @@ pub enum Collection {
 }
 
 impl Collection {
-    /// The element that it lies around.
+    /// The element that it lies around; `None` for one of the whole mesh.
     pub fn base(&self) -> Option<&Expr> {
         use Collection::*;
         match self {

@@ -35,6 +35,8 @@ pub struct Machine<'p> {
     level: Level,
     /// Why the op called last refused.
     last_reason: Option<u16>,
+    /// How many running calls need that no id is given out again.
+    pub(super) holding: u32,
     /// What was created, if anybody wants to know.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
 }
@@ -69,6 +71,7 @@ impl<'p> Machine<'p> {
             counts: plans.iter().map(count).collect(),
             level: Level::Map,
             last_reason: None,
+            holding: 0,
             created: None,
         }
     }
@@ -117,8 +120,8 @@ impl<'p> Machine<'p> {
     ) -> Result<Outcome, Trap> {
         self.start(args);
         match code.drains() {
-            true => self.execute::<true>(mesh, &Call::top(code, &[]), watch),
-            false => self.execute::<false>(mesh, &Call::top(code, &[]), watch),
+            true => self.execute::<true>(mesh, Call::top(code, &[]), watch),
+            false => self.execute::<false>(mesh, Call::top(code, &[]), watch),
         }
     }
 
@@ -126,13 +129,14 @@ impl<'p> Machine<'p> {
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
         self.start(args);
         let call = Call::top(&plan.code, &plan.refusals);
-        self.execute::<false>(mesh, &call, &mut Unwatched)
+        self.execute::<false>(mesh, call, &mut Unwatched)
     }
 
     fn start(&mut self, args: &[u64]) {
         self.line.clear();
         self.drains.clear();
         self.last_reason = None;
+        self.holding = 0;
         if let Some(created) = &mut self.created {
             created.clear();
         }
@@ -172,7 +176,7 @@ impl<'p> Machine<'p> {
             .fold(0, |sum, &one| sum.saturating_add(one));
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
-        let outcome = self.execute::<OBSERVED>(mesh, &call, watch)?;
+        let outcome = self.execute::<OBSERVED>(mesh, call, watch)?;
         if matches!(outcome, Outcome::Applied { .. }) {
             self.level = plan.level_after(self.level);
         }

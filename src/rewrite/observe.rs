@@ -290,7 +290,7 @@ impl Drains {
             | Inst::PrintEnd | Inst::Fail { .. }
             | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
             | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
-            | Inst::DrainClose => {}
+            | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. } => {}
         }
     }
 

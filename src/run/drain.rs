@@ -93,10 +93,19 @@ impl Lowering<'_> {
             left: done,
             right: one,
         });
+        self.drains += 1;
         self.turns(Loop { again, end }, body, exits.as_ref());
+        self.drains -= 1;
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
         self.asm.emit(Inst::DrainClose);
+    }
+
+    /// Ends the drains that run, where their routine is left.
+    pub(super) fn close_drains(&mut self) {
+        for _ in 0..self.drains {
+            self.asm.emit(Inst::DrainClose);
+        }
     }
 
     /// The slots of the variables that the key reads and the body sets, each with one that
@@ -141,10 +150,11 @@ impl Lowering<'_> {
 
 /// The variables that an expression reads, with their widths.
 fn variables_read(expr: &Expr, read: &mut BTreeSet<(u32, u16)>) {
-    if let ExprKind::Local(variable) = expr.kind {
-        read.insert((variable, width(expr.ty)));
-    }
-    expr.each_part(&mut |part| variables_read(part, read));
+    expr.each(&mut |part| {
+        if let ExprKind::Local(variable) = part.kind {
+            read.insert((variable, width(part.ty)));
+        }
+    });
 }
 
 /// The variables that statements set.

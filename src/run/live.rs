@@ -155,7 +155,8 @@ impl Liveness<'_> {
             }
             StatementKind::Break => exits.broken.clone(),
             StatementKind::Continue => exits.continued.clone(),
-            StatementKind::Return => Live::new(),
+            StatementKind::Return(value) => self.reading(value, Live::new()),
+            StatementKind::Call { args, .. } => self.reading(args, exits.next.clone()),
         }
     }
 
@@ -183,7 +184,9 @@ impl Liveness<'_> {
                 self.read(left, live);
                 self.read(right, live);
             }
-            ExprKind::Call(_, args) => args.iter().for_each(|arg| self.read(arg, live)),
+            ExprKind::Call(_, args) | ExprKind::Invoke(_, args) => {
+                args.iter().for_each(|arg| self.read(arg, live))
+            }
             ExprKind::If(condition, then, otherwise) => {
                 self.read(condition, live);
                 self.read(then, live);
@@ -196,6 +199,11 @@ impl Liveness<'_> {
                 if let Some(base) = fold.collection.base() {
                     self.read(base, live);
                 }
+            }
+            ExprKind::Let(variable, value, body) => {
+                let inner = self.reading([&**body], Live::new());
+                live.extend(without(inner, *variable));
+                self.read(value, live);
             }
             ExprKind::Bool(_)
             | ExprKind::Int(_)
@@ -219,7 +227,12 @@ fn without(mut live: Live, variable: u32) -> Live {
 /// Whether a statement may call an operation.
 pub(super) fn calls(statement: &Statement) -> bool {
     match &statement.kind {
-        StatementKind::Apply { .. } | StatementKind::IfApply { .. } => true,
+        StatementKind::Apply { .. }
+        | StatementKind::IfApply { .. }
+        | StatementKind::Call { .. } => true,
+        StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {
+            matches!(value.kind, ExprKind::Invoke(..))
+        }
         StatementKind::Repeat { body, .. }
         | StatementKind::While { body, .. }
         | StatementKind::For { body, .. }
@@ -228,13 +241,12 @@ pub(super) fn calls(statement: &Statement) -> bool {
         StatementKind::If {
             then, otherwise, ..
         } => then.iter().chain(otherwise).any(calls),
-        StatementKind::Set { .. }
-        | StatementKind::Write { .. }
+        StatementKind::Write { .. }
         | StatementKind::Print(_)
         | StatementKind::Assert { .. }
         | StatementKind::Break
         | StatementKind::Continue
-        | StatementKind::Return => false,
+        | StatementKind::Return(None) => false,
     }
 }
 
@@ -316,7 +328,7 @@ mod tests {
     #[test]
     fn leaving_a_loop_leaves_what_it_would_have_read() {
         let leave = repeat(vec![statement(StatementKind::Break), read(0)]);
-        let stop = [statement(StatementKind::Return), read(1)];
+        let stop = [statement(StatementKind::Return(None)), read(1)];
         assert!(before_each(&[leave])[0].is_empty());
         assert_eq!(before_each(&stop), [vec![], vec![1]]);
         let exits = Exits {

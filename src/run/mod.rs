@@ -17,6 +17,7 @@
 mod call;
 mod columns;
 mod drain;
+mod function;
 mod live;
 mod lower;
 mod prepare;
@@ -28,5 +29,6 @@ mod report;
 
 pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
+pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};

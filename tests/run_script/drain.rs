@@ -359,3 +359,24 @@ fn leaving_a_drain_ends_it() {
     assert_eq!(lines[0], "7");
     assert_eq!(lines.len(), 2);
 }
+
+#[test]
+fn functions_give_keys_and_leave_their_own_drains() {
+    let script = "
+        fn reach(v: vertex) -> real { max(distance(w, vec3(0, 0, 0)) for w in v.neighbors) + v.heat }
+        attr heat: vertex real = 0
+        fn coldest(f: face) -> vertex {
+          drain w in f.vertices by w.heat { return w }
+          return f.halfedge.vertex
+        }
+        script main() {
+          var turns = 0
+          drain v in vertices by reach(v) while turns < 40 {
+            turns = turns + 1
+            for f in v.faces { let w = coldest(f)  w.heat = w.heat + 1 }
+          }
+          print turns, sum(v.heat for v in vertices)
+        }";
+    let (_, lines) = try_run(&mut shape::icosahedron(), script, &[]).unwrap();
+    assert_eq!(lines, ["40 200"]);
+}

@@ -5,6 +5,7 @@ mod attributes;
 mod drain;
 mod expressions;
 mod failures;
+mod functions;
 mod loops;
 mod matrices;
 mod remesh;
