@@ -7,14 +7,17 @@
 mod drawing;
 mod expression;
 mod op;
+mod unroll;
+mod visit;
 
 pub use drawing::{Drawing, View};
 pub use expression::{
     Access, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
 };
 pub use op::{
-    Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property, Ref,
-    Require, Rule, Side, Spoke, Star,
+    Assignment, Cycle, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property,
+    Ref, Require, Role, Rule, Side, Spoke, Star,
 };
+pub use unroll::{Naming, Unrolled};
 
 pub use crate::mesh::Level;

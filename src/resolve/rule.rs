@@ -76,6 +76,7 @@ pub(super) fn resolve_rule(
         erased: lists.erased,
         assignments,
         span: rule.span,
+        cycle: names.cycle(),
         names: names.into_list(),
     })
 }
@@ -122,10 +123,7 @@ fn returned(
             .label(erased.span, "it is erased here");
         report.add(error);
     }
-    Some(Ref {
-        name: id,
-        span: name.span,
-    })
+    Some(Ref::plain(id, name.span))
 }
 
 fn not_returned(name: &Ident, rule: &Ident) -> Diagnostic {

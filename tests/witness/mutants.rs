@@ -135,7 +135,7 @@ fn missing(rule: &Rule, add: Add) {
     for index in 0..rule.names.len() {
         let (name, span) = (NameId(index as u32), rule.after.span);
         if rule.kind(name) != Kind::Path && rule.kind(name) != Kind::Fan {
-            add(&|rule| rule.erased.push(Ref { name, span }));
+            add(&|rule| rule.erased.push(Ref::plain(name, span)));
         }
     }
 }
