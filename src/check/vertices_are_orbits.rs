@@ -18,7 +18,7 @@ use crate::diagram::{Drawing, Kind, NameId};
 const MOST: usize = 100_000;
 
 /// How many cases are kept to be shown.
-const MOST_SHOWN: usize = 12;
+pub(super) const MOST_SHOWN: usize = 12;
 
 /// What the proof of the law has looked at.
 #[derive(Clone, Debug)]
@@ -108,7 +108,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
 
 /// Whether every link and label at a vertex is after what it was before, and no statement of
 /// `after` says anything about the order of its spokes.
-fn is_unchanged(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
+pub(super) fn is_unchanged(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
     let vertex = corner.vertex;
     let same_chain = |ports: &[Port], closed: bool| {
         let count = ports.len();
@@ -143,7 +143,7 @@ fn is_unchanged(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
             .all(|chain| same_chain(&chain.ports, chain.closed))
 }
 
-fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
+pub(super) fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
     let text = drawing.rule.quoted(corner.vertex);
     let count = corner.chains.len();
     let message = format!("too many ways for the spokes of {text} to lie: the checker gives up");
@@ -162,7 +162,7 @@ fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
         .into()
 }
 
-fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
+pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
     let text = drawing.rule.quoted(corner.vertex);
     if let Some(star) = drawing.before.star(corner.vertex) {
         let message = format!(

@@ -6,6 +6,7 @@
 
 mod drawing;
 mod expression;
+mod member;
 mod op;
 mod unroll;
 mod visit;

@@ -11,6 +11,8 @@
 //! On a cycle of `n` a rule with families means no more and no less than the same rule
 //! unrolled to `n`, which has no families.
 
+use std::borrow::Cow;
+
 use super::expression::Expr;
 use super::{
     Assignment, Cycle, Edge, ExprKind, Loop, LoopItem, NameId, Ref, Require, Role, Rule, Side,
@@ -95,6 +97,17 @@ impl Unrolled {
         }
     }
 
+    /// The name, in the rule with families, of a name here.
+    pub fn source(&self, name: NameId) -> NameId {
+        match self.rule.name(name).role {
+            Role::Member { family, .. } => family,
+            Role::Single | Role::Family => {
+                let at = self.first.partition_point(|&first| first < name.0);
+                NameId(at as u32)
+            }
+        }
+    }
+
     /// The size it was unrolled to.
     pub fn size(&self) -> u32 {
         self.size
@@ -116,6 +129,19 @@ fn called(family: &super::Name, subscript: String) -> String {
     match family.text.strip_suffix('`') {
         Some(text) if !family.named => format!("{text}[{subscript}]`"),
         _ => format!("{}[{subscript}]", family.text),
+    }
+}
+
+/// How many members of each family are drawn in pictures.
+const DRAWN: u32 = 4;
+
+impl Rule {
+    /// The rule as pictures show it: a family as a few members.
+    pub fn to_draw(&self) -> Cow<'_, Rule> {
+        match self.has_families() {
+            true => Cow::Owned(Unrolled::new(self, DRAWN, Naming::Numbers).rule),
+            false => Cow::Borrowed(self),
+        }
     }
 }
 

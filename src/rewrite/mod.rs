@@ -17,6 +17,7 @@ mod window;
 
 mod access;
 mod arithmetic;
+mod around;
 mod preview;
 mod print;
 
@@ -26,7 +27,8 @@ mod watch;
 pub use assembler::{Assembler, Mark, TooLarge};
 pub use call::Outcome;
 pub use code::{
-    Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk,
+    Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Span, Traps,
+    Walk,
 };
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
