@@ -87,7 +87,7 @@ pub fn examples() -> Vec<Op> {
         let file = sources.add("example", fs::read_to_string(&path).unwrap());
         let analysis = Analysis::of(&sources, file);
         let diagrams = analysis.program.ops.into_iter().filter_map(|op| op.diagram);
-        ops.extend(diagrams);
+        ops.extend(diagrams.filter(|op| !op.rules.iter().any(Rule::has_families)));
     }
     ops
 }
