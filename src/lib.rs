@@ -58,7 +58,7 @@
 //! 3  resolve      run                    tree to program; a program on a mesh
 //! 2  syntax  check  compile  draw        text to tree; the proof; a plan; a picture
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
-//! 0  source       mesh                   texts and places; the halfedge mesh and OBJ files
+//! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
 //! ```
 //!
 //! Three walls stand between them. The mesh knows nothing of the language. The checker knows
@@ -68,6 +68,8 @@
 pub mod source;
 
 pub mod mesh;
+
+pub mod library;
 
 pub mod diagnostic;
 

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, &[&str])] = &[
     ("source", &[]),
     ("mesh", &[]),
+    ("library", &[]),
     ("diagnostic", &["source"]),
     ("diagram", &["source", "mesh"]),
     ("rewrite", &["mesh", "source"]),
@@ -39,6 +40,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
             "diagram",
             "rewrite",
@@ -53,7 +55,9 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
+            "syntax",
             "diagram",
             "rewrite",
             "resolve",

@@ -23,13 +23,17 @@
 //! has too many ways to look at. There the rewrite may do no more than lead each chain from
 //! its own entry to its own exit: then the order does not matter.
 
-use super::arrangement::{Arc, Arrangement, Lies, arrangements};
+use std::borrow::Cow;
+
+use super::arrangement::{Arc, Arrangement, Lies, agreeing, arrangements};
 use super::case::Case;
 use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::Problem;
 use super::proved::Broken;
-use super::vertices_are_orbits::{MOST_SHOWN, RingCase, Rings, impossible, is_unchanged, too_many};
+use super::vertices_are_orbits::{
+    MOST_SHOWN, RingCase, Rings, gains, impossible, is_unstated, settled, too_many,
+};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, NameId, Rule};
 
@@ -73,7 +77,9 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             rest /= ways.found.len();
             uniform.extend(everywhere(rule, ways.corner.vertex, way));
         }
-        let uniform: Vec<&Arrangement> = uniform.iter().collect();
+        let Some(uniform) = agreeing_everywhere(rule, &uniform, &all) else {
+            continue;
+        };
         let case = Case::new(drawing, &after, &uniform);
         let problems = case.problems();
         if !problems.is_empty() {
@@ -117,7 +123,11 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
 /// The ways of one vertex.
 fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken> {
     let rule = drawing.rule;
-    let unchanged = is_unchanged(drawing, &corner, after);
+    let still = match is_unstated(drawing, &corner) {
+        true => settled(drawing, &corner, after),
+        false => Vec::new(),
+    };
+    let unchanged = still.len() == corner.chains.len() && !gains(drawing, &corner, after);
     let has_members = corner
         .chains
         .iter()
@@ -136,14 +146,11 @@ fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken
             loose,
         });
     }
-    let Some(mut found) = arrangements(drawing, &corner) else {
+    let Some(found) = arrangements(drawing, &corner, &still) else {
         return Err(vec![too_many(drawing, &corner)].into());
     };
     if found.is_empty() {
         return Err(vec![impossible(drawing, &corner)].into());
-    }
-    if unchanged {
-        found.truncate(1);
     }
     // Where every index has a choice of its own, uniform choices are not all there are.
     if found.len() > 1 && has_members && !rule.is_member(corner.vertex) {
@@ -181,7 +188,23 @@ fn in_any_order(corner: &Corner) -> Arrangement {
     Arrangement {
         arcs: (0..count).map(arc).collect(),
         first_spokes: corner.chains.iter().flat_map(firsts).collect(),
+        empty_paths: Vec::new(),
+        stands_for_others: true,
     }
+}
+
+/// A uniform case, unless the ways contradict each other. A case that contradicts itself can
+/// stand for one that does not where members of a family have a choice: then it is looked at
+/// all the same.
+fn agreeing_everywhere<'a>(
+    rule: &Rule,
+    uniform: &'a [Arrangement],
+    all: &[Ways],
+) -> Option<Vec<Cow<'a, Arrangement>>> {
+    let mut chosen = all.iter().filter(|ways| ways.found.len() > 1);
+    let has_choice = chosen.any(|ways| rule.is_member(ways.corner.vertex));
+    let as_it_is = || uniform.iter().map(Cow::Borrowed).collect();
+    agreeing(rule, uniform.iter()).or_else(|| has_choice.then(as_it_is))
 }
 
 /// The same way at every member of the family.
@@ -198,6 +221,7 @@ fn everywhere(rule: &Rule, vertex: NameId, way: &Arrangement) -> Vec<Arrangement
         };
         let lies = |lies: Lies| match lies {
             Lies::Fan(fan) => Lies::Fan(name(fan)),
+            Lies::Spoke(half) => Lies::Spoke(name(half)),
             lies => lies,
         };
         let arcs = way.arcs.iter().map(|arc| Arc {
@@ -210,6 +234,8 @@ fn everywhere(rule: &Rule, vertex: NameId, way: &Arrangement) -> Vec<Arrangement
         Arrangement {
             arcs: arcs.collect(),
             first_spokes: firsts.map(|&(path, at)| (name(path), lies(at))).collect(),
+            empty_paths: way.empty_paths.iter().map(|&path| name(path)).collect(),
+            stands_for_others: way.stands_for_others,
         }
     });
     turns.collect()

@@ -39,6 +39,8 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Make a picture of a mesh
     View(ViewArguments),
+    /// List the standard library, print a file of it, or copy it out
+    Std(StdArguments),
 }
 
 /// What the answer looks like.
@@ -96,8 +98,8 @@ pub(super) struct ApplyArguments {
     /// The mesh (.obj)
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
-    /// with the numbers of the file, from 1; if the operation
-    /// has several, each by its name: --at a=halfedge:1-2
+    /// with the numbers of the file, from 1; several in the
+    /// order of the parameters, or by name: --at a=halfedge:1-2
     #[arg(
         long = "at",
         value_name = "PLACE",
@@ -201,4 +203,13 @@ pub(super) struct ViewArguments {
     /// Where to look from, as a direction
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct StdArguments {
+    /// A file of the library: std/triangle.hedge, or triangle
+    pub name: Option<String>,
+    /// Copy it, or all files, to a folder; a single one also to a file (.hedge)
+    #[arg(long, value_name = "DIR|FILE")]
+    pub copy: Option<PathBuf>,
 }

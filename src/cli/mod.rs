@@ -13,6 +13,7 @@ mod draw;
 mod explain;
 mod failure;
 mod info;
+mod library;
 mod meshes;
 mod output;
 mod place;
@@ -48,6 +49,7 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::View(arguments) => view::view(&arguments),
+        Command::Std(arguments) => library::std(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

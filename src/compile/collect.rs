@@ -4,7 +4,7 @@ use super::operation::Output;
 use super::registers::{Home, Registers};
 use super::run::Run;
 use super::walk::Around;
-use super::{lower, reason, width};
+use super::{copy, lower, reason, width};
 use crate::check::guard::Obligation;
 use crate::check::matching::{Bound, Claim, Source, Step};
 use crate::diagram::{Access, Assignment, Drawing, Kind, LoopKind, NameId, Require};
@@ -471,8 +471,10 @@ impl Collect<'_, '_, '_, '_> {
 
     fn value(&mut self, assignment: &Assignment, to: Reg) {
         let from = self.expression(&assignment.value);
-        let Access::Position = assignment.attribute;
-        self.output.asm.emit(Inst::CopyVec { to, from });
+        copy(&mut self.output.asm, assignment.value.ty, to, from);
+        if assignment.attribute != Access::Position {
+            return;
+        }
         let text = &self.drawing.rule.name(assignment.target.name).text;
         let reason = format!("the new position of `{text}` is not finite");
         let refusal = self.output.refusal(reason, Phase::Evaluate);

@@ -17,5 +17,7 @@ mod run;
 mod turns;
 mod walk;
 
-pub use expression::{Scope, each, element_kind, elements, lower, lower_into, width};
+pub use expression::{
+    Scope, attribute, copy, each, element_kind, elements, lower, lower_into, width,
+};
 pub use operation::compile;

@@ -1,12 +1,13 @@
 //! Phase 3, reassign: every pointer of every named element.
 
+use super::attribute;
 use super::collect::Collected;
 use super::operation::Output;
 use super::registers::{Home, Registers};
 use super::run::Run;
 use super::width;
 use crate::check::matching::Bound;
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Spoke};
+use crate::diagram::{Access, Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Spoke};
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
@@ -524,22 +525,34 @@ impl Reassign<'_, '_, '_, '_> {
     fn assignments(&mut self) {
         let rule = self.drawing.rule;
         for (assignment, &home) in rule.assignments.iter().zip(&self.collected.values) {
-            let vertex = assignment.target.name;
-            if !rule.is_first(vertex) {
+            let target = assignment.target.name;
+            if !rule.is_first(target) {
                 continue;
             }
+            let word = rule.attribute(assignment.attribute);
             let text = self.output.words(assignment.value.span);
             self.rows.push(Row {
                 cell: Cell::Set {
-                    target: format!("{}.position", self.word(vertex)),
+                    target: format!("{}.{word}", self.word(target)),
                     value: text,
                 },
                 executed: true,
             });
-            self.for_each(vertex, |this| {
+            self.for_each(target, |this| {
                 let value = this.value(home, width(assignment.value.ty));
-                let vertex = this.element(vertex);
-                this.output.asm.emit(Inst::StorePosition { vertex, value });
+                let element = this.element(target);
+                let store = match assignment.attribute {
+                    Access::Position => Inst::StorePosition {
+                        vertex: element,
+                        value,
+                    },
+                    Access::Declared(number) => Inst::StoreAttribute {
+                        attribute: attribute(number),
+                        element,
+                        value,
+                    },
+                };
+                this.output.asm.emit(store);
             });
         }
     }
