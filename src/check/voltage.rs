@@ -403,7 +403,7 @@ impl Walk<'_> {
         };
         (!right).then(|| {
             let text = match net {
-                0 | 1 | -1 => "a ring of spokes belongs to different vertices on cycles of different sizes".into(),
+                -1..=1 => "a ring of spokes belongs to different vertices on cycles of different sizes".into(),
                 net => format!(
                     "a ring of spokes comes back {} indices further: on a cycle of {} it is several",
                     net.abs(),

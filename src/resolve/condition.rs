@@ -166,6 +166,7 @@ fn assigned(
         typing.report.add(error);
         return None;
     };
+    typing.subscript(names, id, target)?;
     let kind = names.get(id).kind;
     let Some(ty) = element_type(kind) else {
         let message = format!("`{word}` is {}, which has no attributes", kind.a_word());

@@ -40,7 +40,7 @@ pub(super) fn read_index(
                 "a parameter says where its family begins: write `{}[0]`",
                 name.ident.text
             );
-            report.add(Diagnostic::error("subscript", message, index.span));
+            report.add(Diagnostic::error("wrong-subscript", message, index.span));
         }
         let form = (name.index.is_some(), name.span);
         forms.insert(name.ident.text.clone(), form);
@@ -109,14 +109,14 @@ impl Letter {
             Some(variable) => self.meet(variable, report),
             None => {
                 let message = "a subscript in a drawing is the index plus a constant";
-                let error = Diagnostic::error("subscript", message, index.span)
+                let error = Diagnostic::error("wrong-subscript", message, index.span)
                     .note("`[0]` stands only at a parameter, to say where its family begins");
                 report.add(error);
             }
         }
         if index.offset.abs() > WIDEST {
             let message = format!("a subscript adds {WIDEST} at most to the index");
-            report.add(Diagnostic::error("subscript", message, index.span));
+            report.add(Diagnostic::error("wrong-subscript", message, index.span));
         }
     }
 
@@ -131,8 +131,8 @@ impl Letter {
                 "a rule has one index: `{letter}`, but here `{}`",
                 variable.text
             );
-            let error =
-                Diagnostic::error("subscript", message, variable.span).label(*first, "it is here");
+            let error = Diagnostic::error("wrong-subscript", message, variable.span)
+                .label(*first, "it is here");
             report.add(error);
         }
     }

@@ -39,6 +39,7 @@ impl Typing<'_> {
             && let Some(id) = names.find(word)
             && local.is_none_or(|(number, _)| (number as usize) < names.params())
         {
+            self.subscript(names, id, name)?;
             return self.drawn(names, id, span, ExprKind::Element(id));
         }
         if let Some((number, ty)) = local {
@@ -61,31 +62,50 @@ impl Typing<'_> {
         let Place::Rule(names) = self.place else {
             let message = "subscripts stand in the drawings of an op, and in what it asks and sets";
             self.report
-                .add(Diagnostic::error("subscript", message, index.span));
+                .add(Diagnostic::error("wrong-subscript", message, index.span));
             return None;
         };
         let Some(id) = names.find(word) else {
             self.unknown_name(word, span);
             return None;
         };
-        let variable = index
-            .variable
-            .as_ref()
-            .map(|variable| variable.text.as_str());
+        self.subscript(names, id, name)?;
+        let shift = i32::try_from(index.offset).unwrap_or(0);
+        self.drawn(names, id, span, ExprKind::Member(id, shift))
+    }
+
+    /// Whether a name has the subscript that it should have.
+    pub(super) fn subscript(&mut self, names: &Names, id: NameId, name: &tree::Name) -> Option<()> {
+        let (word, span) = (&name.ident.text, name.span);
         let drawn = names.get(id);
-        let error = if drawn.role != Role::Family {
-            let message = format!("`{word}` has a subscript here, but not where it is drawn");
-            Diagnostic::error("two-forms", message, span).label(drawn.span, "a single name here")
-        } else if variable.is_none() || variable != names.letter() {
-            let letter = names.letter().unwrap_or("i");
-            let message = format!("a subscript here is the index `{letter}` plus a constant");
-            Diagnostic::error("subscript", message, index.span)
-        } else if index.offset.abs() > WIDEST {
-            let message = format!("a subscript adds {WIDEST} at most to the index");
-            Diagnostic::error("subscript", message, index.span)
-        } else {
-            let shift = i32::try_from(index.offset).unwrap_or(0);
-            return self.drawn(names, id, span, ExprKind::Member(id, shift));
+        let error = match (&name.index, drawn.role == Role::Family) {
+            (None, false) => return Some(()),
+            (None, true) => {
+                let message = format!("`{word}` is a family: it needs a subscript here");
+                Diagnostic::error("two-forms", message, span)
+                    .label(drawn.span, "a family here")
+                    .note(format!(
+                        "write `{word}[i]`: what is said then holds for all of it"
+                    ))
+            }
+            (Some(_), false) => {
+                let message = format!("`{word}` has a subscript here, but not where it is drawn");
+                Diagnostic::error("two-forms", message, span)
+                    .label(drawn.span, "a single name here")
+            }
+            (Some(index), true) => {
+                let variable = index.variable.as_ref();
+                let variable = variable.map(|variable| variable.text.as_str());
+                if variable.is_some() && variable == names.letter() && index.offset.abs() <= WIDEST
+                {
+                    return Some(());
+                }
+                let letter = names.letter().unwrap_or("i");
+                let message = format!(
+                    "a subscript here is the index `{letter}` plus a constant, {WIDEST} at most"
+                );
+                Diagnostic::error("wrong-subscript", message, index.span)
+            }
         };
         self.report.add(error);
         None
@@ -106,16 +126,6 @@ impl Typing<'_> {
             );
             Diagnostic::error("reads-new", message, span).label(name.span, "it stands only here")
         } else if let Some(ty) = element_type(name.kind) {
-            if name.role == Role::Family && matches!(meant, ExprKind::Element(_)) {
-                let message = format!("`{word}` is a family: it needs a subscript here");
-                let error = Diagnostic::error("two-forms", message, span)
-                    .label(name.span, "a family here")
-                    .note(format!(
-                        "write `{word}[i]`: what is said then holds for all of it"
-                    ));
-                self.report.add(error);
-                return None;
-            }
             return Some(typed(ty, meant, span));
         } else {
             let message = format!(
