@@ -53,9 +53,9 @@
 //! Each folder is a layer, and names only layers below it (a test holds this):
 //!
 //! ```text
-//! 5  cli                                 the command line
+//! 5  cli          lsp                    the command line; the language server
 //! 4  analysis                            a text taken all the way; plain data out
-//! 3  resolve      run                    tree to program; a program on a mesh
+//! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
 //! 2  syntax  check  compile  draw        text to tree; the proof; a plan; a picture
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
 //! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
@@ -85,10 +85,14 @@ pub mod compile;
 
 pub mod draw;
 
+pub mod format;
+
 pub mod resolve;
 
 pub mod run;
 
 pub mod analysis;
+
+pub mod lsp;
 
 pub mod cli;

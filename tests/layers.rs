@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
     ("draw", &["source", "diagram", "mesh"]),
+    ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
         "run",
@@ -51,6 +52,17 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lsp",
+        &[
+            "source",
+            "diagnostic",
+            "diagram",
+            "draw",
+            "library",
+            "analysis",
+        ],
+    ),
+    (
         "cli",
         &[
             "source",
@@ -63,7 +75,9 @@ const LAYERS: &[(&str, &[&str])] = &[
             "resolve",
             "run",
             "draw",
+            "format",
             "analysis",
+            "lsp",
         ],
     ),
 ];

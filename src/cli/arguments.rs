@@ -17,7 +17,7 @@ pub(super) struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  all is well
-  1  something is not proved, or a script failed
+  1  something is not proved or not formatted, or a script failed
   2  bad usage, or a file that cannot be read or written
   3  the operation was refused";
 
@@ -39,6 +39,10 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Make a picture of a mesh
     View(ViewArguments),
+    /// Speak the Language Server Protocol, for editors
+    Lsp(LspArguments),
+    /// Format programs, so that their drawings stand in columns
+    Fmt(FmtArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
 }
@@ -191,6 +195,13 @@ pub(super) enum Drawn {
 }
 
 #[derive(Debug, Args)]
+pub(super) struct LspArguments {
+    /// Accepted for clients that say it; there is nothing else
+    #[arg(long, hide = true)]
+    pub stdio: bool,
+}
+
+#[derive(Debug, Args)]
 pub(super) struct ViewArguments {
     /// The mesh (.obj)
     pub mesh: PathBuf,
@@ -203,6 +214,16 @@ pub(super) struct ViewArguments {
     /// Where to look from, as a direction
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FmtArguments {
+    /// Programs (.hedge), formatted where they are; - formats standard input to standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Change nothing; exit code 1 if something is not formatted
+    #[arg(long)]
+    pub check: bool,
 }
 
 #[derive(Debug, Args)]

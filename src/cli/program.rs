@@ -35,8 +35,12 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
 }
 
 /// The text of a file, or in words why there is none.
-fn text_of(path: &Path) -> Result<String, String> {
-    let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
+pub(super) fn text_of(path: &Path) -> Result<String, String> {
+    as_text(std::fs::read(path).map_err(|error| error.to_string())?)
+}
+
+/// Bytes as text, or in words why they are none.
+pub(super) fn as_text(bytes: Vec<u8>) -> Result<String, String> {
     let text = String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;

@@ -3,6 +3,7 @@
 
 mod bench;
 mod commands;
+mod formatting;
 mod library;
 mod meshes;
 mod outputs;
