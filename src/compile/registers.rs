@@ -186,9 +186,9 @@ impl Registers {
     pub fn load_members(&mut self, asm: &mut Assembler, expr: &Expr) {
         self.loaded.clear();
         let mut names = Vec::new();
-        expr.visit(&mut |kind| {
-            if let ExprKind::Element(name) = kind {
-                names.push(*name);
+        expr.each(&mut |expr| {
+            if let ExprKind::Element(name) = expr.kind {
+                names.push(name);
             }
         });
         for name in names {

@@ -1,14 +1,8 @@
-//! Every part of an expression in turn.
+//! Every part of an expression in turn, to be changed.
 
 use super::{Collection, Expr, ExprKind};
 
 impl Expr {
-    /// Calls back with each part of the expression, the whole first.
-    pub fn visit(&self, see: &mut impl FnMut(&ExprKind)) {
-        // One list of the parts serves both; a copy is small beside what is done with it.
-        self.clone().visit_mut(&mut |kind| see(kind));
-    }
-
     /// Calls back with each part of the expression, the whole first, to change it.
     pub fn visit_mut(&mut self, change: &mut impl FnMut(&mut ExprKind)) {
         change(&mut self.kind);
@@ -27,11 +21,11 @@ impl Expr {
             ExprKind::Vector(parts) => {
                 parts.iter_mut().for_each(|part| part.visit_mut(change));
             }
-            ExprKind::Binary(_, left, right) => {
+            ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
                 left.visit_mut(change);
                 right.visit_mut(change);
             }
-            ExprKind::Call(_, arguments) => {
+            ExprKind::Call(_, arguments) | ExprKind::Invoke(_, arguments) => {
                 arguments
                     .iter_mut()
                     .for_each(|argument| argument.visit_mut(change));
@@ -56,7 +50,7 @@ impl Expr {
     /// Whether the expression has a free index.
     pub fn has_members(&self) -> bool {
         let mut found = false;
-        self.visit(&mut |kind| found |= matches!(kind, ExprKind::Member(..)));
+        self.each(&mut |expr| found |= matches!(expr.kind, ExprKind::Member(..)));
         found
     }
 }

@@ -5,6 +5,7 @@
 //! writes it; a [`Machine`] runs it on a mesh; native code can be made from it later.
 
 mod code;
+mod function;
 mod plan;
 
 mod assembler;
@@ -32,6 +33,7 @@ pub use code::{
     Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Span, Traps,
     Walk,
 };
+pub use function::Function;
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
 pub use print::{ElementText, RealText, VectorText, WideText};

@@ -99,3 +99,8 @@ fn attributes() {
 fn scripts() {
     check("scripts.md");
 }
+
+#[test]
+fn functions() {
+    check("functions.md");
+}
