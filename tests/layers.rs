@@ -59,6 +59,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "diagram",
             "draw",
             "library",
+            "format",
             "analysis",
         ],
     ),
