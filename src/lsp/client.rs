@@ -116,6 +116,30 @@ impl Client {
         formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
     }
 
+    /// Whether completions may have placeholders.
+    pub(super) fn takes_snippets(&self) -> bool {
+        let text = self.can.text_document.as_ref();
+        let completion = text.and_then(|text| text.completion.as_ref());
+        let item = completion.and_then(|completion| completion.completion_item.as_ref());
+        item.and_then(|item| item.snippet_support).unwrap_or(false)
+    }
+
+    /// Whether the server may show progress of its own.
+    pub(super) fn shows_progress(&self) -> bool {
+        let window = self.can.window.as_ref();
+        window
+            .and_then(|window| window.work_done_progress)
+            .unwrap_or(false)
+    }
+
+    /// Whether the client opens a page when it is asked to.
+    pub(super) fn shows_documents(&self) -> bool {
+        let window = self.can.window.as_ref();
+        window
+            .and_then(|window| window.show_document.as_ref())
+            .is_some_and(|show| show.support)
+    }
+
     /// Whether symbols may stand in one another.
     pub(super) fn nests_symbols(&self) -> bool {
         let text = self.can.text_document.as_ref();
