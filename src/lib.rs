@@ -83,6 +83,8 @@ pub mod compile;
 
 pub mod draw;
 
+pub mod emit;
+
 pub mod resolve;
 
 pub mod run;

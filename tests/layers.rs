@@ -21,6 +21,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
     ("draw", &["source", "diagram", "mesh"]),
+    ("emit", &["source", "diagram", "check", "compile"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
         "run",
@@ -59,6 +60,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "resolve",
             "run",
             "draw",
+            "emit",
             "analysis",
         ],
     ),

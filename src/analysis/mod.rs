@@ -7,7 +7,7 @@ mod argument;
 mod program;
 mod verdict;
 
-pub use crate::check::{Argument, Counterexample};
+pub use crate::check::{Argument, Counterexample, Proved};
 pub use argument::{RuleArgument, why_proved};
 pub use program::Analysis;
 pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, Verdict, verdicts};

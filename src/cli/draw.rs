@@ -5,6 +5,7 @@ use std::path::Path;
 use super::arguments::{DrawArguments, Drawn};
 use super::check::show_rule;
 use super::failure::Failure;
+use super::files::write;
 use super::output::{complain_of, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
@@ -98,9 +99,4 @@ pub(super) fn write_picture(picture: &Picture, path: &Path, pixels: f64) -> Resu
             path.display()
         ))),
     }
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    std::fs::write(path, bytes)
-        .map_err(|error| Failure::usage(format!("cannot write `{}`: {error}", path.display())))
 }

@@ -15,3 +15,4 @@ mod registers;
 
 pub use expression::{Scope, each, element_kind, elements, lower, lower_into, width};
 pub use operation::compile;
+pub use reason::refusal as why_refused;

@@ -47,8 +47,8 @@ pub use identical::identical;
 pub use invalid::Invalid;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use obj::{
-    Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, write_obj,
-    write_obj_to,
+    Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, replace_file,
+    write_obj, write_obj_to,
 };
 pub use polygons::Polygons;
 pub use summary::{Bin, Lengths, Measures, Summary};
