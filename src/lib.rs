@@ -55,10 +55,11 @@
 //! ```text
 //! 5  cli                                 the command line
 //! 4  analysis                            a text taken all the way; plain data out
-//! 3  resolve      run                    tree to program; a program on a mesh
-//! 2  syntax  check  compile  draw        text to tree; the proof; a plan; a picture
+//! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
+//! 2  syntax  check  compile             text to tree; the proof; a plan
+//!    draw  emit                         a picture; pointer code in other languages
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
-//! 0  source       mesh                   texts and places; the halfedge mesh and OBJ files
+//! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
 //! ```
 //!
 //! Three walls stand between them. The mesh knows nothing of the language. The checker knows
@@ -68,6 +69,8 @@
 pub mod source;
 
 pub mod mesh;
+
+pub mod library;
 
 pub mod diagnostic;
 
@@ -84,6 +87,8 @@ pub mod compile;
 pub mod draw;
 
 pub mod emit;
+
+pub mod format;
 
 pub mod resolve;
 

@@ -55,10 +55,6 @@ const BY_RULE: &[&str] = &[
     "vertex-without-spokes",
 ];
 
-/// Codes of rejections that say more than is true: of `impossible-drawing`, that no mesh matches
-/// where some do in which an outer halfedge is the first of a path.
-const OVERSTATED: &[&str] = &["impossible-drawing"];
-
 /// Ops that the examples lack: every kind of change of topology, drawn as plainly as possible.
 const MORE_OPS: &str = "
 op pendant(a: halfedge) {
@@ -95,6 +91,18 @@ op split_any(e: edge) {
     edge e: a | q
     edge k: p | d
     m.position = v0.position
+  }
+}
+
+op fill(h: halfedge) {
+  before {
+    hole f: v0 -h-> v1 =P=> v0
+    edge k: h | x
+    vertex v1: x
+  }
+  after {
+    face f: v0 -h-> v1 =P=> v0
+    edge k: h | x
   }
 }
 
@@ -567,7 +575,7 @@ impl Judged {
         let Verdict::Rejected(code, meshes) = self.verdict else {
             return false;
         };
-        meshes == Meshes::Survived && !BY_RULE.contains(&code) && !OVERSTATED.contains(&code)
+        meshes == Meshes::Survived && !BY_RULE.contains(&code)
     }
 }
 
@@ -767,10 +775,10 @@ fn the_prover_tells_the_truth() {
     for judged in &unfounded {
         println!("{:?}, but no mesh breaks:\n{}", judged.verdict, judged.text);
     }
-    // Some drawings imply more than the checker sees; it may be too careful, but seldom.
+    // A drawing may imply more than the checker sees, but next to none does.
     assert!(
-        unfounded.len() * 500 <= judged.len(),
-        "{} unfounded rejections",
+        unfounded.len() * 5000 <= judged.len(),
+        "{} rejections that no mesh bears out",
         unfounded.len()
     );
 }

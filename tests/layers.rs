@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, &[&str])] = &[
     ("source", &[]),
     ("mesh", &[]),
+    ("library", &[]),
     ("diagnostic", &["source"]),
     ("diagram", &["source", "mesh"]),
     ("rewrite", &["mesh", "source"]),
@@ -22,6 +23,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ),
     ("draw", &["source", "diagram", "mesh"]),
     ("emit", &["source", "diagram", "check", "compile"]),
+    ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
         "run",
@@ -40,6 +42,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
             "diagram",
             "rewrite",
@@ -54,13 +57,16 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "source",
             "mesh",
+            "library",
             "diagnostic",
+            "syntax",
             "diagram",
             "rewrite",
             "resolve",
             "run",
             "draw",
             "emit",
+            "format",
             "analysis",
         ],
     ),

@@ -1,9 +1,9 @@
-//! Classic local operations at every edge of small polygon meshes, against a table of results
-//! and refusals.
+//! Classic local operations at every element of small polygon meshes, against a table of
+//! results and refusals.
 //!
 //! `tests/data/local_ops.json.gz` was made by an independent implementation, whose results a
-//! validator checked; its `doc` key tells the format. Here the drawings of
-//! `tests/guard/polygon.hedge` must reproduce each case of theirs that is not ambiguous, whatever
+//! validator checked; its `doc` key tells the format. Here the operations of
+//! `std/polygon.hedge` must reproduce each case of theirs that is not ambiguous, whatever
 //! halfedges the elements of the mesh name. Those are too many to try all choices of all
 //! elements together: tried are every choice of every single element, and many random choices
 //! of all.
@@ -19,11 +19,12 @@ use hedgerow::source::Sources;
 use serde_json::Value;
 
 /// The names of the table, and ours.
-const OPS: [(&str, &str); 4] = [
+const OPS: [(&str, &str); 5] = [
     ("flip_edge", "flip"),
     ("split_edge", "split"),
     ("collapse_edge", "collapse"),
     ("dissolve_edge", "dissolve_edge"),
+    ("weld_edges", "weld"),
 ];
 
 fn file(path: &str) -> PathBuf {
@@ -36,7 +37,7 @@ fn table() -> Value {
 }
 
 fn plans() -> BTreeMap<String, Plan> {
-    let text = std::fs::read_to_string(file("tests/guard/polygon.hedge")).unwrap();
+    let text = std::fs::read_to_string(file("src/library/std/polygon.hedge")).unwrap();
     let mut sources = Sources::new();
     let file = sources.add("polygon.hedge", text);
     let analysis = Analysis::of(&sources, file);
@@ -67,6 +68,25 @@ fn mesh(value: &Value) -> Mesh {
         .map(numbers)
         .collect();
     Mesh::from_polygons(&positions(value), &polygons).unwrap()
+}
+
+/// The number of the element that a case names.
+fn element(mesh: &Mesh, place: &Value) -> u64 {
+    match place["kind"].as_str().unwrap() {
+        "edge" => {
+            let ends = numbers(&place["halfedge"]);
+            let half = mesh.halfedge_between(VertexId(ends[0]), VertexId(ends[1]));
+            u64::from(mesh.edge(half.unwrap()).0)
+        }
+        "vertex" => place["index"].as_u64().unwrap(),
+        "face" => {
+            let corners = numbers(&place["loop"]);
+            let spokes = mesh.spokes(VertexId(corners[0]));
+            let mut ahead = spokes.filter(|&half| mesh.target(half).0 == corners[1]);
+            u64::from(mesh.face(ahead.next().unwrap()).0)
+        }
+        kind => panic!("no element is a {kind}"),
+    }
 }
 
 /// Faces as cycles of positions, each from its least corner on, in order. Positions are
@@ -189,16 +209,11 @@ fn every_case_is_reproduced_whatever_the_elements_name() {
             continue;
         }
         let original = mesh(&table["meshes"][case["mesh"].as_str().unwrap()]);
-        let ends = numbers(&case["element"][0]["halfedge"]);
-        let halfedge = original
-            .halfedge_between(VertexId(ends[0]), VertexId(ends[1]))
-            .unwrap();
-        let edge = original.edge(halfedge);
+        let elements = case["element"].as_array().unwrap().iter();
+        let places: Vec<_> = elements.map(|place| element(&original, place)).collect();
         let plan = &plans[*ours];
         for mut mesh in turned(&original) {
-            let outcome = machine
-                .apply(&mut mesh, plan, &[u64::from(edge.0)])
-                .unwrap();
+            let outcome = machine.apply(&mut mesh, plan, &places).unwrap();
             count[3] += 1;
             let expect = &case["expect"];
             match outcome {
@@ -211,6 +226,7 @@ fn every_case_is_reproduced_whatever_the_elements_name() {
                     validate_level(&mesh, Level::Surface).unwrap();
                     assert_eq!(shape_of(&mesh), expected(expect), "{}", case["name"]);
                     if *ours == "split" {
+                        let ends = numbers(&case["element"][0]["halfedge"]);
                         let spoke = mesh.vertex_halfedge(VertexId(result.unwrap()));
                         let target = mesh.target(spoke).0;
                         assert!(ends.contains(&target), "{}: runs aside", case["name"]);
@@ -222,7 +238,7 @@ fn every_case_is_reproduced_whatever_the_elements_name() {
     }
     for (op, [done, refused, ambiguous, runs]) in &counts {
         println!("{op}: {done} done, {refused} refused, {ambiguous} ambiguous, {runs} runs");
-        assert!(done + refused >= 120, "{op}: few cases");
+        assert!(done + refused >= 60, "{op}: few cases");
         assert!(*runs > 10_000, "{op}: few runs");
     }
     assert_eq!(counts.len(), OPS.len());

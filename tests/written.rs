@@ -97,5 +97,6 @@ fn the_ops_of_the_pages_are_proved_but_for_the_broken_one() {
             }
         }
     }
-    assert_eq!((proved, broken), (2, 1));
+    assert!(proved >= 3, "{proved} drawings in the pages");
+    assert_eq!(broken, 1);
 }

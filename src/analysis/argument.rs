@@ -19,6 +19,9 @@ pub fn why_proved(analysis: &Analysis) -> Vec<RuleArgument> {
     let mut arguments = Vec::new();
     for proved in analysis.proved.iter().flatten() {
         let op = proved.op();
+        if op.span.file != analysis.file {
+            continue;
+        }
         for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
             arguments.push(RuleArgument {
                 op: op.name.clone(),

@@ -1,19 +1,21 @@
 //! From a text to proved and compiled operations.
 
-use crate::check::{Counterexample, Outcome, Proved, examine};
-use crate::compile::compile;
+use super::Examined;
+use super::files::{Absent, Parts, Reader, fetch};
+use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
-use crate::resolve::{Program, resolve};
+use crate::resolve::{Program, Unit, resolve_all};
 use crate::rewrite::Plan;
-use crate::source::{FileId, Sources};
-use crate::syntax::parse;
+use crate::source::{FileId, Sources, Span};
 
-/// What is known of one file.
+/// What is known of one file, and of those it uses.
 #[derive(Clone, Debug)]
 pub struct Analysis {
     /// The file.
     pub file: FileId,
-    /// What it declares.
+    /// The files whose items can be named in it: itself first, then those it uses.
+    pub seen: Vec<FileId>,
+    /// What all files declare, each once, those of `file` first.
     pub program: Program,
     /// For each op of the program, its proof, if there is one.
     pub proved: Vec<Option<Proved>>,
@@ -21,54 +23,67 @@ pub struct Analysis {
     pub plans: Vec<Option<Plan>>,
     /// A smallest mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
-    /// Everything that is wrong, in the order of the text.
+    /// Everything that is wrong, file by file in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Analysis {
-    /// Reads, resolves, proves and compiles a file of `sources`.
+    /// Reads, resolves, proves and compiles a file of `sources`, and what it uses of them.
+    ///
+    /// Nothing is added to `sources`, so a `use` of what is not there is an error, also of a
+    /// file of the library: see [`Analysis::with`].
     pub fn of(sources: &Sources, file: FileId) -> Self {
-        let parsed = parse(file, sources.get(file).text());
-        let resolved = resolve(&parsed.tree);
-        let mut diagnostics = parsed.diagnostics;
+        Self::of_present(sources, file, &Absent::new())
+    }
+
+    /// The same, after the files it uses have been added to `sources`: those of the library,
+    /// and others as the reader gives them.
+    pub fn with(sources: &mut Sources, file: FileId, reader: &mut dyn Reader) -> Self {
+        let absent = fetch(sources, file, reader);
+        Self::of_present(sources, file, &absent)
+    }
+
+    fn of_present(sources: &Sources, file: FileId, absent: &Absent) -> Self {
+        let Parts {
+            parts,
+            mut diagnostics,
+            ..
+        } = Parts::of(sources, file, absent);
+        let units: Vec<_> = parts
+            .iter()
+            .map(|part| Unit {
+                tree: &part.parsed.tree,
+                uses: part.uses.clone(),
+                lacks: part.lacks,
+            })
+            .collect();
+        let resolved = resolve_all(&units);
+        for part in &parts {
+            diagnostics.extend(part.parsed.diagnostics.iter().cloned());
+        }
         diagnostics.extend(resolved.diagnostics);
         let program = resolved.program;
+        let used = parts.first().map(|root| root.uses.as_slice());
+        let used = used.unwrap_or_default().iter();
+        let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));
+        let seen = seen.collect();
         let mut proved = Vec::new();
         let mut plans = Vec::new();
         let mut counterexamples = Vec::new();
         for op in &program.ops {
-            // Where a part could not be read, what is left is another operation.
-            let whole = op.diagram.as_ref().filter(|diagram| {
-                let inside = |error: &Diagnostic| diagram.span.touches(error.span().start as usize);
-                !diagnostics
-                    .iter()
-                    .any(|told| told.is_error() && inside(told))
-            });
-            let (proof, plan) = match whole.map(examine) {
-                Some(Ok(proof)) => {
-                    let plan = compile(&proof, sources);
-                    if plan.is_err() {
-                        diagnostics.push(too_large(op.span, &op.name));
-                    }
-                    (Some(proof), plan.ok())
-                }
-                Some(Err(rejection)) => {
-                    diagnostics.extend(rejection.diagnostics);
-                    let broken = rejection.outcomes.into_iter();
-                    counterexamples.extend(broken.filter_map(|outcome| match outcome {
-                        Outcome::Breaks(example) => Some(*example),
-                        Outcome::Valid(_) | Outcome::NoMesh | Outcome::NotTried => None,
-                    }));
-                    (None, None)
-                }
-                None => (None, None),
-            };
-            proved.push(proof);
-            plans.push(plan);
+            let examined = Examined::of(op, &diagnostics, sources);
+            diagnostics.extend(examined.diagnostics);
+            counterexamples.extend(examined.counterexamples);
+            proved.push(examined.proved);
+            plans.push(examined.plan);
         }
-        diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
+        diagnostics.sort_by_key(|diagnostic| {
+            let Span { file, start, .. } = diagnostic.span();
+            (file, start)
+        });
         Self {
             file,
+            seen,
             program,
             proved,
             plans,
@@ -82,25 +97,24 @@ impl Analysis {
         !self.diagnostics.iter().any(Diagnostic::is_error)
     }
 
-    /// The index of an op.
+    /// The index of the op that a name means in the file.
     pub fn op(&self, name: &str) -> Option<usize> {
-        self.program.ops.iter().position(|op| op.name == name)
+        let ops = self.program.ops.iter();
+        self.meant(name, ops.map(|op| (op.name.as_str(), op.span)))
     }
 
-    /// The index of a script.
+    /// The index of the script that a name means in the file.
     pub fn script(&self, name: &str) -> Option<usize> {
-        self.program
-            .scripts
-            .iter()
-            .position(|script| script.name == name)
+        let scripts = self.program.scripts.iter();
+        let scripts = scripts.map(|script| (script.name.as_str(), script.span));
+        self.meant(name, scripts)
     }
-}
 
-fn too_large(span: crate::source::Span, name: &str) -> Diagnostic {
-    Diagnostic::error(
-        "too-large",
-        format!("`{name}` is too large to compile"),
-        span,
-    )
-    .note("its diagrams need more registers than there can be: split it into smaller ops")
+    /// Of all items of a name that of the file, else the first of those it uses.
+    fn meant<'p>(&self, name: &str, items: impl Iterator<Item = (&'p str, Span)>) -> Option<usize> {
+        let order = |span: Span| self.seen.iter().position(|&seen| seen == span.file);
+        let named = items.enumerate().filter(|(_, (known, _))| *known == name);
+        let visible = named.filter_map(|(at, (_, span))| Some((order(span)?, at)));
+        visible.min().map(|(_, at)| at)
+    }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::Analysis;
-use crate::check::{Proof, SizeChange};
+use crate::check::{Proof, Proved, SizeChange};
 use crate::diagram::{Level, Rule};
 
 /// What was proved of an operation.
@@ -119,18 +119,26 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
     told.collect()
 }
 
-/// The verdict on every op of a file, in order.
+/// The verdict on every op of a file, in order; those of the files it uses are left out.
 pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
     let ops = analysis.program.ops.iter().zip(&analysis.proved);
-    ops.map(|(op, proved)| Verdict {
-        op: op.name.clone(),
-        proved: proved.is_some(),
-        rules: proved.iter().flat_map(rules).collect(),
-    })
-    .collect()
+    let ops = ops.filter(|(op, _)| op.span.file == analysis.file);
+    ops.map(|(op, proved)| Verdict::of(&op.name, proved.as_ref()))
+        .collect()
 }
 
-fn rules(proved: &crate::check::Proved) -> Vec<RuleVerdict> {
+impl Verdict {
+    /// The verdict on one op, given its proof.
+    pub fn of(op: &str, proved: Option<&Proved>) -> Self {
+        Self {
+            op: op.to_owned(),
+            proved: proved.is_some(),
+            rules: proved.into_iter().flat_map(rules).collect(),
+        }
+    }
+}
+
+fn rules(proved: &Proved) -> Vec<RuleVerdict> {
     let rules = proved.op().rules.iter().zip(proved.proofs());
     rules
         .map(|(rule, proof)| RuleVerdict::new(rule, proof))

@@ -212,7 +212,7 @@ impl Words<'_> {
     /// What an arc holds; nothing is said of one that is known to hold no spoke.
     fn arc(&self, arc: Arc) -> Option<String> {
         match arc.lies {
-            Lies::Empty => None,
+            Lies::Empty | Lies::Spoke(_) => None,
             Lies::Fan(fan) => Some(format!("(*{})", self.word(fan))),
             Lies::Rest => Some(format!("(outside, at {})", self.word(arc.vertex))),
         }

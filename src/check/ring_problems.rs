@@ -284,14 +284,15 @@ impl Case<'_> {
                         .map(|(_, lies)| *lies)
                     {
                         Some(Lies::Fan(fan)) => Token::Fan(fan),
-                        Some(Lies::Empty) => continue,
+                        // The outer halfedge tells for both.
+                        Some(Lies::Empty | Lies::Spoke(_)) => continue,
                         Some(Lies::Rest) | None => Token::Rest,
                     }
                 }
                 Step::Arc(arc) => match arc.lies {
                     Lies::Fan(fan) => Token::Fan(fan),
                     Lies::Rest => Token::Rest,
-                    Lies::Empty => continue,
+                    Lies::Empty | Lies::Spoke(_) => continue,
                 },
             };
             if tokens.last() != Some(&token) {

@@ -96,10 +96,9 @@ fn values(
     })
 }
 
-/// For each parameter the place that `--at` gives it.
+/// For each parameter the place that `--at` gives it, by its name or else in their order.
 fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Failure> {
-    let elements = params.iter().filter(|param| param.ty.is_element()).count();
-    let mut places = vec![None; params.len()];
+    let mut places: Vec<Option<Place>> = vec![None; params.len()];
     for text in texts {
         let (name, text) = match text.split_once('=') {
             Some((name, text)) => (Some(name), text),
@@ -110,12 +109,10 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
             Some(name) => params
                 .iter()
                 .position(|param| param.name == name && param.ty.is_element()),
-            None if elements > 1 => {
-                return Err(Failure::usage(
-                    "the operation has several element parameters: write --at NAME=PLACE for each",
-                ));
+            None => {
+                let mut open = params.iter().zip(&places);
+                open.position(|(param, place)| param.ty.is_element() && place.is_none())
             }
-            None => params.iter().position(|param| param.ty.is_element()),
         };
         let at = found.ok_or_else(|| {
             let names = params
@@ -123,10 +120,12 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
                 .filter(|param| param.ty.is_element())
                 .map(|param| format!("`{}`", param.name));
             let names = names.collect::<Vec<_>>().join(", ");
-            Failure::usage(format!(
-                "the operation has no element parameter `{}`; it has {names}",
-                name.unwrap_or("")
-            ))
+            Failure::usage(match name {
+                Some(name) => {
+                    format!("the operation has no element parameter `{name}`; it has {names}")
+                }
+                None => format!("`{text}` is a place too many: the operation has {names}"),
+            })
         })?;
         let wanted = params[at].ty;
         if place.ty() != wanted {

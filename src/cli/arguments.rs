@@ -17,7 +17,7 @@ pub(super) struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  all is well
-  1  something is not proved, or a script failed
+  1  something is not proved or not formatted, or a script failed
   2  bad usage, or a file that cannot be read or written
   3  the operation was refused";
 
@@ -39,6 +39,10 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Make a picture of a mesh
     View(ViewArguments),
+    /// Format programs, so that their drawings stand in columns
+    Fmt(FmtArguments),
+    /// List the standard library, print a file of it, or copy it out
+    Std(StdArguments),
 }
 
 /// What the answer looks like.
@@ -96,8 +100,8 @@ pub(super) struct ApplyArguments {
     /// The mesh (.obj)
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
-    /// with the numbers of the file, from 1; if the operation
-    /// has several, each by its name: --at a=halfedge:1-2
+    /// with the numbers of the file, from 1; several in the
+    /// order of the parameters, or by name: --at a=halfedge:1-2
     #[arg(
         long = "at",
         value_name = "PLACE",
@@ -230,4 +234,23 @@ pub(super) struct ViewArguments {
     /// Where to look from, as a direction
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FmtArguments {
+    /// Programs (.hedge), formatted where they are; - formats standard input to standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Change nothing; exit code 1 if something is not formatted
+    #[arg(long)]
+    pub check: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct StdArguments {
+    /// A file of the library: std/triangle.hedge, or triangle
+    pub name: Option<String>,
+    /// Copy it, or all files, to a folder; a single one also to a file (.hedge)
+    #[arg(long, value_name = "DIR|FILE")]
+    pub copy: Option<PathBuf>,
 }

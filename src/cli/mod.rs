@@ -2,8 +2,8 @@
 //!
 //! The only place, with the language server to come, that touches files and streams.
 //! Results go to standard output, everything said about them to standard error. Exit
-//! codes: 0 all is well; 1 something is not proved, or a script failed; 2 bad usage or a file
-//! that cannot be read or written; 3 the operation was refused.
+//! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
+//! usage or a file that cannot be read or written; 3 the operation was refused.
 
 mod apply;
 mod arguments;
@@ -13,7 +13,9 @@ mod draw;
 mod explain;
 mod failure;
 mod files;
+mod fmt;
 mod info;
+mod library;
 mod meshes;
 mod output;
 mod place;
@@ -49,6 +51,8 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::View(arguments) => view::view(&arguments),
+        Command::Fmt(arguments) => fmt::fmt(&arguments),
+        Command::Std(arguments) => library::std(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -27,7 +27,11 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     let program = program::read(path)?;
     let ops: Vec<_> = match name {
         Some(_) => vec![program::find_op(&program, name)?],
-        None => (0..program.analysis.program.ops.len()).collect(),
+        None => {
+            let ops = program.analysis.program.ops.iter().enumerate();
+            let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);
+            own.map(|(at, _)| at).collect()
+        }
     };
     if ops.is_empty() {
         program::find_op(&program, None)?;

@@ -2,10 +2,13 @@
 
 use std::path::Path;
 
+use strsim::damerau_levenshtein;
+
 use super::failure::Failure;
 use super::output::complain_of;
-use crate::analysis::Analysis;
-use crate::source::Sources;
+use crate::analysis::{Analysis, Reader};
+use crate::library;
+use crate::source::{Sources, Span};
 
 /// A program as read from a file.
 pub(super) struct Program {
@@ -13,26 +16,65 @@ pub(super) struct Program {
     pub analysis: Analysis,
 }
 
-/// Reads a program. What is wrong inside it is in its diagnostics.
+/// Reads a program, and the files it uses. What is wrong inside them is in its diagnostics.
+///
+/// A path that leads to no file, but is the name of one of the library, means that.
 pub(super) fn read(path: &Path) -> Result<Program, Failure> {
-    let shown = path.display();
-    let bytes = std::fs::read(path)
-        .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let line = error.as_bytes()[..error.utf8_error().valid_up_to()]
-            .iter()
-            .filter(|&&byte| byte == b'\n')
-            .count()
-            + 1;
-        Failure::usage(format!("`{shown}` is not UTF-8 text: see line {line}"))
-    })?;
-    if u32::try_from(text.len()).is_err() {
-        return Err(Failure::usage(format!("`{shown}` is larger than 4 GiB")));
-    }
+    let shown = path.display().to_string();
+    let of_library = library::file(&shown).filter(|_| !path.exists());
+    let text = match of_library {
+        Some(file) => Ok(file.text.to_owned()),
+        None => text_of(path),
+    };
+    let text = text.map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
     let mut sources = Sources::new();
-    let file = sources.add(shown.to_string(), text);
-    let analysis = Analysis::of(&sources, file);
+    let name = of_library.map_or(shown, |file| file.name.to_owned());
+    let file = sources.add(name, text);
+    let analysis = Analysis::with(&mut sources, file, &mut Disk);
     Ok(Program { sources, analysis })
+}
+
+/// The text of a file, or in words why there is none.
+pub(super) fn text_of(path: &Path) -> Result<String, String> {
+    as_text(std::fs::read(path).map_err(|error| error.to_string())?)
+}
+
+/// Bytes as text, or in words why they are none.
+pub(super) fn as_text(bytes: Vec<u8>) -> Result<String, String> {
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        format!("it is not UTF-8 text: see line {line}")
+    })?;
+    match u32::try_from(text.len()) {
+        Ok(_) => Ok(text),
+        Err(_) => Err("it is larger than 4 GiB".to_owned()),
+    }
+}
+
+/// The files of this computer.
+struct Disk;
+
+impl Reader for Disk {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        match Path::new(name).exists() {
+            true => text_of(Path::new(name)),
+            false => Err("there is no such file".to_owned()),
+        }
+    }
+
+    fn beside(&mut self, name: &str) -> Vec<String> {
+        let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+        let folder = match folder.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => folder,
+        };
+        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let mut names: Vec<_> = names.filter(|name| name.ends_with(".hedge")).collect();
+        names.sort();
+        names
+    }
 }
 
 /// Reads a program that is wanted whole: says what is wrong, and stops there.
@@ -54,55 +96,83 @@ pub(super) fn part(text: &str) -> (&Path, Option<&str>) {
     }
 }
 
-/// The index of the op that `FILE::OP` names; without a name, the only one.
+/// The index of the op that `FILE::OP` names; without a name, the only one of the file.
 pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Failure> {
-    let names: Vec<_> = program
-        .analysis
-        .program
-        .ops
-        .iter()
-        .map(|op| op.name.as_str())
-        .collect();
-    find("operation", &names, name)
+    let analysis = &program.analysis;
+    let ops = analysis.program.ops.iter();
+    let ops = ops.map(|op| (op.name.as_str(), op.span));
+    let found = name.and_then(|name| analysis.op(name));
+    find("operation", &visible(analysis, ops), (name, found))
 }
 
-/// The index of the script that `FILE::SCRIPT` names; without a name, the only one.
+/// The index of the script that `FILE::SCRIPT` names; without a name, the only one of the
+/// file.
 pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize, Failure> {
-    let names: Vec<_> = program
-        .analysis
-        .program
-        .scripts
-        .iter()
-        .map(|script| script.name.as_str())
-        .collect();
-    find("script", &names, name)
+    let analysis = &program.analysis;
+    let scripts = analysis.program.scripts.iter();
+    let scripts = scripts.map(|script| (script.name.as_str(), script.span));
+    let found = name.and_then(|name| analysis.script(name));
+    find("script", &visible(analysis, scripts), (name, found))
 }
 
-fn find(what: &str, names: &[&str], name: Option<&str>) -> Result<usize, Failure> {
-    let list = || {
-        names
-            .iter()
-            .map(|name| format!("`{name}`"))
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
-    match (name, names) {
-        (_, []) => Err(Failure::usage(format!("the file has no {what}"))),
-        (None, [_]) => Ok(0),
-        (None, _) => Err(Failure::usage(format!(
-            "which {what}? write FILE::NAME with one of {}",
-            list()
-        ))),
-        (Some(name), _) => names
-            .iter()
-            .position(|known| *known == name)
-            .ok_or_else(|| {
-                Failure::usage(format!(
-                    "the file has no {what} `{name}`; it has {}",
-                    list()
-                ))
-            }),
+/// An item that a name may mean.
+struct Candidate<'p> {
+    index: usize,
+    name: &'p str,
+    /// Whether it stands in the file itself, not in one that it uses.
+    own: bool,
+}
+
+fn visible<'p>(
+    analysis: &Analysis,
+    items: impl Iterator<Item = (&'p str, Span)>,
+) -> Vec<Candidate<'p>> {
+    let items = items.enumerate();
+    let seen = items.filter(|(_, (_, span))| analysis.seen.contains(&span.file));
+    let candidates = seen.map(|(index, (name, span))| Candidate {
+        index,
+        name,
+        own: span.file == analysis.file,
+    });
+    candidates.collect()
+}
+
+fn find(
+    what: &str,
+    known: &[Candidate],
+    (name, found): (Option<&str>, Option<usize>),
+) -> Result<usize, Failure> {
+    if let Some(found) = found {
+        return Ok(found);
     }
+    let own: Vec<_> = known.iter().filter(|candidate| candidate.own).collect();
+    let listed = |names: &mut dyn Iterator<Item = &str>| {
+        let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();
+        names.join(", ")
+    };
+    let Some(name) = name else {
+        return match own.as_slice() {
+            [] => Err(Failure::usage(format!("the file has no {what}"))),
+            [only] => Ok(only.index),
+            own => Err(Failure::usage(format!(
+                "which {what}? write FILE::NAME with one of {}",
+                listed(&mut own.iter().map(|candidate| candidate.name))
+            ))),
+        };
+    };
+    if known.is_empty() {
+        return Err(Failure::usage(format!("the file has no {what}")));
+    }
+    let names = || known.iter().map(|candidate| candidate.name);
+    let near = names().min_by_key(|known| damerau_levenshtein(name, known));
+    let near = near.filter(|near| damerau_levenshtein(name, near) <= name.chars().count() / 3);
+    let advice = match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("it has {}", listed(&mut names())),
+    };
+    Err(Failure::usage(format!(
+        "the file has no {what} `{name}`; {advice}"
+    )))
 }
 
 /// Parts every `NAME=VALUE` of `--set`.

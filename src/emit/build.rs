@@ -1,7 +1,7 @@
 //! A proved operation to a routine: its four phases, rule by rule.
 
 use super::NotEmitted;
-use super::expression::Expressions;
+use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
 use super::names::Names;
@@ -23,6 +23,10 @@ pub(super) enum Pointers {
 /// The routine of a proved operation.
 pub(super) fn routine(proved: &Proved, pointers: Pointers) -> Result<Routine, NotEmitted> {
     let op = proved.op();
+    if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
+        let what = format!("a parameter of type `{}`", param.ty.word());
+        return Err(NotEmitted::new(what, param.span));
+    }
     let mut params = Vec::new();
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
@@ -187,11 +191,15 @@ fn values(
 ) -> Result<Vec<(Term, Term)>, NotEmitted> {
     let mut values = Vec::new();
     for assignment in &drawing.rule.assignments {
-        let Access::Position = assignment.attribute;
+        if assignment.attribute != Access::Position {
+            let word = drawing.rule.attribute(assignment.attribute);
+            let what = format!("the attribute `{word}`");
+            return Err(NotEmitted::new(what, assignment.span));
+        }
         let target = names.word(assignment.target.name).to_string();
         let name = names.fresh(&format!("{}_position", target.trim_end_matches('_')));
         let value = Expressions { names }.term(&assignment.value)?;
-        let may_fail = !super::expression::is_surely_finite(&assignment.value);
+        let may_fail = !is_surely_finite(&assignment.value);
         body.push(Statement::Bind {
             ty: Type::Vec3,
             name: name.clone(),

@@ -3,7 +3,7 @@
 use super::NotEmitted;
 use super::names::Names;
 use super::routine::{Around, Fold, Function, Parameter, Term};
-use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Unary};
+use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Type, Unary};
 
 /// Writes expressions.
 pub(super) struct Expressions<'n> {
@@ -13,11 +13,18 @@ pub(super) struct Expressions<'n> {
 impl Expressions<'_> {
     /// The term of an expression.
     pub fn term(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
+        if !is_spelled(expr.ty) {
+            let what = format!("a value of type `{}`", expr.ty.word());
+            return Err(NotEmitted::new(what, expr.span));
+        }
         Ok(match &expr.kind {
             ExprKind::Bool(value) => Term::Bool(*value),
             ExprKind::Int(value) => Term::Int(*value),
             ExprKind::Real(value) => Term::Real(*value),
             ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
+            ExprKind::Read(Access::Declared(_), _) => {
+                return Err(NotEmitted::new("an attribute of the program", expr.span));
+            }
             ExprKind::Element(name) => Term::name(self.names.word(*name)),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
             ExprKind::Follow(pointer, base) => self.term(base)?.follow(*pointer),
@@ -26,7 +33,9 @@ impl Expressions<'_> {
                 Term::Component(*part, Box::new(self.term(vector)?))
             }
             ExprKind::Vector(parts) => {
-                let [x, y, z] = &**parts;
+                let [x, y, z] = parts.as_slice() else {
+                    return Err(NotEmitted::new("a vector of vectors", expr.span));
+                };
                 Term::Vector(Box::new([self.term(x)?, self.term(y)?, self.term(z)?]))
             }
             ExprKind::Unary(Unary::ToReal, operand) => match &operand.kind {
@@ -46,7 +55,21 @@ impl Expressions<'_> {
                 Box::new(self.term(left)?),
                 Box::new(self.term(right)?),
             ),
+            ExprKind::Call(Builtin::IsFinite, args)
+                if args.len() == 1 && args[0].ty == Type::Vec3 =>
+            {
+                Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
+            }
             ExprKind::Call(builtin, args) => {
+                let of_vector = args.first().is_some_and(|arg| arg.ty != Type::Real);
+                let unknown = match builtin {
+                    Builtin::StarShaped | Builtin::KernelCentroid => true,
+                    Builtin::IsNan => of_vector,
+                    _ => false,
+                };
+                if unknown {
+                    return Err(NotEmitted::new("this function", expr.span));
+                }
                 let args = args.iter().map(|arg| self.term(arg));
                 Term::Call(Function::Builtin(*builtin), args.collect::<Result<_, _>>()?)
             }
@@ -107,16 +130,18 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
             Binary::AddReal
             | Binary::SubtractReal
             | Binary::MultiplyReal
-            | Binary::AddVec3
-            | Binary::SubtractVec3
-            | Binary::MultiplyVec3
-            | Binary::ScaleVec3 => is_surely_finite(left) && is_surely_finite(right),
-            Binary::DivideReal | Binary::DivideVec3 => is_surely_finite(left) && is_not_zero(right),
+            | Binary::AddVector
+            | Binary::SubtractVector
+            | Binary::MultiplyVector
+            | Binary::ScaleVector => is_surely_finite(left) && is_surely_finite(right),
+            Binary::DivideReal | Binary::DivideVector => {
+                is_surely_finite(left) && is_not_zero(right)
+            }
             _ => false,
         },
         ExprKind::Call(builtin, args) => match builtin {
             Builtin::CentroidEdge | Builtin::CentroidFace => true,
-            Builtin::MixReal | Builtin::MixVec3 => args.iter().all(is_surely_finite),
+            Builtin::MixReal | Builtin::MixVector => args.iter().all(is_surely_finite),
             _ => false,
         },
         ExprKind::If(_, then, otherwise) => is_surely_finite(then) && is_surely_finite(otherwise),
@@ -136,4 +161,10 @@ fn is_not_zero(expr: &Expr) -> bool {
         ExprKind::Unary(Unary::ToReal, of) => is_not_zero(of),
         _ => false,
     }
+}
+
+/// Whether emitted code has a type for these values.
+pub(super) fn is_spelled(ty: Type) -> bool {
+    let wide = matches!(ty, Type::Vec2 | Type::Vec4 | Type::Mat3 | Type::Mat4);
+    !wide
 }

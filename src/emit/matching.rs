@@ -107,7 +107,7 @@ impl Matching<'_, '_> {
                 self.source(Source::Clockwise(*to)).is(self.bound(*from))
             }
             Claim::Leads(source, to) => self.source(*source).is(self.bound(*to)),
-            Claim::Distinct(left, right) => self.term(*left).is_not(self.term(*right)),
+            Claim::Distinct(left, right) => self.term(*left).differs_from(self.term(*right)),
             Claim::Kind(face, LoopKind::Hole) => self.term(*face).hole(),
             Claim::Kind(face, _) => self.term(*face).hole().not(),
             Claim::InOrder {

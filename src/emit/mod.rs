@@ -21,14 +21,11 @@ mod cpp;
 mod lines;
 mod rust;
 mod spell;
-mod style;
-mod support;
 
 use crate::source::Span;
 
-pub use cpp::cpp;
+pub use cpp::{Style, StyleError, cpp};
 pub use rust::rust;
-pub use style::{Style, StyleError};
 
 /// What cannot be emitted, and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -207,7 +207,7 @@ impl Term {
         Self::Binary(Binary::EqualElement, Box::new(self), Box::new(other))
     }
 
-    pub fn is_not(self, other: Self) -> Self {
+    pub fn differs_from(self, other: Self) -> Self {
         self.is(other).not()
     }
 

@@ -114,7 +114,7 @@ fn unary(language: &mut impl Language, operator: Unary, of: &Term) -> Spelled {
             }
             "!"
         }
-        Unary::NegateInt | Unary::NegateReal | Unary::NegateVec3 => "-",
+        Unary::NegateInt | Unary::NegateReal | Unary::NegateVector => "-",
         Unary::ToReal => {
             let of = spell(language, of);
             return language.to_real(of);
@@ -150,10 +150,10 @@ fn turned(term: &Term) -> Option<Term> {
 
 fn symbol(operator: Binary) -> Option<(&'static str, Level)> {
     Some(match operator {
-        Binary::AddInt | Binary::AddReal | Binary::AddVec3 => ("+", Level::Sum),
-        Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVec3 => ("-", Level::Sum),
-        Binary::MultiplyInt | Binary::MultiplyReal | Binary::ScaleVec3 => ("*", Level::Product),
-        Binary::DivideReal | Binary::DivideVec3 => ("/", Level::Product),
+        Binary::AddInt | Binary::AddReal | Binary::AddVector => ("+", Level::Sum),
+        Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVector => ("-", Level::Sum),
+        Binary::MultiplyInt | Binary::MultiplyReal | Binary::ScaleVector => ("*", Level::Product),
+        Binary::DivideReal | Binary::DivideVector => ("/", Level::Product),
         Binary::EqualInt | Binary::EqualReal | Binary::EqualBool | Binary::EqualElement => {
             ("==", Level::Compare)
         }
@@ -189,4 +189,13 @@ fn infix(language: &mut impl Language, symbol: &str, level: Level, sides: [&Term
     };
     let (left, right) = (left.at(left_level), right.at(right_level));
     Spelled::new(format!("{left} {symbol} {right}"), level)
+}
+
+/// A number with all its digits, and a point.
+pub(super) fn number(value: f64) -> Spelled {
+    let text = format!("{value:?}");
+    match value.is_sign_negative() {
+        true => Spelled::new(text, Level::Prefix),
+        false => Spelled::whole(text),
+    }
 }

@@ -21,6 +21,7 @@ mod equality;
 mod geometry;
 mod identical;
 mod invalid;
+mod kernel;
 mod level;
 mod link;
 mod summary;

@@ -203,6 +203,9 @@ impl Scripting<'_> {
             }
             return None;
         };
+        self.typing
+            .declared
+            .expect_one(function, self.typing.report)?;
         let mut values: Vec<Option<Expr>> = Vec::new();
         for (place, arg) in args.iter().enumerate() {
             let value = match op.params.get(place).map(|param| (param, param.ty)) {
@@ -265,7 +268,7 @@ impl Scripting<'_> {
     fn unknown_op(&mut self, function: &Ident) {
         let declared = self.typing.declared;
         let word = function.text.as_str();
-        if declared.may_be_op() || declared.may_be_function(word) {
+        if declared.may_be_function(word) {
             // What declares it has been refused already.
             self.typing.report.fail();
             return;

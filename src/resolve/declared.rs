@@ -1,51 +1,121 @@
-//! What a file declares, by name, before any of it is understood.
+//! What can be named in a file, before any of it is understood.
+//!
+//! Those are its own items, and the items of the files it uses. Two files that are used may
+//! have items of one name; only to call it is an error then.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::diagnostic::Diagnostic;
+use crate::diagram::{Access, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident, Item};
 
+use super::attribute::{Head, head};
 use super::builtin::function_names;
-use super::report::not_yet;
+use super::file::Unit;
+use super::report::{Report, not_yet};
 use super::sequence::fold_names;
+use super::words::a_type;
 
-/// The names of a file's items.
-#[derive(Debug, Default)]
+/// What stands for a name of an item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Named {
+    /// What it is.
+    pub(super) what: What,
+    /// Its number among those of the whole program.
+    pub(super) number: usize,
+    /// Where its name stands.
+    pub(super) span: Span,
+}
+
+/// What can be called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum What {
+    /// An operation.
+    Op,
+}
+
+impl What {
+    fn a_word(self) -> &'static str {
+        match self {
+            What::Op => "an op",
+        }
+    }
+}
+
+/// The names that stand in a file.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Declared {
-    /// The ops in order, each with the place of its name; of two of one name the first
-    /// has it.
-    ops: Vec<(String, Span)>,
-    op_numbers: HashMap<String, usize>,
+    /// What can be called, by name; of two of one name the first.
+    called: BTreeMap<String, Named>,
+    /// What else a used file has under such a name.
+    others: HashMap<String, Span>,
     scripts: HashMap<String, Span>,
     functions: HashSet<String>,
-    attributes: HashSet<String>,
-    uses: bool,
+    /// The attributes that can be seen.
+    attributes: Vec<Head>,
+    /// The names of those that could not be understood.
+    lost_attributes: HashSet<String>,
+    /// Whether some of what is used is not known.
+    lacks: bool,
+}
+
+/// How many there are of what is numbered.
+#[derive(Debug, Default)]
+struct Numbers {
+    ops: usize,
+    attributes: u32,
+    /// The attributes that are not private: each has its name alone, in all files.
+    public: Vec<Head>,
 }
 
 impl Declared {
-    /// Collects the names of `file`, and says which are taken and which items are not
-    /// understood yet.
-    pub(super) fn of(file: &tree::File, diagnostics: &mut Vec<Diagnostic>) -> Self {
-        let mut declared = Self::default();
+    /// What can be named in each file of a program; says which names are taken, and which
+    /// items are not understood yet.
+    pub(super) fn of_all(units: &[Unit], diagnostics: &mut Vec<Diagnostic>) -> Vec<Self> {
+        let mut numbers = Numbers::default();
+        let own = units.iter().map(|unit| {
+            let mut own = Self::default();
+            own.declare(unit.tree, &mut numbers, diagnostics);
+            own
+        });
+        let own: Vec<Self> = own.collect();
+        let with_used = |(own_of, unit): (&Self, &Unit)| {
+            let mut all = own_of.clone();
+            all.lacks = unit.lacks;
+            for used in unit.uses.iter().filter_map(|&used| own.get(used)) {
+                all.take_in(used, own_of, diagnostics);
+            }
+            all
+        };
+        own.iter().zip(units).map(with_used).collect()
+    }
+
+    fn declare(
+        &mut self,
+        file: &tree::File,
+        numbers: &mut Numbers,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
         for item in &file.items {
             match item {
-                Item::Op(op) => diagnostics.extend(declared.declare_op(&op.name)),
-                Item::Script(script) => diagnostics.extend(declared.declare_script(&script.name)),
+                Item::Op(op) => {
+                    let named = Named {
+                        what: What::Op,
+                        number: numbers.ops,
+                        span: op.name.span,
+                    };
+                    numbers.ops += 1;
+                    diagnostics.extend(self.declare_called(&op.name, named));
+                }
+                Item::Script(script) => diagnostics.extend(self.declare_script(&script.name)),
                 Item::Fn(function) => {
-                    declared.functions.insert(function.name.text.clone());
+                    self.functions.insert(function.name.text.clone());
                     let what = "functions (`fn`) are not supported yet";
                     diagnostics.push(not_yet(what, function.name.span));
                 }
                 Item::Attr(attr) => {
-                    declared.attributes.insert(attr.name.text.clone());
-                    let what = "attributes (`attr`) are not supported yet";
-                    diagnostics.push(not_yet(what, attr.name.span));
-                }
-                Item::Use(r#use) => {
-                    declared.uses = true;
-                    let what = "`use` of other files is not supported yet";
-                    diagnostics.push(not_yet(what, r#use.span));
+                    self.declare_attribute(attr, numbers, diagnostics);
                 }
                 Item::Test(test) => {
                     let what = "`test` blocks are not supported yet";
@@ -55,28 +125,53 @@ impl Declared {
                     };
                     diagnostics.push(not_yet(what, head));
                 }
-                Item::Broken(_) => {}
+                Item::Use(_) | Item::Broken(_) => {}
             }
         }
-        declared
     }
 
-    fn declare_op(&mut self, name: &Ident) -> Option<Diagnostic> {
-        let number = self.ops.len();
-        self.ops.push((name.text.clone(), name.span));
-        if function_names().chain(fold_names()).any(|f| f == name.text) {
+    fn declare_called(&mut self, name: &Ident, named: Named) -> Option<Diagnostic> {
+        if is_of_the_language(&name.text) {
             let message = format!(
-                "`{}` is a function of the language; an op needs another name",
-                name.text
+                "`{}` is a function of the language; {} needs another name",
+                name.text,
+                named.what.a_word()
             );
             return Some(Diagnostic::error("duplicate-name", message, name.span));
         }
-        if let Some(first) = self.op_numbers.get(&name.text) {
-            let first = self.ops[*first].1;
-            return Some(duplicate("an op", name, first));
+        if let Some(first) = self.called.get(&name.text) {
+            return Some(duplicate(first.what.a_word(), name, first.span));
         }
-        self.op_numbers.insert(name.text.clone(), number);
+        self.called.insert(name.text.clone(), named);
         None
+    }
+
+    fn declare_attribute(
+        &mut self,
+        attr: &tree::Attr,
+        numbers: &mut Numbers,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
+        let number = numbers.attributes;
+        numbers.attributes += 1;
+        let head = head(attr, number, diagnostics).and_then(|head| {
+            let others = self.attributes.iter();
+            let public = numbers.public.iter().filter(|_| !head.private);
+            match others.chain(public).find(|other| other.is_named_as(&head)) {
+                None => Some(head),
+                Some(other) => {
+                    diagnostics.push(clash(&head, other));
+                    None
+                }
+            }
+        });
+        match head {
+            Some(head) => {
+                numbers.public.extend((!head.private).then(|| head.clone()));
+                self.attributes.push(head);
+            }
+            None => drop(self.lost_attributes.insert(attr.name.text.clone())),
+        }
     }
 
     fn declare_script(&mut self, name: &Ident) -> Option<Diagnostic> {
@@ -87,15 +182,64 @@ impl Declared {
         None
     }
 
+    /// Takes in what a used file declares. What the file has of its `own` clashes with it.
+    fn take_in(&mut self, used: &Self, own: &Self, diagnostics: &mut Vec<Diagnostic>) {
+        for (name, named) in &used.called {
+            if let Some(mine) = own.called.get(name) {
+                let name = Ident {
+                    text: name.clone(),
+                    span: mine.span,
+                };
+                let error = duplicate(named.what.a_word(), &name, named.span);
+                diagnostics.push(error.note("a file has the names of the files it uses"));
+                continue;
+            }
+            match self.called.get(name) {
+                None => drop(self.called.insert(name.clone(), *named)),
+                Some(_) => drop(self.others.insert(name.clone(), named.span)),
+            }
+        }
+        self.functions.extend(used.functions.iter().cloned());
+        for head in used.attributes.iter().filter(|head| !head.private) {
+            match own.attributes.iter().find(|mine| mine.is_named_as(head)) {
+                // Two that are public have been told apart already.
+                Some(mine) if mine.private => diagnostics.push(clash(mine, head)),
+                _ => self.attributes.push(head.clone()),
+            }
+        }
+        let lost = used.lost_attributes.iter().cloned();
+        self.lost_attributes.extend(lost);
+    }
+
+    /// What a name that is called means.
+    pub(super) fn called(&self, name: &str) -> Option<Named> {
+        self.called.get(name).copied()
+    }
+
     /// The number of the op of this name.
     pub(super) fn op(&self, name: &str) -> Option<usize> {
-        self.op_numbers.get(name).copied()
+        let named = self.called(name)?;
+        (named.what == What::Op).then_some(named.number)
+    }
+
+    /// Complains about a name that could mean two things.
+    pub(super) fn expect_one(&self, name: &Ident, report: &mut Report) -> Option<()> {
+        let (Some(first), Some(other)) = (self.called(&name.text), self.others.get(&name.text))
+        else {
+            return Some(());
+        };
+        let message = format!("two of the files that are used declare `{}`", name.text);
+        let error = Diagnostic::error("ambiguous-name", message, name.span)
+            .label(first.span, "one is here")
+            .label(*other, "the other is here");
+        report.add(error);
+        None
     }
 
     /// Whether the op whose name stands here has the name, and not an earlier one.
     pub(super) fn is_op_of_its_name(&self, name: &Ident) -> bool {
-        self.op(&name.text)
-            .is_some_and(|number| self.ops[number].1 == name.span)
+        self.called(&name.text)
+            .is_some_and(|named| named.what == What::Op && named.span == name.span)
     }
 
     /// Whether the script whose name stands here has the name, and not an earlier one.
@@ -103,9 +247,13 @@ impl Declared {
         self.scripts.get(&name.text) == Some(&name.span)
     }
 
-    /// The names of the ops, in order.
+    /// The names of the ops.
     pub(super) fn op_names(&self) -> impl Iterator<Item = &str> {
-        self.ops.iter().map(|(name, _)| name.as_str())
+        let ops = self
+            .called
+            .iter()
+            .filter(|(_, named)| named.what == What::Op);
+        ops.map(|(name, _)| name.as_str())
     }
 
     /// Whether there is a script of this name.
@@ -115,24 +263,59 @@ impl Declared {
 
     /// Whether the name is that of something to call.
     pub(super) fn is_called(&self, name: &str) -> bool {
-        self.op(name).is_some()
-            || self.functions.contains(name)
-            || function_names().chain(fold_names()).any(|f| f == name)
+        self.called(name).is_some() || self.functions.contains(name) || is_of_the_language(name)
     }
 
-    /// Whether a function of this name may stand where it cannot be seen yet.
+    /// Whether a function or op of this name may stand where it cannot be seen.
     pub(super) fn may_be_function(&self, name: &str) -> bool {
-        self.uses || self.functions.contains(name)
+        self.lacks || self.functions.contains(name)
     }
 
-    /// Whether an op of this name may stand where it cannot be seen yet.
-    pub(super) fn may_be_op(&self) -> bool {
-        self.uses
-    }
-
-    /// Whether the file declares an attribute of this name.
+    /// Whether an attribute of this name has been refused, or may stand where it cannot be
+    /// seen yet.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
-        self.uses || self.attributes.contains(name)
+        self.lacks || self.lost_attributes.contains(name)
+    }
+
+    /// The attribute of this name of elements of a type, and the type of its values.
+    pub(super) fn attribute(&self, element: Type, name: &str) -> Option<(Access, Type)> {
+        let mut known = self.attributes.iter();
+        let head = known.find(|head| head.element == element && head.name == name)?;
+        Some((Access::Declared(head.number), head.ty))
+    }
+
+    /// The names of the attributes that elements of a type are declared to have.
+    pub(super) fn attributes_of(&self, element: Type) -> impl Iterator<Item = &str> {
+        let of_element = self
+            .attributes
+            .iter()
+            .filter(move |head| head.element == element);
+        of_element.map(|head| head.name.as_str())
+    }
+
+    /// The attribute whose name stands here.
+    pub(super) fn attribute_at(&self, span: Span) -> Option<&Head> {
+        self.attributes.iter().find(|head| head.span == span)
+    }
+}
+
+fn is_of_the_language(name: &str) -> bool {
+    function_names()
+        .chain(fold_names())
+        .any(|known| known == name)
+}
+
+/// The error for an attribute whose name another has.
+fn clash(head: &Head, other: &Head) -> Diagnostic {
+    let what = format!("{} attribute", a_type(head.element));
+    let name = Ident {
+        text: head.name.clone(),
+        span: head.span,
+    };
+    let error = duplicate(&what, &name, other.span);
+    match head.span.file == other.span.file {
+        true => error,
+        false => error.note("the attributes of all files of a program have one namespace"),
     }
 }
 

@@ -8,6 +8,9 @@
 //!
 //! An item with an error is lost, and only that item. What the language has but this
 //! layer does not understand yet is an error of its own, `not-yet`.
+//!
+//! A program is one file or several. What a file declares can be named in it, and in the files
+//! that use it; those do not pass it on.
 
 mod program;
 
@@ -19,6 +22,7 @@ mod report;
 mod suggestion;
 mod words;
 
+mod attribute;
 mod condition;
 mod drawing;
 mod family;
@@ -30,6 +34,7 @@ mod parameter;
 mod rule;
 
 mod builtin;
+mod construct;
 mod field;
 mod function;
 mod lookup;
@@ -42,7 +47,7 @@ mod application;
 mod script;
 mod statement;
 
-pub use file::{Resolved, resolve};
+pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
     Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
 };

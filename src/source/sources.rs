@@ -61,6 +61,11 @@ impl Sources {
         &self.files[file.0 as usize]
     }
 
+    /// The first text of a name.
+    pub fn find(&self, name: &str) -> Option<FileId> {
+        self.ids().find(|&file| self.get(file).name() == name)
+    }
+
     /// The ids of all texts.
     pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
         (0..self.files.len() as u32).map(FileId)

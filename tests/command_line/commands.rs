@@ -173,7 +173,7 @@ fn an_edge_is_taken_the_way_it_is_written() {
 }
 
 #[test]
-fn several_elements_are_given_by_name() {
+fn several_elements_are_given_by_name_or_in_order() {
     let bench = Bench::new();
     bench.write(
         "quad.obj",
@@ -185,11 +185,18 @@ fn several_elements_are_given_by_name() {
         let arguments = ["apply", &connect, "quad.obj", "-o", "out.obj"];
         bench.run(&arguments.into_iter().chain(places).collect::<Vec<_>>())
     };
-    let said = with(&["a=halfedge:1-2", "b=halfedge:3-4"]);
-    assert_eq!((said.code, said.err.as_str()), (0, ""));
-    assert!(said.out.contains("edge:"), "{}", said.out);
+    for places in [
+        ["a=halfedge:1-2", "b=halfedge:3-4"],
+        ["halfedge:1-2", "halfedge:3-4"],
+        ["b=halfedge:3-4", "halfedge:1-2"],
+    ] {
+        let said = with(&places);
+        assert_eq!((said.code, said.err.as_str()), (0, ""));
+        assert!(said.out.contains("edge:"), "{}", said.out);
+    }
     for (places, words) in [
-        (&["halfedge:1-2"][..], "several element parameters"),
+        (&["halfedge:1-2"][..], "`b` is missing"),
+        (&["halfedge:1-2", "halfedge:3-4", "face:1"], "too many"),
         (&["a=halfedge:1-2"], "`b` is missing"),
         (&["a=halfedge:1-2", "a=halfedge:3-4"], "`a` is given twice"),
         (&["a=halfedge:1-2", "b=edge:3-4"], "`b` is of type halfedge"),

@@ -3,6 +3,9 @@
 
 mod bench;
 mod commands;
+mod emitted;
+mod formatting;
+mod library;
 mod meshes;
 mod outputs;
 mod programs;

@@ -28,7 +28,8 @@ fn no_such_operation_or_script() {
     let remesh = example("remesh.hedge");
     let part = |file: &str, name: &str| format!("{file}::{name}");
     for (arguments, words) in [
-        (["plan", &part(&flip, "flop")], "it has `flip`, `flip_any`"),
+        (["plan", &part(&flip, "flop")], "did you mean `flip`?"),
+        (["plan", &part(&flip, "knot")], "it has `flip`, `flip_any`"),
         (
             ["plan", &flip],
             "write FILE::NAME with one of `flip`, `flip_any`",

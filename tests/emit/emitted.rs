@@ -1385,7 +1385,345 @@ fn split_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
     None
 }
 
-/// Turns an edge: both of its ends step one corner counterclockwise.
+/// Cuts an edge in two at its midpoint; returns the new vertex.
+///
+/// ```text
+///      .---P---.               .---P---.
+///      |  f0   |               |  f0   |
+///      |       |               |       |
+///      v0--e--v1     ->        v0--m--v1
+///      |       |               |       |
+///      |  f1   |               |  f1   |
+///      '---Q---'               '---Q---'
+/// ```
+///
+/// The loops at the edge, faces or holes, get a side more. Each of the two halfedges is
+/// followed by a new one, and the twin of the old one is now the new one across. Never
+/// refused.
+#[allow(non_snake_case)]
+pub fn polygon_bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let Q_first = mesh.next(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let e1 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, q);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, q);
+        mesh.set_twin(d, p);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(Q_first, q);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, d);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e1);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, Q_first);
+        mesh.set_prev(q, d);
+        mesh.set_twin(q, a);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e);
+        mesh.set_face(q, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, p);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+/// Cuts a face in two, from the corner where `a` starts to the corner where `b` starts;
+/// returns the new edge.
+///
+/// ```text
+///      v3--Q---v0              v3--Q---v0
+///      |       |               |  g  / |
+///      b       a               b   e   a
+///      |   f   |     ->        | /  f  |
+///      v2--P---v1              v2--P---v1
+/// ```
+///
+/// Corners of different faces are refused, and corners that are neighbours: different names
+/// are different vertices, so both `P` and `Q` have an edge at least, and both parts three
+/// sides.
+#[allow(non_snake_case)]
+pub fn polygon_connect(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// Removes an edge, the reverse of `connect`; the loops on its two sides become one, which is
+/// returned.
+///
+/// ```text
+///      .---P---v0              .---P---v0
+///      |  f0 / |               |       |
+///      |   e   |               |       |
+///      | /  f1 |     ->        |   f0  |
+///      v1--Q---.               v1--Q---.
+/// ```
+///
+/// At the boundary the face joins the hole. Refused if an end would keep a single edge, if
+/// the faces meet elsewhere too, or if two holes would meet at a vertex.
+pub fn polygon_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    polygon_dissolve_edge_inside(mesh, e).or_else(|| polygon_dissolve_edge_border(mesh, e))
+}
+
+#[allow(non_snake_case)]
+fn polygon_dissolve_edge_inside(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if (mesh.degree(v0) as i64) < 3 {
+            continue; // `v0` would keep a single edge
+        }
+        if (mesh.degree(v1) as i64) < 3 {
+            continue; // `v1` would keep a single edge
+        }
+        let mut corners: Vec<VertexId> = vec![v1, v0];
+        let mut h = P_first;
+        while h != a {
+            if h != P_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        if !all_differ(&corners) {
+            continue; // `f0` would meet a vertex twice
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_dissolve_edge_border(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if !mesh.is_hole(f0) {
+            continue; // `f0` is not a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if (mesh.degree(v0) as i64) < 3 {
+            continue; // `v0` would keep a single edge
+        }
+        if (mesh.degree(v1) as i64) < 3 {
+            continue; // `v1` would keep a single edge
+        }
+        let mut pinched = false;
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first {
+                let mut holes = 0;
+                for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                    if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
+                        holes += 1;
+                    }
+                }
+                if 1 < holes {
+                    pinched = true;
+                }
+            }
+            h = mesh.next(h);
+        }
+        if pinched {
+            continue; // the surface would be pinched at a vertex of `Q`
+        }
+        let mut corners: Vec<VertexId> = vec![v1, v0];
+        let mut h = P_first;
+        while h != a {
+            if h != P_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        if !all_differ(&corners) {
+            continue; // `f0` would meet a vertex twice
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+/// Turns an edge between two faces: both of its ends step one corner counterclockwise.
 ///
 /// ```text
 ///    . --P--- v2          . --P--- v2
@@ -1400,8 +1738,9 @@ fn split_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
 /// ```
 ///
 /// Nothing is walked and nothing moves but the edge: `P` and `Q`, the rest of the two faces,
-/// stay where they are. An end must keep two other edges, and `v3` may not lie on `P`, nor
-/// `v2` on `Q`: a face would meet it twice.
+/// stay where they are. Refused at the boundary; if an end would keep a single edge; if both
+/// sides lead to one vertex; and if `v3` lies on `P`, or `v2` on `Q`: a face would meet it
+/// twice.
 #[allow(non_snake_case)]
 pub fn polygon_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
     // 1. Collect: nothing is written before all of this has passed.
@@ -1517,7 +1856,8 @@ pub fn polygon_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
 ///    v3 --Q-- .           v3 --Q-- .
 /// ```
 ///
-/// What is new lies around the new vertex, so nothing can go wrong: no test is made.
+/// What is new lies around the new vertex, so nothing can go wrong: no test is made, and it is
+/// never refused.
 pub fn polygon_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
     polygon_split_inside(mesh, e).or_else(|| polygon_split_inside_one_tip(mesh, e)).or_else(|| polygon_split_border(mesh, e))
 }
@@ -1851,13 +2191,23 @@ fn polygon_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
     None
 }
 
-/// Merges the two ends of an edge at its midpoint; `v1` goes.
+/// Merges the two ends of an edge at its midpoint, and returns the vertex.
+///
+/// ```text
+///      .--P---v2---.           .--P---v2---.
+///      |  f0 /  \  |           |   f0 |    |
+///      |    c f1 b |           |      |    |
+///      '--v0--e--v1-'    ->    '------v0---'
+/// ```
 ///
 /// A face at the edge loses a side. A triangle would be left with two: it vanishes, and its
 /// two other edges become one. So there is a rule for two triangles, one for a triangle and
 /// anything else, and one for no triangle. Rules are tried in order, and a rule whose guard
 /// says no leaves its place to the next; the last two need not say that a face is larger than
 /// a triangle, since their guard does.
+///
+/// Refused if two boundaries would be pinched together, if a vertex would keep a single edge,
+/// and for a triangle that is all there is of the surface, or half of it.
 pub fn polygon_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
     polygon_collapse_two_triangles(mesh, e).or_else(|| polygon_collapse_triangle(mesh, e)).or_else(|| polygon_collapse_no_triangle(mesh, e))
 }
@@ -2176,178 +2526,6 @@ fn polygon_collapse_no_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> 
         mesh.erase_halfedge(a);
         mesh.erase_halfedge(d);
         return Some(v0);
-    }
-    None
-}
-
-/// Removes an edge; the loops on its two sides become one, which is returned. At the boundary
-/// the face joins the hole.
-pub fn polygon_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    polygon_dissolve_edge_inside(mesh, e).or_else(|| polygon_dissolve_edge_border(mesh, e))
-}
-
-#[allow(non_snake_case)]
-fn polygon_dissolve_edge_inside(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        if (mesh.degree(v0) as i64) < 3 {
-            continue; // `v0` would keep a single edge
-        }
-        if (mesh.degree(v1) as i64) < 3 {
-            continue; // `v1` would keep a single edge
-        }
-        let mut corners: Vec<VertexId> = vec![v1, v0];
-        let mut h = P_first;
-        while h != a {
-            if h != P_first {
-                corners.push(mesh.vertex(h));
-            }
-            h = mesh.next(h);
-        }
-        let mut h = Q_first;
-        while h != d {
-            if h != Q_first {
-                corners.push(mesh.vertex(h));
-            }
-            h = mesh.next(h);
-        }
-        if !all_differ(&corners) {
-            continue; // `f0` would meet a vertex twice
-        }
-
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
-        }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
-    }
-    None
-}
-
-#[allow(non_snake_case)]
-fn polygon_dissolve_edge_border(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if !mesh.is_hole(f0) {
-            continue; // `f0` is not a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if (mesh.degree(v0) as i64) < 3 {
-            continue; // `v0` would keep a single edge
-        }
-        if (mesh.degree(v1) as i64) < 3 {
-            continue; // `v1` would keep a single edge
-        }
-        let mut pinched = false;
-        let mut h = Q_first;
-        while h != d {
-            if h != Q_first {
-                let mut holes = 0;
-                for s in mesh.spokes_from(h).collect::<Vec<_>>() {
-                    if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
-                        holes += 1;
-                    }
-                }
-                if 1 < holes {
-                    pinched = true;
-                }
-            }
-            h = mesh.next(h);
-        }
-        if pinched {
-            continue; // the surface would be pinched at a vertex of `Q`
-        }
-        let mut corners: Vec<VertexId> = vec![v1, v0];
-        let mut h = P_first;
-        while h != a {
-            if h != P_first {
-                corners.push(mesh.vertex(h));
-            }
-            h = mesh.next(h);
-        }
-        let mut h = Q_first;
-        while h != d {
-            if h != Q_first {
-                corners.push(mesh.vertex(h));
-            }
-            h = mesh.next(h);
-        }
-        if !all_differ(&corners) {
-            continue; // `f0` would meet a vertex twice
-        }
-
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
-        }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
     }
     None
 }
@@ -5725,10 +5903,12 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("remesh_collapse", &[Element(x0), Real(x1)]) => { let r = remesh_collapse(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("remesh_flip", &[Element(x0)]) => (remesh_flip(mesh, EdgeId(x0)), None),
         ("split_split", &[Element(x0)]) => { let r = split_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_bisect", &[Element(x0)]) => { let r = polygon_bisect(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_connect", &[Element(x0), Element(x1)]) => { let r = polygon_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_dissolve_edge", &[Element(x0)]) => { let r = polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_flip", &[Element(x0)]) => (polygon_flip(mesh, EdgeId(x0)), None),
         ("polygon_split", &[Element(x0)]) => { let r = polygon_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_collapse", &[Element(x0)]) => { let r = polygon_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_dissolve_edge", &[Element(x0)]) => { let r = polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
         ("values_lift", &[Element(x0), Vec3(x1)]) => { let r = values_lift(mesh, FaceId(x0), DVec3::from_array(x1)); (r.is_some(), r.map(|r| r.0)) },

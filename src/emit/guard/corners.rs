@@ -276,7 +276,7 @@ impl Tests<'_, '_> {
                 item: other.face.clone(),
                 list: list.clone(),
                 body: vec![Statement::When {
-                    condition: Term::name(other.face).is_not(Term::name(&one.face)),
+                    condition: Term::name(other.face).differs_from(Term::name(&one.face)),
                     body: inner,
                 }],
             });
@@ -328,7 +328,7 @@ impl Tests<'_, '_> {
     fn is_undrawn_face(&self, h: Term) -> Term {
         let face = h.follow(Pointer::Face);
         let drawn = self.drawing.rule.before.loops.iter();
-        let other = drawn.map(|orbit| face.clone().is_not(self.term(orbit.face.name)));
+        let other = drawn.map(|orbit| face.clone().differs_from(self.term(orbit.face.name)));
         other.fold(face.clone().hole().not(), Term::and)
     }
 }

@@ -117,7 +117,7 @@ impl Tests<'_, '_> {
         let h = Term::name(&halfedge);
         let body = body(self, h.clone())?;
         self.names.release(&halfedge);
-        let condition = h.is_not(self.term(path));
+        let condition = h.differs_from(self.term(path));
         Ok(vec![Statement::Walk {
             walk,
             body: vec![Statement::only_where(condition, body)],
@@ -143,7 +143,7 @@ impl Tests<'_, '_> {
             };
             let other = drawn
                 .into_iter()
-                .map(|half| h.clone().is_not(self.term(half)));
+                .map(|half| h.clone().differs_from(self.term(half)));
             let inner = match other.reduce(Term::and) {
                 Some(condition) => vec![Statement::only_where(condition, inner)],
                 None => inner,

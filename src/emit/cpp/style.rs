@@ -147,28 +147,28 @@ impl Style {
     }
 
     /// A name, as the mesh class has it.
-    pub(super) fn name(&self, name: &str) -> &str {
+    pub(in crate::emit) fn name(&self, name: &str) -> &str {
         self.pattern(name)
     }
 
     /// Whether operations are members of the mesh class.
-    pub(super) fn is_member(&self) -> bool {
+    pub(in crate::emit) fn is_member(&self) -> bool {
         self.pattern("member") == "yes"
     }
 
     /// Whether halfedges store `prev`.
-    pub(super) fn has_prev(&self) -> bool {
+    pub(in crate::emit) fn has_prev(&self) -> bool {
         !self.pattern("prev").is_empty()
     }
 
     /// `of.pointer`; `None` for a pointer that is no field.
-    pub(super) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
+    pub(in crate::emit) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
         let pointer = self.pattern(field(pointer)?);
         (!pointer.is_empty()).then(|| fill(self.pattern("read"), of, pointer, ""))
     }
 
     /// `of.pointer` for a pointer by its usual name, and also `position` and `boundary`.
-    pub(super) fn chained(&self, of: &str, pointer: &str) -> String {
+    pub(in crate::emit) fn chained(&self, of: &str, pointer: &str) -> String {
         let pointer = match pointer {
             "boundary" => return self.boundary(of),
             "position" => return self.position(of),
@@ -183,7 +183,7 @@ impl Style {
     }
 
     /// A type where the names of the mesh class are not in sight: `Mesh::VertexRef`.
-    pub(super) fn qualified(&self, ty: &str) -> String {
+    pub(in crate::emit) fn qualified(&self, ty: &str) -> String {
         let name = self.pattern(ty);
         match self.is_nested(ty) {
             true => format!("{}::{name}", self.pattern("mesh")),
@@ -192,38 +192,38 @@ impl Style {
     }
 
     /// Whether a type is one of the mesh class.
-    pub(super) fn is_nested(&self, ty: &str) -> bool {
+    pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
         let is_element = ["Vertex", "Halfedge", "Edge", "Face"].contains(&ty);
         is_element && self.pattern("nested") == "yes"
     }
 
     /// `of.pointer = value`
-    pub(super) fn write(&self, of: &str, pointer: Pointer, value: &str) -> Option<String> {
+    pub(in crate::emit) fn write(&self, of: &str, pointer: Pointer, value: &str) -> Option<String> {
         let pointer = self.pattern(field(pointer)?);
         (!pointer.is_empty()).then(|| fill(self.pattern("write"), of, pointer, value))
     }
 
-    pub(super) fn boundary(&self, face: &str) -> String {
+    pub(in crate::emit) fn boundary(&self, face: &str) -> String {
         fill(self.pattern("boundary"), face, "", "")
     }
 
-    pub(super) fn set_boundary(&self, face: &str, value: bool) -> String {
+    pub(in crate::emit) fn set_boundary(&self, face: &str, value: bool) -> String {
         let value = if value { "true" } else { "false" };
         fill(self.pattern("set_boundary"), face, "", value)
     }
 
-    pub(super) fn position(&self, vertex: &str) -> String {
+    pub(in crate::emit) fn position(&self, vertex: &str) -> String {
         fill(self.pattern("position"), vertex, "", "")
     }
 
     /// A call that allocates.
-    pub(super) fn allocate(&self, kind: Kind) -> String {
+    pub(in crate::emit) fn allocate(&self, kind: Kind) -> String {
         let name = format!("new_{}", kind.word());
         self.call(self.pattern(&name).to_string())
     }
 
     /// A call that erases.
-    pub(super) fn erase(&self, kind: Kind, of: &str) -> String {
+    pub(in crate::emit) fn erase(&self, kind: Kind, of: &str) -> String {
         let name = format!("erase_{}", kind.word());
         self.call(fill(self.pattern(&name), of, "", ""))
     }

@@ -1,0 +1,67 @@
+//! One operation, proved and compiled, or told why not.
+
+use crate::check::{Counterexample, Outcome, Proved, examine};
+use crate::compile::compile;
+use crate::diagnostic::Diagnostic;
+use crate::resolve::ResolvedOp;
+use crate::rewrite::Plan;
+use crate::source::{Sources, Span};
+
+/// What came of one operation.
+#[derive(Clone, Debug, Default)]
+pub struct Examined {
+    /// Its proof, if there is one.
+    pub proved: Option<Proved>,
+    /// Its plan, if it is proved.
+    pub plan: Option<Plan>,
+    /// A smallest mesh for each rejected rule that breaks one.
+    pub counterexamples: Vec<Counterexample>,
+    /// The laws it breaks.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Examined {
+    /// Proves and compiles an op, of which `told` is what has been said so far.
+    ///
+    /// An op with an error inside is left alone: where a part could not be read, what is left
+    /// is another operation.
+    pub fn of(op: &ResolvedOp, told: &[Diagnostic], sources: &Sources) -> Self {
+        let whole = op.diagram.as_ref().filter(|diagram| {
+            let inside = |error: &Diagnostic| {
+                let place = error.span();
+                place.file == diagram.span.file && diagram.span.touches(place.start as usize)
+            };
+            !told.iter().any(|told| told.is_error() && inside(told))
+        });
+        let mut found = Self::default();
+        match whole.map(examine) {
+            Some(Ok(proof)) => {
+                match compile(&proof, sources) {
+                    Ok(plan) => found.plan = Some(plan),
+                    Err(_) => found.diagnostics.push(too_large(op.span, &op.name)),
+                }
+                found.proved = Some(proof);
+            }
+            Some(Err(rejection)) => {
+                found.diagnostics = rejection.diagnostics;
+                let broken = rejection.outcomes.into_iter();
+                let broken = broken.filter_map(|outcome| match outcome {
+                    Outcome::Breaks(example) => Some(*example),
+                    Outcome::Valid(_) | Outcome::NoMesh | Outcome::NotTried => None,
+                });
+                found.counterexamples = broken.collect();
+            }
+            None => {}
+        }
+        found
+    }
+}
+
+fn too_large(span: Span, name: &str) -> Diagnostic {
+    Diagnostic::error(
+        "too-large",
+        format!("`{name}` is too large to compile"),
+        span,
+    )
+    .note("its diagrams need more registers than there can be: split it into smaller ops")
+}

@@ -1,0 +1,278 @@
+//! The files that a program is made of: found by their `use`, each once.
+//!
+//! A path is looked for beside the file that uses it; what begins with `std/` is a file of the
+//! [library](crate::library). Who has the files is not known here: a [`Reader`] gives texts
+//! for names. No file uses itself, directly or through others.
+
+use std::collections::HashMap;
+
+use strsim::damerau_levenshtein;
+
+use crate::diagnostic::Diagnostic;
+use crate::library::{self, FOLDER};
+use crate::source::{FileId, Sources, Span};
+use crate::syntax::tree::Item;
+use crate::syntax::{Parsed, parse};
+
+/// Where texts come from.
+pub trait Reader {
+    /// The text of a file, by its name.
+    ///
+    /// # Errors
+    /// In words, why it cannot be had: "there is no such file".
+    fn read(&mut self, name: &str) -> Result<String, String>;
+
+    /// The names of programs that lie beside a file, for suggestions.
+    fn beside(&mut self, name: &str) -> Vec<String>;
+}
+
+/// Reads nothing: all files there are have been added to the [`Sources`] before.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Nowhere;
+
+impl Reader for Nowhere {
+    fn read(&mut self, _name: &str) -> Result<String, String> {
+        Err("there is no such file".to_owned())
+    }
+
+    fn beside(&mut self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// A file that could not be had.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Missing {
+    why: String,
+    /// What it may have been meant to be, as `use` would write it.
+    meant: Option<String>,
+}
+
+/// What could not be had, by name.
+pub(super) type Absent = HashMap<String, Missing>;
+
+/// Adds every file that `root` uses, directly or through others, to `sources`; gives what
+/// could not be had.
+pub(super) fn fetch(sources: &mut Sources, root: FileId, reader: &mut dyn Reader) -> Absent {
+    let mut absent = Absent::new();
+    let mut seen = vec![root];
+    let mut open = vec![root];
+    while let Some(file) = open.pop() {
+        let source = sources.get(file);
+        let here = source.name().to_owned();
+        let paths = uses(&parse(file, source.text()));
+        for (path, _) in paths {
+            let name = name_of(&here, &path);
+            let found = match sources.find(&name) {
+                Some(file) => Ok(file),
+                None => text_of(&name, reader).map(|text| sources.add(name.clone(), text)),
+            };
+            match found {
+                Ok(file) if !seen.contains(&file) => {
+                    seen.push(file);
+                    open.push(file);
+                }
+                Ok(_) => {}
+                Err(why) => {
+                    let meant = meant(&path, &name, reader);
+                    absent.insert(name, Missing { why, meant });
+                }
+            }
+        }
+    }
+    absent
+}
+
+fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
+    if name.starts_with(FOLDER) {
+        let file = library::file(name);
+        let text = file.map(|file| file.text.to_owned());
+        return text.ok_or_else(|| "`hedgerow std` lists the library".to_owned());
+    }
+    reader.read(name)
+}
+
+/// The name of the file that `path` means in the file `here`.
+fn name_of(here: &str, path: &str) -> String {
+    if path.starts_with(FOLDER) || path.starts_with('/') {
+        return path.to_owned();
+    }
+    let folder = here.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let rooted = here.starts_with('/');
+    let mut steps: Vec<&str> = folder.split('/').filter(|step| !step.is_empty()).collect();
+    for step in path.split('/') {
+        match step {
+            "" | "." => {}
+            ".." if steps.last().is_some_and(|last| *last != "..") => {
+                steps.pop();
+            }
+            step => steps.push(step),
+        }
+    }
+    let root = if rooted { "/" } else { "" };
+    format!("{root}{}", steps.join("/"))
+}
+
+/// A path that there is and that is spelt nearly so.
+fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> {
+    let last = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
+    let folder = &path[..path.len() - last(path).len()];
+    let mut known: Vec<String> = library::files().map(|file| file.name.to_owned()).collect();
+    if !name.starts_with(FOLDER) {
+        let beside = reader.beside(name).into_iter();
+        known.extend(beside.map(|other| format!("{folder}{}", last(&other))));
+    }
+    let distance = |other: &String| {
+        let ended = format!("{path}.hedge");
+        damerau_levenshtein(path, other).min(damerau_levenshtein(&ended, other))
+    };
+    let near = known.into_iter().filter(|other| other != path);
+    let near = near.min_by_key(|other| distance(other))?;
+    (distance(&near) <= path.chars().count() / 3).then_some(near)
+}
+
+/// Each path that a file uses, and where it says so.
+fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
+    let items = parsed.tree.items.iter();
+    let uses = items.filter_map(|item| match item {
+        Item::Use(used) => Some((used.path.clone(), used.path_span)),
+        _ => None,
+    });
+    uses.collect()
+}
+
+/// A file of the program.
+pub(super) struct Part {
+    pub file: FileId,
+    pub parsed: Parsed,
+    /// The files it uses, by their places among the parts.
+    pub uses: Vec<usize>,
+    /// Whether one that it uses could not be had.
+    pub lacks: bool,
+}
+
+/// The files of a program, the root first, and what is wrong with their `use`.
+#[derive(Default)]
+pub(super) struct Parts {
+    pub parts: Vec<Part>,
+    pub diagnostics: Vec<Diagnostic>,
+    places: HashMap<FileId, usize>,
+    /// The files that are being looked at, each but the root with the `use` that led there.
+    open: Vec<(FileId, Option<Span>)>,
+}
+
+impl Parts {
+    /// Gathers what `root` is made of from `sources`.
+    pub fn of(sources: &Sources, root: FileId, absent: &Absent) -> Self {
+        let mut parts = Self::default();
+        parts.visit(sources, root, absent);
+        parts
+    }
+
+    fn visit(&mut self, sources: &Sources, file: FileId, absent: &Absent) -> usize {
+        let parsed = parse(file, sources.get(file).text());
+        let paths = uses(&parsed);
+        let place = self.parts.len();
+        self.places.insert(file, place);
+        self.parts.push(Part {
+            file,
+            parsed,
+            uses: Vec::new(),
+            lacks: false,
+        });
+        if self.open.is_empty() {
+            self.open.push((file, None));
+        }
+        for (path, span) in paths {
+            let name = name_of(sources.get(file).name(), &path);
+            let Some(used) = sources.find(&name) else {
+                let missing = absent.get(&name);
+                self.diagnostics
+                    .push(missing_file(&path, &name, span, missing));
+                self.parts[place].lacks = true;
+                continue;
+            };
+            if let Some(at) = self.open.iter().position(|(open, _)| *open == used) {
+                self.diagnostics
+                    .push(cycle(sources, &self.open[at..], span));
+                continue;
+            }
+            let used = match self.places.get(&used) {
+                Some(&place) => place,
+                None => {
+                    self.open.push((used, Some(span)));
+                    let place = self.visit(sources, used, absent);
+                    self.open.pop();
+                    place
+                }
+            };
+            let uses = &mut self.parts[place].uses;
+            if !uses.contains(&used) {
+                uses.push(used);
+            }
+        }
+        place
+    }
+}
+
+fn missing_file(path: &str, name: &str, span: Span, missing: Option<&Missing>) -> Diagnostic {
+    let message = format!("`{path}` cannot be used");
+    let why = missing.map_or("it has not been read", |missing| &missing.why);
+    let error = Diagnostic::error("missing-file", message, span);
+    let error = match name == path {
+        true => error.note(why.to_owned()),
+        false => error.note(format!("{name}: {why}")),
+    };
+    match missing.and_then(|missing| missing.meant.as_ref()) {
+        Some(meant) => error.saying(format!("did you mean `{meant}`?")).fix(
+            format!("write `\"{meant}\"`"),
+            span,
+            format!("\"{meant}\""),
+        ),
+        None => error,
+    }
+}
+
+/// The last file of a chain uses the first.
+fn cycle(sources: &Sources, chain: &[(FileId, Option<Span>)], last: Span) -> Diagnostic {
+    let names = chain.iter().map(|(file, _)| sources.get(*file).name());
+    let names: Vec<_> = names.map(|name| format!("`{name}`")).collect();
+    let message = match names.as_slice() {
+        [only] => format!("{only} uses itself"),
+        [first, others @ ..] => {
+            format!(
+                "{first} uses {}, which uses {first}",
+                others.join(", which uses ")
+            )
+        }
+        [] => "the file uses itself".to_owned(),
+    };
+    let mut error = Diagnostic::error("cyclic-use", message, last);
+    for (_, span) in chain.iter().skip(1) {
+        error = match span {
+            Some(span) => error.label(*span, "used here"),
+            None => error,
+        };
+    }
+    error.note("what both files need can stand in a third")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_begin_at_the_folder_of_the_file() {
+        for (here, path, name) in [
+            ("a.hedge", "b.hedge", "b.hedge"),
+            ("x/a.hedge", "./b.hedge", "x/b.hedge"),
+            ("x/a.hedge", "../b.hedge", "b.hedge"),
+            ("a.hedge", "../b.hedge", "../b.hedge"),
+            ("/x/y/a.hedge", "../z/b.hedge", "/x/z/b.hedge"),
+            ("x/a.hedge", "std/triangle.hedge", "std/triangle.hedge"),
+            ("x/a.hedge", "/b.hedge", "/b.hedge"),
+        ] {
+            assert_eq!(name_of(here, path), name, "{path} in {here}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! `hedgerow fmt`
+
+use std::fs;
+use std::io::{Read, Write, stdin, stdout};
+use std::path::Path;
+
+use super::arguments::FmtArguments;
+use super::failure::Failure;
+use super::output::{complain, complain_of};
+use super::program::{as_text, text_of};
+use crate::format::{Formatted, format};
+use crate::source::Sources;
+
+/// What a file is called that comes from standard input.
+const STANDARD_INPUT: &str = "<stdin>";
+
+/// Formats files where they are, or standard input to standard output.
+pub(super) fn fmt(arguments: &FmtArguments) -> Result<(), Failure> {
+    let mut well = true;
+    let mut stopped = None;
+    for path in &arguments.files {
+        let done = if path.as_os_str() == "-" {
+            from_standard_input(arguments.check)
+        } else {
+            in_place(path, arguments.check)
+        };
+        // One file that cannot be read keeps none of the others from being formatted.
+        match done {
+            Ok(fine) => well &= fine,
+            Err(failure) => {
+                failure.tell();
+                stopped = Some(failure.exit_code());
+            }
+        }
+    }
+    match stopped {
+        Some(code) => Err(Failure::Silent(code)),
+        None if well => Ok(()),
+        None => Err(Failure::NotProved),
+    }
+}
+
+fn from_standard_input(check: bool) -> Result<bool, Failure> {
+    let mut bytes = Vec::new();
+    let read = stdin().read_to_end(&mut bytes);
+    let text = read
+        .map_err(|error| error.to_string())
+        .and_then(|_| as_text(bytes))
+        .map_err(|why| Failure::usage(format!("cannot read `{STANDARD_INPUT}`: {why}")))?;
+    let formatted = formatted(&text, STANDARD_INPUT)?;
+    if check {
+        return Ok(is_as_it_should(&text, &formatted, STANDARD_INPUT));
+    }
+    let written = stdout().lock().write_all(formatted.text.as_bytes());
+    // A reader that has gone away is no failure.
+    let _ = written;
+    Ok(formatted.diagnostics.is_empty())
+}
+
+fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
+    let shown = path.display().to_string();
+    let text =
+        text_of(path).map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
+    let formatted = formatted(&text, &shown)?;
+    if check {
+        return Ok(is_as_it_should(&text, &formatted, &shown));
+    }
+    if formatted.text != text {
+        replace(path, &formatted.text)
+            .map_err(|error| Failure::usage(format!("cannot write `{shown}`: {error}")))?;
+    }
+    Ok(formatted.diagnostics.is_empty())
+}
+
+/// Formats, and says what is wrong with the text.
+fn formatted(text: &str, name: &str) -> Result<Formatted, Failure> {
+    let mut sources = Sources::new();
+    let file = sources.add(name, text);
+    let formatted = format(file, text).map_err(|refusal| {
+        Failure::usage(format!(
+            "`{name}` is left as it is: {refusal} (a mistake of hedgerow; please report it)"
+        ))
+    })?;
+    complain_of(&formatted.diagnostics, &sources);
+    Ok(formatted)
+}
+
+fn is_as_it_should(text: &str, formatted: &Formatted, name: &str) -> bool {
+    let same = formatted.text == text;
+    if !same {
+        complain(&format!("`{name}` is not formatted"));
+    }
+    same && formatted.diagnostics.is_empty()
+}
+
+/// Puts a text in the place of a file, whole or not at all; its permissions stay.
+fn replace(path: &Path, text: &str) -> std::io::Result<()> {
+    // Behind a link the file is replaced, not the link.
+    let target = fs::canonicalize(path)?;
+    let folder = target.parent().unwrap_or(Path::new("."));
+    let mut file = tempfile::Builder::new()
+        .prefix(".hedgerow-")
+        .tempfile_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file()
+        .set_permissions(fs::metadata(&target)?.permissions())?;
+    file.persist(&target)?;
+    Ok(())
+}

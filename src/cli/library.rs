@@ -1,0 +1,110 @@
+//! `hedgerow std`
+
+use std::fs::File;
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+
+use super::arguments::StdArguments;
+use super::failure::Failure;
+use super::output::{say, table};
+use crate::library::{self, LibraryFile};
+use crate::source::Sources;
+use crate::syntax::parse;
+use crate::syntax::tree::{File as Tree, Item};
+
+/// Lists the standard library, prints a file of it, or copies it out.
+pub(super) fn std(arguments: &StdArguments) -> Result<(), Failure> {
+    let found = match &arguments.name {
+        Some(name) => vec![find(name)?],
+        None => library::files().collect(),
+    };
+    if let Some(to) = &arguments.copy {
+        return copy(&found, to, arguments.name.is_some());
+    }
+    match (found.as_slice(), &arguments.name) {
+        ([file], Some(_)) => say(file.text.trim_end()),
+        (files, _) => {
+            let listed: Vec<_> = files.iter().map(|file| list(*file)).collect();
+            say(&listed.join("\n\n"));
+        }
+    }
+    Ok(())
+}
+
+fn find(name: &str) -> Result<LibraryFile, Failure> {
+    library::file(name).ok_or_else(|| {
+        let names: Vec<_> = library::files()
+            .map(|file| format!("`{}`", file.name))
+            .collect();
+        let names = names.join(", ");
+        Failure::usage(format!("the library has no `{name}`; it has {names}"))
+    })
+}
+
+/// A file in a few lines: what it is for, and what each of its items does.
+fn list(file: LibraryFile) -> String {
+    let mut sources = Sources::new();
+    let parsed = parse(sources.add(file.name, file.text), file.text);
+    let Tree { docs, items } = &parsed.tree;
+    let mut rows = Vec::new();
+    for item in items {
+        let (word, name, docs) = match item {
+            Item::Op(op) => ("op", &op.name, &op.docs),
+            Item::Fn(function) => ("fn", &function.name, &function.docs),
+            Item::Script(script) => ("script", &script.name, &script.docs),
+            Item::Attr(attr) => ("attr", &attr.name, &attr.docs),
+            Item::Use(_) | Item::Test(_) | Item::Broken(_) => continue,
+        };
+        let row = [format!("  {word}"), name.text.clone(), sentence(docs)];
+        rows.push(row.to_vec());
+    }
+    format!("{}\n{}\n{}", file.name, sentence(docs), table(&rows, &[]))
+}
+
+/// The first sentence of a comment.
+fn sentence(docs: &[String]) -> String {
+    let paragraph = docs.iter().map(|line| line.trim());
+    let paragraph: Vec<_> = paragraph.take_while(|line| !line.is_empty()).collect();
+    let text = paragraph.join(" ");
+    match text.split_once(". ") {
+        Some((first, _)) => format!("{first}."),
+        None => text,
+    }
+}
+
+/// Copies files to a folder; a single one also to a file.
+fn copy(files: &[LibraryFile], to: &Path, single: bool) -> Result<(), Failure> {
+    let is_file = single && to.extension().is_some_and(|end| end == "hedge");
+    for file in files {
+        let short = file.name.rsplit('/').next().unwrap_or(file.name);
+        let place = if is_file {
+            to.to_owned()
+        } else {
+            to.join(short)
+        };
+        let failed = |error: std::io::Error| {
+            let shown = place.display();
+            Failure::usage(match error.kind() {
+                ErrorKind::AlreadyExists => format!("`{shown}` is there already, and stays"),
+                _ => format!("cannot write `{shown}`: {error}"),
+            })
+        };
+        if !is_file {
+            std::fs::create_dir_all(to).map_err(failed)?;
+        }
+        write_new(&place, file.text).map_err(failed)?;
+        say(&format!("{} -> {}", file.name, place.display()));
+    }
+    Ok(())
+}
+
+/// Writes a file that is not there yet, whole or not at all.
+fn write_new(place: &Path, text: &str) -> std::io::Result<()> {
+    let mut file = File::create_new(place)?;
+    let written = file.write_all(text.as_bytes());
+    if written.is_err() {
+        // What is left of it is of no use; that it cannot be written is told.
+        let _ = std::fs::remove_file(place);
+    }
+    written
+}

@@ -1,0 +1,64 @@
+//! The white space that formatting exchanges, gap by gap, as editors want it.
+
+use super::safe::{Refusal, format, places};
+use crate::source::{FileId, LineTable, Span};
+use crate::syntax::parse;
+use std::ops::Range;
+
+/// Some white space of a text, and what is to stand there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// The bytes to take out.
+    pub range: Range<usize>,
+    /// What to put there.
+    pub text: String,
+}
+
+/// What formatting changes, in order; the edits do not overlap.
+///
+/// # Errors
+///
+/// As [`format`].
+pub fn edits(source: &str) -> Result<Vec<Edit>, Refusal> {
+    let formatted = format(FileId(0), source)?.text;
+    let (old, new) = (gaps(source), gaps(&formatted));
+    let pairs = old.into_iter().zip(new);
+    let edits = pairs.filter_map(|(old, new)| {
+        let new = formatted.get(new)?;
+        (source.get(old.clone()) != Some(new)).then(|| Edit {
+            range: old,
+            text: new.to_owned(),
+        })
+    });
+    Ok(edits.collect())
+}
+
+/// What formatting changes on some lines, counted from 0; the last one is included.
+///
+/// # Errors
+///
+/// As [`format`].
+pub fn edits_of_lines(source: &str, lines: Range<usize>) -> Result<Vec<Edit>, Refusal> {
+    let table = LineTable::new(source);
+    let start = table.start(lines.start).unwrap_or(source.len());
+    // The indentation of the first line is behind the line end before it.
+    let start = start.saturating_sub(1);
+    let end = table.start(lines.end).unwrap_or(source.len());
+    let mut edits = edits(source)?;
+    edits.retain(|edit| start <= edit.range.end && edit.range.start < end);
+    Ok(edits)
+}
+
+/// What stands before each token and comment, and behind the last.
+fn gaps(text: &str) -> Vec<Range<usize>> {
+    let parsed = parse(FileId(0), text);
+    let end = Span::new(FileId(0), text.len(), text.len());
+    let mut at = 0;
+    places(text, &parsed)
+        .chain([end])
+        .map(|span| {
+            let from = std::mem::replace(&mut at, span.end as usize);
+            from..span.start as usize
+        })
+        .collect()
+}

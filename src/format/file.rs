@@ -1,0 +1,161 @@
+//! A whole file: items with a blank line between them; what cannot be read stays as it is.
+
+use super::printer::{Lines, Printer, WIDTH};
+use super::remark;
+use super::safe::leftovers;
+use crate::source::Span;
+use crate::syntax::Parsed;
+use crate::syntax::tree::Item;
+
+const MARK: &str = "\u{FEFF}";
+
+/// What a text becomes.
+pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
+    let mark = if source.starts_with(MARK) { MARK } else { "" };
+    let mut page = Page {
+        printer: Printer::new(source, &parsed.tokens, &parsed.comments),
+        text: mark.to_owned(),
+        lines: Lines::new(),
+        done: mark.len(),
+        after: None,
+    };
+    let stays = Stays::new(source, parsed);
+    let items = &parsed.tree.items;
+    let starts = items.iter().map(|item| span_of(item).start as usize);
+    let starts: Vec<_> = starts.chain([source.len()]).collect();
+    if stays.between(0, starts[0]) {
+        page.verbatim(starts[0]);
+    }
+    for (item, part) in items.iter().zip(starts.windows(2)) {
+        if stays.between(part[0], part[1]) {
+            page.verbatim(part[1]);
+        } else {
+            page.item(item);
+        }
+    }
+    with_line_ends_of(source, page.end())
+}
+
+fn span_of(item: &Item) -> Span {
+    match item {
+        Item::Use(item) => item.span,
+        Item::Attr(item) => item.span,
+        Item::Fn(item) => item.span,
+        Item::Op(item) => item.span,
+        Item::Script(item) => item.span,
+        Item::Test(item) => item.span,
+        Item::Broken(span) => *span,
+    }
+}
+
+/// All lines end as the first line of the source does, also where nothing else is changed:
+/// what comes first may be another line the next time.
+fn with_line_ends_of(source: &str, text: String) -> String {
+    let first = source.find('\n').unwrap_or(0);
+    let end = if source[..first].ends_with('\r') {
+        "\r\n"
+    } else {
+        "\n"
+    };
+    if end == "\n" && !text.contains('\r') {
+        return text;
+    }
+    let mut lines = text.split('\n');
+    let last = lines.next_back().unwrap_or("");
+    let ended = lines.map(|line| line.trim_end_matches('\r').to_owned() + end);
+    ended.chain([last.to_owned()]).collect()
+}
+
+/// The places at which something is wrong.
+struct Stays {
+    /// Of diagnostics: where they begin and where they end.
+    told: Vec<usize>,
+    /// Of characters that belong to nothing.
+    left: Vec<usize>,
+}
+
+impl Stays {
+    fn new(source: &str, parsed: &Parsed) -> Self {
+        let spans = parsed.diagnostics.iter().map(|found| found.span());
+        let mut told: Vec<_> = spans
+            .flat_map(|span| [span.start as usize, span.end as usize])
+            .collect();
+        told.sort_unstable();
+        let left = leftovers(source, parsed).map(|(at, _)| at).collect();
+        Self { told, left }
+    }
+
+    /// Whether something is wrong between two places.
+    fn between(&self, start: usize, end: usize) -> bool {
+        let inside = |places: &[usize], end: usize| {
+            let first = places.partition_point(|&place| place < start);
+            places.get(first).is_some_and(|&place| place < end)
+        };
+        // What lacks at the end of an item may be told of the place where the next begins.
+        inside(&self.told, end + 1) || inside(&self.left, end)
+    }
+}
+
+struct Page<'t> {
+    printer: Printer<'t>,
+    /// What is finished.
+    text: String,
+    /// What can still be aligned.
+    lines: Lines,
+    /// Up to where the source is written.
+    done: usize,
+    /// How many lines the item has that was written last, if it was one that could be read.
+    after: Option<usize>,
+}
+
+impl Page<'_> {
+    fn item(&mut self, item: &Item) {
+        let known = self.lines.len();
+        self.printer.gap(&mut self.lines);
+        if let [.., said, blank] = self.lines.as_slice()
+            && blank.is_empty()
+            && said.starts_with("///")
+            && !said.starts_with("////")
+        {
+            self.lines.pop();
+        }
+        let own = self.printer.item(item, WIDTH);
+        let stands_alone = |count: usize| count > 1 || own.len() > 1;
+        if self.after.is_some_and(stands_alone)
+            && self.lines.get(known).is_none_or(|line| !line.is_empty())
+        {
+            self.lines.insert(known, String::new());
+        }
+        self.after = Some(own.len());
+        self.lines.extend(own);
+        self.done = self.printer.taken_end();
+    }
+
+    /// Takes the source as it is, up to a place.
+    fn verbatim(&mut self, to: usize) {
+        self.finish();
+        let taken = self.printer.verbatim(self.done, to);
+        self.text.push_str(taken);
+        self.done = to;
+        self.after = None;
+    }
+
+    fn finish(&mut self) {
+        remark::align(&mut self.lines);
+        self.text.push_str(&self.lines.join("\n"));
+        self.lines.clear();
+    }
+
+    fn end(mut self) -> String {
+        let open = self.after.is_some() || self.done < self.printer.source.len();
+        if open {
+            self.printer.last_gap(&mut self.lines);
+        }
+        self.finish();
+        let written = self.text.trim_start_matches(MARK);
+        if open && !written.is_empty() {
+            self.text.push('\n');
+        }
+        self.text
+    }
+}

@@ -1,0 +1,146 @@
+//! Items: heads, parameters, and the parts of an op.
+
+use super::printer::{Doc, HANG, INDENT, Lines, Printer, laid_out, line, nil, soft, text};
+use crate::source::Span;
+use crate::syntax::TokenKind as T;
+use crate::syntax::tree::{Attr, Condition, Item, Op, Param, Rule};
+
+impl Printer<'_> {
+    /// An item without what is said about it before.
+    pub(super) fn item(&mut self, item: &Item, width: usize) -> Lines {
+        let doc = match item {
+            Item::Use(_) => self.spaced_token().append(self.token()),
+            Item::Attr(attr) => self.attr(attr, width),
+            Item::Fn(function) => {
+                let head = self.head(&function.params, width);
+                let head = match function.result {
+                    Some(_) => head.append(self.result()),
+                    None => head,
+                };
+                let body = self.block(&function.body, width);
+                super::action::headed(vec![(head.append(text(" ")), body)])
+            }
+            Item::Op(op) => self.op(op, width),
+            Item::Script(script) => {
+                let head = self.head(&script.params, width);
+                let body = self.block(&script.body, width);
+                super::action::headed(vec![(head.append(text(" ")), body)])
+            }
+            Item::Test(test) => {
+                let head = self.spaced_token().append(self.spaced_token());
+                super::action::headed(vec![(head, self.block(&test.body, width))])
+            }
+            Item::Broken(_) => nil(),
+        };
+        laid_out(doc, width)
+    }
+
+    /// `private attr name: vertex real = 0`
+    fn attr(&mut self, attr: &Attr, width: usize) -> Doc {
+        let mut doc = nil();
+        if attr.private {
+            doc = self.spaced_token();
+        }
+        doc = doc.append(self.spaced_token()).append(self.token());
+        doc = doc.append(self.spaced_token());
+        doc = doc.append(self.spaced_token()).append(self.token());
+        match &attr.default {
+            Some(default) => doc.append(self.equals(default, width)),
+            None => doc,
+        }
+    }
+
+    /// `script name(…)`
+    fn head(&mut self, params: &[Param], width: usize) -> Doc {
+        let head = self.spaced_token().append(self.token());
+        let open = self.token();
+        let mut inside = soft();
+        for (at, param) in params.iter().enumerate() {
+            if at > 0 {
+                inside = inside.append(line());
+            }
+            inside = inside.append(self.tokens(param.name.span));
+            inside = inside.append(self.spaced_token()).append(self.token());
+            if let Some(default) = &param.default {
+                inside = inside.append(self.equals(default, width));
+            }
+            if self.peek() == Some(T::Comma) {
+                inside = inside.append(self.token());
+            }
+        }
+        let params = open.append(inside.nest(HANG)).append(soft());
+        head.append(params.append(self.token()).group())
+    }
+
+    /// ` -> m`
+    fn result(&mut self) -> Doc {
+        text(" ").append(self.spaced_token()).append(self.token())
+    }
+
+    /// `op name(…) -> m keeps … { … }`
+    fn op(&mut self, op: &Op, width: usize) -> Doc {
+        let mut head = self.head(&op.params, width);
+        if op.result.is_some() {
+            head = head.append(self.result());
+        }
+        if !op.keeps.is_empty() {
+            let mut keeps = line().append(self.spaced_token());
+            for (at, _) in op.keeps.iter().enumerate() {
+                if at > 0 {
+                    keeps = keeps.append(self.token()).append(line());
+                }
+                keeps = keeps.append(self.token());
+            }
+            head = head.append(keeps.nest(HANG).group());
+        }
+        let inner = width.saturating_sub(INDENT);
+        let open = self.next_start();
+        let span = Span::new(op.span.file, open, op.span.end as usize);
+        let block = self.braces(span, false, |printer, lines| match op.rules.as_slice() {
+            [rule] if rule.name.is_none() => printer.rule_parts(rule, lines, inner),
+            rules => {
+                for rule in rules {
+                    printer.gap(lines);
+                    let doc = printer.rule(rule, inner);
+                    lines.extend(laid_out(doc, inner));
+                }
+            }
+        });
+        head.append(text(" ")).append(block.long())
+    }
+
+    /// `rule name { … }`
+    fn rule(&mut self, rule: &Rule, width: usize) -> Doc {
+        let head = self.spaced_token().append(self.spaced_token());
+        let inner = width.saturating_sub(INDENT);
+        let open = self.next_start();
+        let span = Span::new(rule.span.file, open, rule.span.end as usize);
+        let block = self.braces(span, false, |printer, lines| {
+            printer.rule_parts(rule, lines, inner);
+        });
+        head.append(block.long())
+    }
+
+    fn rule_parts(&mut self, rule: &Rule, lines: &mut Lines, width: usize) {
+        if let Some(before) = &rule.before {
+            self.gap(lines);
+            let doc = self.side(before, width);
+            lines.extend(laid_out(doc, width));
+        }
+        for condition in &rule.conditions {
+            self.gap(lines);
+            let doc = match condition {
+                Condition::Require {
+                    condition, reason, ..
+                } => self.demanded(condition, reason.is_some(), width),
+                Condition::Guard { .. } => self.spaced_token().append(self.token()),
+            };
+            lines.extend(laid_out(doc, width));
+        }
+        if let Some(after) = &rule.after {
+            self.gap(lines);
+            let doc = self.side(after, width);
+            lines.extend(laid_out(doc, width));
+        }
+    }
+}

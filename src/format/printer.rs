@@ -1,0 +1,300 @@
+//! The hand that writes: takes tokens and comments in their order, and lays out what is made
+//! of them.
+//!
+//! A statement is a document in the sense of Ph. Wadler, "A prettier printer", 2003; it is
+//! laid out as soon as it is complete, and stands in the next larger one as finished lines.
+
+use crate::source::Span;
+use crate::syntax::{Comment, Token, TokenKind};
+use pretty::{DocAllocator, DocBuilder, RcAllocator};
+
+/// How long a line may be before it is broken, in characters.
+pub const WIDTH: usize = 100;
+
+/// How far a block is indented.
+pub(super) const INDENT: usize = 2;
+
+/// How far a line that goes on is indented.
+pub(super) const HANG: isize = 4;
+
+/// Something that can still be laid out in several ways.
+pub(super) type Doc = DocBuilder<'static, RcAllocator>;
+
+/// Finished lines, without line ends and without the indentation of what they stand in.
+pub(super) type Lines = Vec<String>;
+
+/// Some text that is never broken.
+pub(super) fn text(words: impl Into<String>) -> Doc {
+    RcAllocator.text(words.into())
+}
+
+/// A space or a line end.
+pub(super) fn line() -> Doc {
+    RcAllocator.line()
+}
+
+/// Nothing or a line end.
+pub(super) fn soft() -> Doc {
+    RcAllocator.line_()
+}
+
+/// A line end.
+pub(super) fn hard() -> Doc {
+    RcAllocator.hardline()
+}
+
+/// Nothing.
+pub(super) fn nil() -> Doc {
+    RcAllocator.nil()
+}
+
+/// A document as lines of a width.
+pub(super) fn laid_out(doc: Doc, width: usize) -> Lines {
+    let text = doc.into_doc().pretty(width).to_string();
+    text.lines()
+        .map(|line| line.trim_end().to_owned())
+        .collect()
+}
+
+/// How wide a text is, in characters.
+pub(super) fn width_of(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// Takes tokens and comments in their order.
+pub(super) struct Printer<'t> {
+    pub(super) source: &'t str,
+    tokens: &'t [Token],
+    comments: &'t [Comment],
+    /// The next token.
+    at: usize,
+    /// The next comment.
+    comment: usize,
+}
+
+impl<'t> Printer<'t> {
+    /// A hand at the start of a text.
+    pub fn new(source: &'t str, tokens: &'t [Token], comments: &'t [Comment]) -> Self {
+        Self {
+            source,
+            tokens,
+            comments,
+            at: 0,
+            comment: 0,
+        }
+    }
+
+    /// The kind of the next token.
+    pub fn peek(&self) -> Option<TokenKind> {
+        self.tokens.get(self.at).map(|token| token.kind)
+    }
+
+    /// Where the next token begins; behind the last, the end of the text.
+    pub fn next_start(&self) -> usize {
+        let next = self.tokens.get(self.at);
+        next.map_or(self.source.len(), |token| token.span.start as usize)
+    }
+
+    /// Where the token or comment that was taken last ends.
+    pub fn taken_end(&self) -> usize {
+        let token = self.at.checked_sub(1).map(|at| self.tokens[at].span.end);
+        let comment = self.comment.checked_sub(1);
+        let comment = comment.map(|at| self.comments[at].span.end);
+        token.max(comment).unwrap_or(0) as usize
+    }
+
+    /// Whether a comment stands inside of a span, or before it and not taken yet.
+    pub fn has_comment(&self, span: Span) -> bool {
+        let next = self.comments.get(self.comment);
+        next.is_some_and(|comment| comment.span.start < span.end)
+    }
+
+    /// The line ends between two places of the text.
+    pub fn line_ends(&self, from: usize, to: usize) -> usize {
+        let between = self.source.get(from..to).unwrap_or("");
+        between.matches('\n').count()
+    }
+
+    /// Whether a span lies on one line.
+    pub fn on_one_line(&self, span: Span) -> bool {
+        self.line_ends(span.start as usize, span.end as usize) == 0
+    }
+
+    /// Takes the next token; comments before it go in front of it, each with a line end.
+    pub fn token(&mut self) -> Doc {
+        let tight = matches!(
+            self.peek(),
+            Some(
+                TokenKind::LeftParen
+                    | TokenKind::RightParen
+                    | TokenKind::Comma
+                    | TokenKind::Colon
+                    | TokenKind::Dot
+            )
+        );
+        let mut doc = nil();
+        for comment in self.comments_before_next() {
+            let gap = if tight { "  " } else { "" };
+            doc = doc.append(text(format!("{gap}{comment}"))).append(hard());
+        }
+        doc.append(text(self.word()))
+    }
+
+    /// Takes all comments before the next token.
+    pub fn comments_before_next(&mut self) -> Lines {
+        let taken = std::iter::from_fn(|| self.pending_comment());
+        taken.map(str::to_owned).collect()
+    }
+
+    /// Takes the next token, which has no comment before it.
+    pub fn word(&mut self) -> &'t str {
+        let Some(token) = self.tokens.get(self.at) else {
+            return "";
+        };
+        self.at += 1;
+        self.source.get(token.span.range()).unwrap_or("")
+    }
+
+    /// Takes all tokens up to the end of a span, with nothing between them.
+    pub fn words(&mut self, span: Span) -> String {
+        let mut words = String::new();
+        while let Some(token) = self.tokens.get(self.at)
+            && token.span.end <= span.end
+        {
+            words.push_str(self.word());
+        }
+        words
+    }
+
+    /// Takes all tokens up to the end of a span, with nothing but comments between them.
+    pub fn tokens(&mut self, span: Span) -> Doc {
+        let mut doc = nil();
+        while let Some(token) = self.tokens.get(self.at)
+            && token.span.end <= span.end
+        {
+            doc = doc.append(self.token());
+        }
+        doc
+    }
+
+    /// Takes everything up to a place as it is.
+    pub fn verbatim(&mut self, from: usize, to: usize) -> &'t str {
+        let before = |span: Span| span.end as usize <= to;
+        while self.tokens.get(self.at).is_some_and(|t| before(t.span)) {
+            self.at += 1;
+        }
+        while self
+            .comments
+            .get(self.comment)
+            .is_some_and(|c| before(c.span))
+        {
+            self.comment += 1;
+        }
+        self.source.get(from..to).unwrap_or("")
+    }
+
+    /// Takes the next comment, if it stands before the next token.
+    fn pending_comment(&mut self) -> Option<&'t str> {
+        let limit = self.next_start();
+        let comment = self.comments.get(self.comment)?;
+        if comment.span.start as usize >= limit {
+            return None;
+        }
+        self.comment += 1;
+        self.source.get(comment.span.range())
+    }
+
+    /// Takes the comments behind the last token on its line, two spaces before each.
+    pub fn comments_of_line(&mut self) -> String {
+        let mut taken = String::new();
+        while let Some(comment) = self.comments.get(self.comment)
+            && (comment.span.start as usize) < self.next_start()
+            && self.line_ends(self.taken_end(), comment.span.start as usize) == 0
+        {
+            let words = self.pending_comment().unwrap_or("");
+            taken.push_str("  ");
+            taken.push_str(words);
+        }
+        taken
+    }
+
+    /// Takes the comments before the next token, as lines: those of the last line go to its
+    /// end, the others stand alone. Of blank lines one stays, but none at the start.
+    pub fn gap(&mut self, lines: &mut Lines) {
+        let behind = self.comments_of_line();
+        if let Some(last) = lines.last_mut() {
+            last.push_str(&behind);
+        } else if !behind.is_empty() {
+            lines.push(behind.trim_start().to_owned());
+        }
+        while let Some(comment) = self.comments.get(self.comment)
+            && (comment.span.start as usize) < self.next_start()
+        {
+            self.blank(lines, comment.span.start as usize);
+            lines.extend(self.pending_comment().map(str::to_owned));
+        }
+        self.blank(lines, self.next_start());
+    }
+
+    /// Takes the comments before a closing brace: as [`Printer::gap`], but without a blank
+    /// line at the end.
+    pub fn last_gap(&mut self, lines: &mut Lines) {
+        self.gap(lines);
+        if lines.last().is_some_and(String::is_empty) {
+            lines.pop();
+        }
+    }
+
+    fn blank(&self, lines: &mut Lines, to: usize) {
+        if !lines.is_empty() && self.line_ends(self.taken_end(), to) > 1 {
+            lines.push(String::new());
+        }
+    }
+}
+
+/// What stands between two braces.
+pub(super) struct Block {
+    /// The comments before the opening brace.
+    pub above: Lines,
+    /// The comments behind the opening brace, on its line.
+    pub opening: String,
+    /// What is inside.
+    pub lines: Lines,
+    /// Whether the author wrote it on one line, and it can stand there.
+    pub short: bool,
+}
+
+impl Block {
+    /// The block over several lines.
+    pub fn long(&self) -> Doc {
+        let above = self.above.iter().map(|line| text(line).append(hard()));
+        let above = RcAllocator.concat(above);
+        if self.lines.is_empty() && self.opening.is_empty() {
+            return above.append(text("{}"));
+        }
+        let lines = self.lines.iter().map(|line| hard().append(text(line)));
+        let inside = RcAllocator.concat(lines).nest(INDENT as isize);
+        above
+            .append(text(format!("{{{}", self.opening)))
+            .append(inside)
+            .append(hard())
+            .append(text("}"))
+    }
+
+    /// The block on one line; only for a short one.
+    pub fn one_line(&self) -> Doc {
+        match self.lines.first() {
+            Some(line) => text(format!("{{ {line} }}")),
+            None => text("{}"),
+        }
+    }
+
+    /// The block on one line if it is short and everything up to the next line end fits.
+    pub fn doc(&self) -> Doc {
+        if self.short {
+            self.long().flat_alt(self.one_line()).group()
+        } else {
+            self.long()
+        }
+    }
+}

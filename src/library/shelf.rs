@@ -1,0 +1,57 @@
+//! Which files there are.
+
+/// What the name of every file of the library begins with.
+pub const FOLDER: &str = "std/";
+
+/// A file of the library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LibraryFile {
+    /// Its name, as `use` writes it: `std/triangle.hedge`.
+    pub name: &'static str,
+    /// Its text.
+    pub text: &'static str,
+}
+
+const FILES: &[LibraryFile] = &[
+    LibraryFile {
+        name: "std/polygon.hedge",
+        text: include_str!("std/polygon.hedge"),
+    },
+    LibraryFile {
+        name: "std/triangle.hedge",
+        text: include_str!("std/triangle.hedge"),
+    },
+];
+
+/// All files, in the order in which they are best read.
+pub fn files() -> impl Iterator<Item = LibraryFile> {
+    FILES.iter().copied()
+}
+
+/// The file of a name: `std/triangle.hedge`, for short also `triangle`.
+pub fn file(name: &str) -> Option<LibraryFile> {
+    let short = |file: &LibraryFile| {
+        let inner = file.name.strip_prefix(FOLDER);
+        inner.and_then(|inner| inner.strip_suffix(".hedge"))
+    };
+    files().find(|file| file.name == name || short(file) == Some(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_is_found_by_both_of_its_names() {
+        let mut found = 0;
+        for known in files() {
+            let short = known.name.strip_prefix(FOLDER).unwrap();
+            let short = short.strip_suffix(".hedge").unwrap();
+            assert_eq!(file(known.name), Some(known));
+            assert_eq!(file(short), Some(known));
+            found += 1;
+        }
+        assert!(found > 0);
+        assert_eq!(file("std/nothing.hedge"), None);
+    }
+}

@@ -1,0 +1,56 @@
+//! Programs of several files, and the standard library.
+
+use crate::bench::{Bench, TETRAHEDRON};
+
+#[test]
+fn a_used_file_lies_beside_the_one_that_uses_it() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("parts")).unwrap();
+    bench.write("mesh.obj", TETRAHEDRON);
+    bench.write("parts/first.hedge", "use \"second.hedge\"\n");
+    bench.write(
+        "parts/second.hedge",
+        "use \"std/triangle.hedge\"\nscript go() { for e in edges { split(e) } }\n",
+    );
+    let run = |script| bench.run(&["run", script, "mesh.obj", "-o", "out.obj"]);
+    let said = run("parts/first.hedge::go");
+    assert_eq!((said.code, said.err.as_str()), (0, ""));
+    assert!(said.out.contains("split        6        0"), "{said:?}");
+    bench.fails(2, &["plan", "parts/first.hedge"], "no operation");
+
+    bench.write("parts/third.hedge", "use \"secnd.hedge\"\n");
+    bench.fails(1, &["check", "parts/third.hedge"], "`second.hedge`?");
+}
+
+#[test]
+fn the_library_is_listed_printed_copied_and_run() {
+    let bench = Bench::new();
+    bench.write("mesh.obj", TETRAHEDRON);
+    let list = bench.succeeds(&["std"]);
+    assert!(list.contains("std/triangle.hedge\n"), "{list}");
+    assert!(list.contains("op  flip"), "{list}");
+    let text = bench.succeeds(&["std", "triangle"]);
+    bench.succeeds(&["std", "std/triangle.hedge", "--copy", "mine"]);
+    assert_eq!(bench.read("mine/triangle.hedge"), text);
+    bench.succeeds(&["std", "triangle", "--copy", "own.hedge"]);
+    assert_eq!(bench.read("own.hedge"), text);
+    bench.fails(2, &["std", "triangle", "--copy", "own.hedge"], "already");
+    bench.fails(2, &["std", "triangel"], "`std/triangle.hedge`");
+
+    let split = [
+        "apply",
+        "std/triangle.hedge::split",
+        "mesh.obj",
+        "--at",
+        "edge:1-2",
+        "-o",
+        "out.obj",
+    ];
+    let said = bench.run(&split);
+    assert_eq!((said.code, said.err.as_str()), (0, ""));
+    bench.fails(
+        2,
+        &["plan", "std/triangle.hedge::flipp"],
+        "did you mean `flip`?",
+    );
+}
