@@ -53,6 +53,17 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lsp",
+        &[
+            "source",
+            "diagnostic",
+            "diagram",
+            "draw",
+            "library",
+            "analysis",
+        ],
+    ),
+    (
         "cli",
         &[
             "source",
@@ -68,6 +79,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "emit",
             "format",
             "analysis",
+            "lsp",
         ],
     ),
 ];

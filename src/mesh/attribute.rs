@@ -71,6 +71,10 @@ macro_rules! attribute_types {
                 }
             }
 
+            fn shrink(&mut self, len: usize) {
+                match self { $(Self::$variant(xs) => xs.truncate(len)),* }
+            }
+
             fn grow(&mut self, len: usize, value: Value) {
                 match (self, value) {
                     $((Self::$variant(xs), Value::$variant(x)) => xs.resize(len, x),)*
@@ -219,6 +223,12 @@ impl Columns {
         }
     }
 
+    pub(super) fn shrink(&mut self, len: usize) {
+        for column in &mut self.0 {
+            column.data.shrink(len);
+        }
+    }
+
     #[inline]
     pub(super) fn grow(&mut self, len: usize) {
         for column in &mut self.0 {
@@ -326,11 +336,24 @@ impl Mesh {
     /// element does not live or the type is not the column's.
     #[must_use]
     pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
+        self.note_value(id, index);
         self.is_alive(id.kind, index)
             && match self.columns[id.kind as usize].0.get_mut(id.place as usize) {
                 Some(column) => column.data.set(index as usize, value),
                 None => false,
             }
+    }
+
+    /// The value in a slot, living or dead.
+    pub(super) fn value_at(&self, id: ColumnId, index: u32) -> Option<Value> {
+        self.column(id)?.data.get(index as usize)
+    }
+
+    /// Writes to a slot, living or dead; nothing if there is none, or of another type.
+    pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data.set(index as usize, value);
+        }
     }
 
     /// All values of a column by slot, dead slots included; `None` when the type is

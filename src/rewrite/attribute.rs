@@ -91,6 +91,7 @@ fn put(
     at: usize,
     slot: impl Fn(u16) -> u64,
 ) -> Result<(), Message> {
+    mesh.note_value(column, at as u32);
     let data = mesh.column_data_mut(column).ok_or(Message::Malformed)?;
     let real = |part: usize| f64::from_bits(slot(part as u16));
     let beyond = Message::Malformed;
