@@ -86,6 +86,9 @@ pub(super) struct RunArguments {
     /// Where to write the result (.obj)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// Where to write a picture of the result (.png or .svg)
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,

@@ -27,6 +27,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     let program = program::read(path)?;
     let ops: Vec<_> = match name {
         Some(_) => vec![program::find_op(&program, name)?],
+        // A table of everything is more than anybody reads.
+        None if arguments.shown == Shown::Table => vec![program::find_op(&program, None)?],
         None => {
             let ops = program.analysis.program.ops.iter().enumerate();
             let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);

@@ -113,6 +113,41 @@ fn draw_writes_pictures() {
 }
 
 #[test]
+fn run_writes_a_picture_of_the_result() {
+    let bench = Bench::with_square();
+    let remesh = example("remesh.hedge");
+    let run = [
+        "run",
+        &remesh,
+        "square.obj",
+        "-o",
+        "out.obj",
+        "--set",
+        "iterations=1",
+        "--picture",
+    ];
+    bench.succeeds(&[&run[..], &["out.svg"]].concat());
+    assert!(
+        std::fs::read_to_string(bench.path("out.svg"))
+            .unwrap()
+            .starts_with("<svg")
+    );
+    std::fs::remove_file(bench.path("out.obj")).unwrap();
+    let before = bench.files();
+    bench.fails(
+        2,
+        &[&run[..], &["out.gif"]].concat(),
+        "neither .svg nor .png",
+    );
+    bench.fails(
+        2,
+        &[&run[..], &["no/out.png"]].concat(),
+        "the folder `no` does not exist",
+    );
+    assert_eq!(bench.files(), before, "nothing is done in vain");
+}
+
+#[test]
 fn view_writes_pictures() {
     let bench = Bench::with_square();
     for name in ["square.svg", "square.png"] {
