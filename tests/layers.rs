@@ -50,6 +50,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "check",
             "compile",
             "resolve",
+            "run",
         ],
     ),
     (
