@@ -22,6 +22,9 @@ impl Expressions<'_> {
             ExprKind::Int(value) => Term::Int(*value),
             ExprKind::Real(value) => Term::Real(*value),
             ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
+            ExprKind::Invoke(..) | ExprKind::Let(..) => {
+                return Err(NotEmitted::new("a function of the program", expr.span));
+            }
             ExprKind::Read(Access::Declared(_), _) => {
                 return Err(NotEmitted::new("an attribute of the program", expr.span));
             }
@@ -150,6 +153,8 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
         | ExprKind::Element(_)
         | ExprKind::Local(_)
         | ExprKind::Follow(..)
+        | ExprKind::Invoke(..)
+        | ExprKind::Let(..)
         | ExprKind::Fold(_) => false,
     }
 }
