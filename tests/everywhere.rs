@@ -276,7 +276,7 @@ fn elements(mesh: &Mesh, ty: Type) -> Vec<u32> {
         Type::Halfedge => mesh.halfedges().map(|h| h.0).collect(),
         Type::Edge => mesh.edges().map(|e| e.0).collect(),
         Type::Face => mesh.faces().map(|f| f.0).collect(),
-        Type::Bool | Type::Int | Type::Real | Type::Vec3 | Type::Text => Vec::new(),
+        _ => Vec::new(),
     }
 }
 

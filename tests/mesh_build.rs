@@ -133,11 +133,11 @@ fn order_of_polygons_and_corners_does_not_matter() {
 fn erased_slots_wait_for_recycling() {
     let mut mesh = shape::tetrahedron();
     let weight = mesh
-        .add_column(ElementKind::Vertex, "weight", Value::Float(0.5))
+        .add_column(ElementKind::Vertex, "weight", Value::Real(0.5))
         .unwrap();
-    assert!(mesh.set_value(weight, 2, Value::Float(3.0)));
+    assert!(mesh.set_value(weight, 2, Value::Real(3.0)));
     assert!(
-        !mesh.set_value(weight, 2, Value::Int(3)) && !mesh.set_value(weight, 9, Value::Float(3.0))
+        !mesh.set_value(weight, 2, Value::Int(3)) && !mesh.set_value(weight, 9, Value::Real(3.0))
     );
     mesh.erase_vertex(VertexId(2));
     mesh.erase_vertex(VertexId(2));
@@ -152,7 +152,7 @@ fn erased_slots_wait_for_recycling() {
     assert_eq!(mesh.add_vertex(), VertexId(4));
     mesh.recycle();
     assert_eq!(mesh.add_vertex(), VertexId(2));
-    assert_eq!(mesh.value(weight, 2), Some(Value::Float(0.5)));
+    assert_eq!(mesh.value(weight, 2), Some(Value::Real(0.5)));
     assert_eq!(mesh.values::<f64>(weight), Some(&[0.5; 5][..]));
     assert_eq!(mesh.values::<bool>(weight), None);
     assert_eq!(mesh.add_vertex(), VertexId(5));

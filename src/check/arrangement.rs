@@ -4,9 +4,11 @@
 //! cycle: at most `(k-1)!` ways. A vertex statement leaves those that agree with it, and says
 //! which arc, and which first spoke of a path, lies in which fan.
 
+use std::borrow::Cow;
+
 use super::chain::Corner;
 use super::port::Port;
-use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
+use crate::diagram::{Drawing, Kind, NameId, Rule, Spoke, Star};
 
 /// What a piece of a star belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +45,10 @@ pub(super) struct Arrangement {
     pub arcs: Vec<Arc>,
     /// For each path that starts at the vertex, where its first spoke belongs.
     pub first_spokes: Vec<(NameId, Lies)>,
+    /// The paths that the statement leaves no room for a halfedge.
+    pub empty_paths: Vec<NameId>,
+    /// Whether it stands for others too, in which settled chains lie elsewhere.
+    pub stands_for_others: bool,
 }
 
 /// How many arrangements of one vertex are looked at; more chains than this allows are
@@ -51,7 +57,15 @@ const MOST: usize = 40_320;
 
 /// The arrangements of a vertex that agree with its statement, or `None` if there are too
 /// many to look at.
-pub(super) fn arrangements(drawing: &Drawing, corner: &Corner) -> Option<Vec<Arrangement>> {
+///
+/// Chains that `settled` names pass through the rewrite as they are. Whether an arc goes
+/// around them or leads through them shows in no orbit of `after`, so they are laid behind
+/// the first of the others, and only the order of those others matters.
+pub(super) fn arrangements(
+    drawing: &Drawing,
+    corner: &Corner,
+    settled: &[usize],
+) -> Option<Vec<Arrangement>> {
     let count = corner.chains.len();
     if corner.chains.iter().any(|chain| chain.closed) {
         let order: Vec<_> = (0..count).collect();
@@ -64,14 +78,20 @@ pub(super) fn arrangements(drawing: &Drawing, corner: &Corner) -> Option<Vec<Arr
                 .collect(),
         );
     }
-    let ways = (1..count).try_fold(1_usize, |ways, factor| ways.checked_mul(factor))?;
+    let mut order: Vec<_> = (0..count).filter(|at| !settled.contains(at)).collect();
+    let ways = (1..order.len()).try_fold(1_usize, |ways, factor| ways.checked_mul(factor))?;
     if ways > MOST {
         return None;
     }
     let mut found = Vec::new();
-    let mut order: Vec<_> = (0..count).collect();
-    permute(&mut order, 1, &mut |order| {
-        found.extend(read(drawing, corner, order))
+    let behind = order.len().min(1);
+    order.splice(behind..behind, settled.iter().copied());
+    permute(&mut order, behind + settled.len(), &mut |order| {
+        let way = read(drawing, corner, order);
+        found.extend(way.map(|way| Arrangement {
+            stands_for_others: !settled.is_empty(),
+            ..way
+        }));
     });
     Some(found)
 }
@@ -105,6 +125,8 @@ fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangeme
     let mut way = Arrangement {
         arcs: Vec::new(),
         first_spokes: Vec::new(),
+        empty_paths: Vec::new(),
+        stands_for_others: false,
     };
     let mut pieces = Vec::new();
     for (at, &index) in order.iter().enumerate() {
@@ -154,6 +176,10 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
             Piece::Arc(arc) => way.arcs[arc].lies = lies,
             Piece::First(first, empty) => match lies {
                 Lies::Empty if !empty => return None,
+                Lies::Empty => {
+                    way.first_spokes[first].1 = Lies::Empty;
+                    way.empty_paths.push(way.first_spokes[first].0);
+                }
                 _ => way.first_spokes[first].1 = if empty { Lies::Empty } else { lies },
             },
         }
@@ -209,6 +235,46 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
         }
     }
     (at == count).then_some(())
+}
+
+/// The ways picked for all vertices, unless they contradict each other.
+///
+/// Where an arc without a spoke leads from `x` to `y`, the two are twins; so without a spoke
+/// another arc must lead from `y` to `x`, at their other end. And where `after` has a loop of
+/// nothing but empty paths, the match is refused.
+pub(super) fn agreeing<'a>(
+    rule: &Rule,
+    picked: impl Iterator<Item = &'a Arrangement>,
+) -> Option<Vec<Cow<'a, Arrangement>>> {
+    let mut ways: Vec<Cow<Arrangement>> = picked.map(Cow::Borrowed).collect();
+    let is_empty = |item: NameId| ways.iter().any(|way| way.empty_paths.contains(&item));
+    let mut loops = rule.after.loops.iter();
+    if loops.any(|orbit| orbit.items.iter().all(|item| is_empty(item.item.name))) {
+        return None;
+    }
+    let arcs = ways.iter().flat_map(|way| &way.arcs);
+    let empty = arcs.filter(|arc| arc.lies == Lies::Empty);
+    let twins: Vec<_> = empty
+        .filter_map(|arc| match (arc.from, arc.to) {
+            (Port::Out(x), Port::In(y)) => Some([x, y]),
+            _ => None,
+        })
+        .filter(|pair| pair.iter().all(|&item| rule.kind(item) == Kind::Halfedge))
+        .collect();
+    for [x, y] in twins {
+        for at in 0..ways.len() {
+            let leaves = |arc: &Arc| arc.from == Port::Out(y);
+            let Some(found) = ways[at].arcs.iter().position(leaves) else {
+                continue;
+            };
+            if ways[at].arcs[found].to == Port::In(x) {
+                ways[at].to_mut().arcs[found].lies = Lies::Empty;
+            } else if !ways[at].stands_for_others {
+                return None;
+            }
+        }
+    }
+    Some(ways)
 }
 
 /// Whether an arc leaves a halfedge and arrives at the same one.

@@ -1,5 +1,7 @@
 //! One case of law 7: an arrangement of every vertex, carried over to `after`.
 
+use std::borrow::Cow;
+
 use super::arrangement::{Arc, Arrangement, Lies};
 use super::chain::vertex_after;
 use super::port::{Links, Port};
@@ -29,7 +31,7 @@ pub(super) struct Case<'a> {
 
 impl<'a> Case<'a> {
     /// Joins the stated links of `after` with the arcs.
-    pub fn new(drawing: &'a Drawing<'a>, after: &Links, ways: &[&Arrangement]) -> Self {
+    pub fn new(drawing: &'a Drawing<'a>, after: &Links, ways: &[Cow<Arrangement>]) -> Self {
         let arcs: Vec<Arc> = ways
             .iter()
             .flat_map(|way| way.arcs.iter().copied())

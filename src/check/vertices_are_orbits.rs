@@ -5,9 +5,9 @@
 //! must carry one label, no two the same, every surviving or new vertex one, an erased vertex
 //! none; and a vertex statement of `after` must be the cycle, in order.
 
-use super::arrangement::arrangements;
+use super::arrangement::{agreeing, arrangements};
 use super::case::{Case, Step};
-use super::chain::{Corner, corners, vertex_after};
+use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
 use super::proved::Broken;
@@ -47,100 +47,103 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     let mut ways = Vec::new();
     let mut counted = Vec::new();
     for corner in &corners {
-        let unchanged = is_unchanged(drawing, corner, &after);
-        let mut found =
-            arrangements(drawing, corner).ok_or_else(|| vec![too_many(drawing, corner)])?;
+        let settled = if is_unstated(drawing, corner) {
+            settled(drawing, corner, &after)
+        } else {
+            Vec::new()
+        };
+        let unchanged = settled.len() == corner.chains.len() && !gains(drawing, corner, &after);
+        let found = arrangements(drawing, corner, &settled)
+            .ok_or_else(|| vec![too_many(drawing, corner)])?;
         if found.is_empty() {
             return Err(vec![impossible(drawing, corner)].into());
-        }
-        if unchanged {
-            // Its orbit stays what it is, however its arcs run: one way stands for all.
-            found.truncate(1);
         }
         counted.push((corner.clone(), (!unchanged).then_some(found.len())));
         ways.push(found);
     }
-    let cases = ways
+    let product = ways
         .iter()
         .try_fold(1_usize, |product, found| product.checked_mul(found.len()));
-    let Some(cases) = cases.filter(|&cases| cases <= MOST) else {
+    if product.is_none_or(|product| product > MOST) {
         let widest = corners.iter().max_by_key(|corner| corner.chains.len());
-        return Err(widest
-            .map(|corner| too_many(drawing, corner))
-            .into_iter()
-            .collect::<Vec<_>>()
-            .into());
+        let widest = widest.map(|corner| too_many(drawing, corner));
+        return Err(widest.into_iter().collect::<Vec<_>>().into());
+    }
+    let mut rings = Rings {
+        corners: counted,
+        cases: 0,
+        shown: Vec::new(),
     };
-    let mut shown = Vec::new();
     let mut pick = vec![0; ways.len()];
     loop {
-        let combination: Vec<_> = pick
-            .iter()
-            .zip(&ways)
-            .map(|(&at, found)| &found[at])
-            .collect();
-        let case = Case::new(drawing, &after, &combination);
-        let problems = case.problems();
-        if !problems.is_empty() {
-            let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
-            return Err(Broken {
-                problems,
-                arcs: Some(arcs.collect()),
-            });
-        }
-        if shown.len() < MOST_SHOWN {
-            shown.push(RingCase {
-                rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
-            });
+        let picked = pick.iter().zip(&ways).map(|(&at, found)| &found[at]);
+        if let Some(combination) = agreeing(drawing.rule, picked) {
+            let case = Case::new(drawing, &after, &combination);
+            let problems = case.problems();
+            if !problems.is_empty() {
+                let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
+                return Err(Broken {
+                    problems,
+                    arcs: Some(arcs.collect()),
+                });
+            }
+            rings.cases += 1;
+            if rings.shown.len() < MOST_SHOWN {
+                rings.shown.push(RingCase {
+                    rings: case.labels().into_iter().zip(case.cycles.clone()).collect(),
+                });
+            }
         }
         // The next combination, counting up.
         let Some(digit) = (0..pick.len()).find(|&digit| pick[digit] + 1 < ways[digit].len()) else {
-            return Ok(Rings {
-                corners: counted,
-                cases,
-                shown,
-            });
+            break;
         };
         pick[digit] += 1;
         pick[..digit].fill(0);
     }
+    let stated = |corner: &&Corner| drawing.before.star(corner.vertex).is_some();
+    match corners.iter().find(stated) {
+        // Only vertex statements can contradict each other.
+        Some(corner) if rings.cases == 0 => Err(vec![impossible(drawing, corner)].into()),
+        _ => Ok(rings),
+    }
 }
 
-/// Whether every link and label at a vertex is after what it was before, and no statement of
-/// `after` says anything about the order of its spokes.
-fn is_unchanged(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
-    let vertex = corner.vertex;
-    let same_chain = |ports: &[Port], closed: bool| {
-        let count = ports.len();
-        let links = (0..count).all(|at| {
-            let next = if at + 1 < count || closed {
-                Some(ports[(at + 1) % count])
-            } else {
-                None
+/// Whether no statement says anything about the order of the spokes of a vertex.
+fn is_unstated(drawing: &Drawing, corner: &Corner) -> bool {
+    drawing.before.star(corner.vertex).is_none() && drawing.after.star(corner.vertex).is_none()
+}
+
+/// The chains of a vertex that pass through the rewrite as they are: every link and label of
+/// theirs is after what it was before.
+fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<usize> {
+    let is_settled = |chain: &Chain| {
+        let links = (0..chain.ports.len()).all(|at| {
+            let next = match chain.ports.get(at + 1) {
+                Some(&next) => Some(next),
+                None => chain.closed.then_some(chain.entry()),
             };
-            after.next(ports[at]) == next
+            after.next(chain.ports[at]) == next
         });
-        let entry_free = closed || !after.is_reached(ports[0]);
-        links
-            && entry_free
-            && ports
-                .iter()
-                .all(|&port| vertex_after(drawing, port) == Some(vertex))
+        let stays = |&port: &Port| vertex_after(drawing, port) == Some(corner.vertex);
+        let entry_free = chain.closed || !after.is_reached(chain.entry());
+        links && entry_free && chain.ports.iter().all(stays)
     };
-    let fans_stay = drawing.before.star(vertex).is_none() && drawing.after.star(vertex).is_none();
-    let gains = after.ports.iter().any(|&port| {
-        let drawn = corner
-            .chains
-            .iter()
-            .any(|chain| chain.ports.contains(&port));
-        !drawn && vertex_after(drawing, port) == Some(vertex)
-    });
-    fans_stay
-        && !gains
-        && corner
-            .chains
-            .iter()
-            .all(|chain| same_chain(&chain.ports, chain.closed))
+    let chains = corner.chains.iter().enumerate();
+    chains
+        .filter_map(|(at, chain)| is_settled(chain).then_some(at))
+        .collect()
+}
+
+/// Whether `after` draws something at a vertex that was not drawn there before.
+fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
+    let drawn = |port: &Port| {
+        let mut chains = corner.chains.iter();
+        chains.any(|chain| chain.ports.contains(port))
+    };
+    let at_vertex = |&port: &Port| vertex_after(drawing, port) == Some(corner.vertex);
+    let mut ports = after.ports.iter();
+    ports.any(|port| !drawn(port) && at_vertex(port))
 }
 
 fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {

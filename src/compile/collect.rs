@@ -2,7 +2,7 @@
 
 use super::operation::Output;
 use super::registers::Registers;
-use super::{lower, reason, width};
+use super::{copy, lower, reason, width};
 use crate::check::guard::Obligation;
 use crate::check::matching::{Bound, Claim, Source, Step};
 use crate::check::{moved_fans, moved_paths};
@@ -339,17 +339,18 @@ impl Collect<'_, '_, '_, '_> {
             let to = self.output.asm.block(width(assignment.value.ty));
             let mark = self.output.asm.mark();
             let from = self.expression(&assignment.value);
-            let Access::Position = assignment.attribute;
-            self.output.asm.emit(Inst::CopyVec { to, from });
-            let text = &self.drawing.rule.name(assignment.target.name).text;
-            let reason = format!("the new position of `{text}` is not finite");
-            let refusal = self.output.refusal(reason, Phase::Evaluate);
-            let otherwise = self.fail;
-            self.output.asm.emit(Inst::ExpectFinite {
-                vector: to,
-                refusal,
-                otherwise,
-            });
+            copy(&mut self.output.asm, assignment.value.ty, to, from);
+            if assignment.attribute == Access::Position {
+                let text = &self.drawing.rule.name(assignment.target.name).text;
+                let reason = format!("the new position of `{text}` is not finite");
+                let refusal = self.output.refusal(reason, Phase::Evaluate);
+                let otherwise = self.fail;
+                self.output.asm.emit(Inst::ExpectFinite {
+                    vector: to,
+                    refusal,
+                    otherwise,
+                });
+            }
             self.output.asm.release(mark);
             values.push(to);
         }

@@ -13,5 +13,7 @@ mod reason;
 mod reassign;
 mod registers;
 
-pub use expression::{Scope, each, element_kind, elements, lower, lower_into, width};
+pub use expression::{
+    Scope, attribute, copy, each, element_kind, elements, lower, lower_into, width,
+};
 pub use operation::compile;

@@ -1,8 +1,9 @@
 //! Phase 3, reassign: every pointer of every named element.
 
+use super::attribute;
 use super::collect::Collected;
 use super::operation::Output;
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref, Spoke};
+use crate::diagram::{Access, Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref, Spoke};
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row};
 
 /// Writes phase 3.
@@ -451,15 +452,24 @@ impl Reassign<'_, '_, '_, '_> {
             .iter()
             .zip(&self.collected.values)
         {
-            let vertex = assignment.target.name;
-            let store = Inst::StorePosition {
-                vertex: self.element(vertex),
-                value,
+            let target = assignment.target.name;
+            let element = self.element(target);
+            let store = match assignment.attribute {
+                Access::Position => Inst::StorePosition {
+                    vertex: element,
+                    value,
+                },
+                Access::Declared(number) => Inst::StoreAttribute {
+                    attribute: attribute(number),
+                    element,
+                    value,
+                },
             };
+            let word = self.drawing.rule.attribute(assignment.attribute);
             let text = self.output.words(assignment.value.span);
             self.rows.push(Row {
                 cell: Cell::Set {
-                    target: format!("{}.position", self.word(vertex)),
+                    target: format!("{}.{word}", self.word(target)),
                     value: text,
                 },
                 executed: true,

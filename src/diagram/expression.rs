@@ -13,7 +13,11 @@ pub enum Type {
     Bool,
     Int,
     Real,
+    Vec2,
     Vec3,
+    Vec4,
+    Mat3,
+    Mat4,
     Text,
     Vertex,
     Halfedge,
@@ -28,12 +32,36 @@ impl Type {
             Type::Bool => "bool",
             Type::Int => "int",
             Type::Real => "real",
+            Type::Vec2 => "vec2",
             Type::Vec3 => "vec3",
+            Type::Vec4 => "vec4",
+            Type::Mat3 => "mat3",
+            Type::Mat4 => "mat4",
             Type::Text => "text",
             Type::Vertex => "vertex",
             Type::Halfedge => "halfedge",
             Type::Edge => "edge",
             Type::Face => "face",
+        }
+    }
+
+    /// Whether values of this type are vectors.
+    pub fn is_vector(self) -> bool {
+        matches!(self, Type::Vec2 | Type::Vec3 | Type::Vec4)
+    }
+
+    /// Whether values of this type are square matrices.
+    pub fn is_matrix(self) -> bool {
+        matches!(self, Type::Mat3 | Type::Mat4)
+    }
+
+    /// The number of components of a vector, of rows and columns of a matrix; else 1.
+    pub fn size(self) -> u8 {
+        match self {
+            Type::Vec2 => 2,
+            Type::Vec3 | Type::Mat3 => 3,
+            Type::Vec4 | Type::Mat4 => 4,
+            _ => 1,
         }
     }
 
@@ -77,10 +105,12 @@ pub enum ExprKind {
     Follow(Pointer, Box<Expr>),
     /// `v.position`, an attribute.
     Read(Access, Box<Expr>),
-    /// `v.position.x`: a component of a vector, 0 to 2.
+    /// `v.position.x`: the part of a vector or matrix from this number on. A matrix lies
+    /// column by column, so its columns are parts, too.
     Component(u8, Box<Expr>),
-    /// `vec3(x, y, z)`
-    Vector(Box<[Expr; 3]>),
+    /// `vec3(x, y, z)`, `vec4(p, 1)`: a vector, or a matrix by its columns, from parts that
+    /// together are as long.
+    Vector(Vec<Expr>),
     /// An operator with one operand.
     Unary(Unary, Box<Expr>),
     /// An operator with two operands; `and` and `or` evaluate the right one only if needed.
@@ -117,6 +147,28 @@ pub enum Pointer {
 pub enum Access {
     /// `v.position`
     Position,
+    /// An attribute that the program declares, by its number.
+    Declared(u32),
+}
+
+/// An attribute that a program declares.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// The type of the elements that have it.
+    pub element: Type,
+    /// The type of its values.
+    pub ty: Type,
+    /// What an element begins with: a constant. Without one, an op gives each new element
+    /// its value.
+    pub default: Option<Expr>,
+    /// Whether it is scratch, gone when the run is over.
+    pub private: bool,
 }
 
 /// An operator with one operand.
@@ -125,7 +177,8 @@ pub enum Access {
 pub enum Unary {
     NegateInt,
     NegateReal,
-    NegateVec3,
+    /// A vector or a matrix.
+    NegateVector,
     Not,
     ToReal,
 }
@@ -145,17 +198,21 @@ pub enum Binary {
     SubtractReal,
     MultiplyReal,
     DivideReal,
-    AddVec3,
-    SubtractVec3,
-    /// Component by component.
-    MultiplyVec3,
-    /// A vector by a real on its right.
-    ScaleVec3,
-    /// A vector by a real on its right.
-    DivideVec3,
+    /// Of vectors and of matrices, component by component.
+    AddVector,
+    SubtractVector,
+    /// Vectors, component by component.
+    MultiplyVector,
+    /// A vector or matrix by a real on its right.
+    ScaleVector,
+    DivideVector,
+    MultiplyMatrices,
+    /// A matrix by a vector on its right.
+    Transform,
     EqualInt,
     EqualReal,
-    EqualVec3,
+    /// Two vectors or two matrices.
+    EqualVector,
     EqualBool,
     EqualText,
     /// Two elements of one kind.
@@ -192,8 +249,8 @@ pub enum Builtin {
     /// edge -> real; halfedge -> real
     LengthEdge,
     LengthHalfedge,
-    /// vec3 -> real
-    LengthVec3,
+    /// vector -> real
+    LengthVector,
     /// face -> real
     Area,
     /// -> vec3
@@ -202,12 +259,15 @@ pub enum Builtin {
     CentroidFace,
     /// edge -> vec3: its midpoint.
     CentroidEdge,
-    /// real, real, real -> real; vec3, vec3, real -> vec3
+    /// real, real, real -> real; vector, vector, real -> vector
     MixReal,
-    MixVec3,
+    MixVector,
+    /// vector, vector -> real
     Dot,
+    /// vec3, vec3 -> vec3; vec2, vec2 -> real: the third component
     Cross,
-    /// vec3 -> vec3; the zero vector stays zero.
+    CrossPlane,
+    /// vector -> vector; the zero vector stays zero.
     Normalize,
     /// vec3, vec3 -> real
     Distance,
@@ -234,6 +294,22 @@ pub enum Builtin {
     Ceil,
     /// real -> int: half to even.
     Round,
+    /// real -> matrix: the real on the diagonal, zero elsewhere.
+    Diagonal,
+    /// mat4 -> mat3: its first three rows and columns.
+    UpperLeft,
+    /// vector, vector -> matrix: the column times the row.
+    Outer,
+    /// matrix -> matrix
+    Transpose,
+    Inverse,
+    /// matrix -> real
+    Determinant,
+    /// matrix, vector -> vector: what the matrix takes to the vector.
+    Solve,
+    /// real -> bool; vector -> bool: of all components
+    IsNan,
+    IsFinite,
 }
 
 /// The elements a loop or an aggregate runs over.

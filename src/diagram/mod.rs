@@ -10,7 +10,8 @@ mod op;
 
 pub use drawing::{Drawing, View};
 pub use expression::{
-    Access, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer, Type, Unary,
+    Access, Attribute, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer,
+    Type, Unary,
 };
 pub use op::{
     Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property, Ref,

@@ -1,6 +1,8 @@
 //! Operations, rules, sides and the three kinds of orbit.
 
-use super::{Expr, Level, Type};
+use std::sync::Arc;
+
+use super::{Attribute, Expr, Level, Type};
 use crate::source::Span;
 
 /// What a name of a diagram stands for.
@@ -192,11 +194,24 @@ pub struct Rule {
     pub erased: Vec<Ref>,
     /// The attributes that are set.
     pub assignments: Vec<Assignment>,
+    /// All attributes that the program declares, by number.
+    pub attributes: Arc<[Attribute]>,
     /// The whole rule.
     pub span: Span,
 }
 
 impl Rule {
+    /// The word for an attribute.
+    pub fn attribute(&self, access: super::Access) -> &str {
+        match access {
+            super::Access::Position => "position",
+            super::Access::Declared(number) => {
+                let declared = self.attributes.get(number as usize);
+                declared.map_or("", |attribute| &attribute.name)
+            }
+        }
+    }
+
     /// A name by its id.
     pub fn name(&self, id: NameId) -> &Name {
         &self.names[id.index()]

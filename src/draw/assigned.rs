@@ -39,16 +39,16 @@ impl Scene<'_> {
                 ExprKind::Element(name) => self.places[self.figure.vertex(name)?],
                 _ => None,
             },
-            ExprKind::Unary(Unary::NegateVec3, of) => Some(-self.vector(of, depth)?),
+            ExprKind::Unary(Unary::NegateVector, of) => Some(-self.vector(of, depth)?),
             ExprKind::Binary(operator, a, b) => match operator {
-                Binary::AddVec3 => Some(self.vector(a, depth)? + self.vector(b, depth)?),
-                Binary::SubtractVec3 => Some(self.vector(a, depth)? - self.vector(b, depth)?),
-                Binary::ScaleVec3 => Some(self.vector(a, depth)? * self.real(b, depth)?),
-                Binary::DivideVec3 => Some(self.vector(a, depth)? / self.real(b, depth)?),
+                Binary::AddVector => Some(self.vector(a, depth)? + self.vector(b, depth)?),
+                Binary::SubtractVector => Some(self.vector(a, depth)? - self.vector(b, depth)?),
+                Binary::ScaleVector => Some(self.vector(a, depth)? * self.real(b, depth)?),
+                Binary::DivideVector => Some(self.vector(a, depth)? / self.real(b, depth)?),
                 _ => None,
             },
             ExprKind::Call(function, of) => match (function, &of[..]) {
-                (Builtin::MixVec3, [a, b, t]) => {
+                (Builtin::MixVector, [a, b, t]) => {
                     let (a, b) = (self.vector(a, depth)?, self.vector(b, depth)?);
                     Some(a.lerp(b, self.real(t, depth)?))
                 }

@@ -18,6 +18,10 @@ const FILES: &[LibraryFile] = &[
         text: include_str!("std/polygon.hedge"),
     },
     LibraryFile {
+        name: "std/map.hedge",
+        text: include_str!("std/map.hedge"),
+    },
+    LibraryFile {
         name: "std/triangle.hedge",
         text: include_str!("std/triangle.hedge"),
     },

@@ -7,7 +7,7 @@
 
 use std::fmt;
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::connectivity::Mesh;
 use super::id::ElementKind;
@@ -71,6 +71,10 @@ macro_rules! attribute_types {
                 }
             }
 
+            fn shrink(&mut self, len: usize) {
+                match self { $(Self::$variant(xs) => xs.truncate(len)),* }
+            }
+
             fn grow(&mut self, len: usize, value: Value) {
                 match (self, value) {
                     $((Self::$variant(xs), Value::$variant(x)) => xs.resize(len, x),)*
@@ -104,24 +108,38 @@ macro_rules! attribute_types {
 attribute_types! {
     Bool(bool) "bool";
     Int(i64) "int";
-    Float(f64) "float";
+    Real(f64) "real";
     Vec2(DVec2) "vec2";
     Vec3(DVec3) "vec3";
+    Vec4(DVec4) "vec4";
+    Mat3(DMat3) "mat3";
+    Mat4(DMat4) "mat4";
 }
 
 impl Value {
-    /// Whether the values agree bit for bit, which for floats is not quite `==`.
+    /// The reals a value is made of, matrices column by column; none of a bool or an int.
+    pub fn reals(&self) -> &[f64] {
+        match self {
+            Self::Bool(_) | Self::Int(_) => &[],
+            Self::Real(x) => std::slice::from_ref(x),
+            Self::Vec2(x) => AsRef::<[f64; 2]>::as_ref(x),
+            Self::Vec3(x) => AsRef::<[f64; 3]>::as_ref(x),
+            Self::Vec4(x) => AsRef::<[f64; 4]>::as_ref(x),
+            Self::Mat3(x) => AsRef::<[f64; 9]>::as_ref(x),
+            Self::Mat4(x) => AsRef::<[f64; 16]>::as_ref(x),
+        }
+    }
+
+    /// Whether the values agree bit for bit, which for reals is not quite `==`.
     pub fn is_identical(self, other: Self) -> bool {
-        let same = |xs: &[f64], ys: &[f64]| {
-            xs.iter()
-                .map(|x| x.to_bits())
-                .eq(ys.iter().map(|y| y.to_bits()))
-        };
-        match (self, other) {
-            (Self::Float(x), Self::Float(y)) => same(&[x], &[y]),
-            (Self::Vec2(x), Self::Vec2(y)) => same(x.as_ref(), y.as_ref()),
-            (Self::Vec3(x), Self::Vec3(y)) => same(x.as_ref(), y.as_ref()),
-            (x, y) => x == y,
+        match self {
+            Self::Bool(_) | Self::Int(_) => self == other,
+            _ => {
+                let bits = |x: &f64| x.to_bits();
+                let [ours, theirs] = [self.reals(), other.reals()];
+                self.attribute_type() == other.attribute_type()
+                    && ours.iter().map(bits).eq(theirs.iter().map(bits))
+            }
         }
     }
 }
@@ -185,6 +203,12 @@ impl Column {
     pub fn default_value(&self) -> Value {
         self.default
     }
+
+    /// All values by slot, dead slots included.
+    #[inline]
+    pub fn data(&self) -> &ColumnData {
+        &self.data
+    }
 }
 
 /// The columns of one element kind.
@@ -196,6 +220,12 @@ impl Columns {
     pub(super) fn reset(&mut self, index: usize) {
         for column in &mut self.0 {
             column.data.set(index, column.default);
+        }
+    }
+
+    pub(super) fn shrink(&mut self, len: usize) {
+        for column in &mut self.0 {
+            column.data.shrink(len);
         }
     }
 
@@ -242,6 +272,28 @@ impl Mesh {
         })
     }
 
+    /// Says what new elements get from now on. False, and nothing changed, when the type is
+    /// not the column's.
+    #[must_use]
+    pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
+        let columns = &mut self.columns[id.kind as usize].0;
+        match columns.get_mut(id.place as usize) {
+            Some(column) if column.attribute_type() == default.attribute_type() => {
+                column.default = default;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Takes a column away. Ids of other columns of its kind mean nothing any more.
+    pub fn remove_column(&mut self, id: ColumnId) {
+        let columns = &mut self.columns[id.kind as usize].0;
+        if columns.len() > id.place as usize {
+            columns.remove(id.place as usize);
+        }
+    }
+
     pub fn find_column(&self, kind: ElementKind, name: &str) -> Option<ColumnId> {
         let place = self.columns[kind as usize]
             .0
@@ -284,6 +336,7 @@ impl Mesh {
     /// element does not live or the type is not the column's.
     #[must_use]
     pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
+        self.note_value(id, index);
         self.is_alive(id.kind, index)
             && match self.columns[id.kind as usize].0.get_mut(id.place as usize) {
                 Some(column) => column.data.set(index as usize, value),
@@ -291,11 +344,30 @@ impl Mesh {
             }
     }
 
+    /// The value in a slot, living or dead.
+    pub(super) fn value_at(&self, id: ColumnId, index: u32) -> Option<Value> {
+        self.column(id)?.data.get(index as usize)
+    }
+
+    /// Writes to a slot, living or dead; nothing if there is none, or of another type.
+    pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data.set(index as usize, value);
+        }
+    }
+
     /// All values of a column by slot, dead slots included; `None` when the type is
     /// another.
     #[inline]
     pub fn values<T: Attribute>(&self, id: ColumnId) -> Option<&[T]> {
         T::slice(&self.column(id)?.data)
+    }
+
+    /// As [`Column::data`]; `None` for the column of another mesh.
+    #[inline]
+    pub fn column_data_mut(&mut self, id: ColumnId) -> Option<&mut ColumnData> {
+        let columns = &mut self.columns[id.kind as usize].0;
+        Some(&mut columns.get_mut(id.place as usize)?.data)
     }
 
     #[inline]

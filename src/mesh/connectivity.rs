@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use super::attribute::Columns;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
+use super::journal::Journal;
 use super::slots::Slots;
 
 /// The pointers of a halfedge. `vertex` is its origin.
@@ -58,6 +59,7 @@ pub struct Mesh {
     pub(super) holes: usize,
     pub(super) slots: [Slots; 4],
     pub(super) columns: [Columns; 4],
+    pub(super) journal: Journal,
 }
 
 /// Counts.

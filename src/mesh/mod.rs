@@ -12,6 +12,7 @@
 mod attribute;
 mod connectivity;
 mod id;
+mod journal;
 mod pointers;
 mod slots;
 
@@ -23,6 +24,7 @@ mod identical;
 mod invalid;
 mod kernel;
 mod level;
+mod level_near;
 mod link;
 mod summary;
 pub mod validate;
@@ -46,7 +48,9 @@ pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumb
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;
 pub use invalid::Invalid;
+pub use journal::Bookmark;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
+pub use level_near::{Footprint, validate_level_near};
 pub use obj::{
     Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, write_obj,
     write_obj_to,

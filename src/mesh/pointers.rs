@@ -160,6 +160,9 @@ impl Mesh {
 impl Mesh {
     #[inline]
     fn halfedge_mut(&mut self, h: HalfedgeId) -> &mut HalfedgeRecord {
+        if self.journal.is_open() {
+            self.note_halfedge(h);
+        }
         &mut self.halfedges[h.index()]
     }
 
@@ -195,22 +198,34 @@ impl Mesh {
 
     #[inline]
     pub fn set_vertex_halfedge(&mut self, v: VertexId, h: HalfedgeId) {
+        if self.journal.is_open() {
+            self.note_vertex(v);
+        }
         self.vertices[v.index()] = h;
     }
 
     #[inline]
     pub fn set_edge_halfedge(&mut self, e: EdgeId, h: HalfedgeId) {
+        if self.journal.is_open() {
+            self.note_edge(e);
+        }
         self.edges[e.index()] = h;
     }
 
     #[inline]
     pub fn set_face_halfedge(&mut self, f: FaceId, h: HalfedgeId) {
+        if self.journal.is_open() {
+            self.note_face(f);
+        }
         self.faces[f.index()].halfedge = h;
     }
 
     /// Turns a living face into a hole, or a hole into a face.
     #[inline]
     pub fn set_hole(&mut self, f: FaceId, hole: bool) {
+        if self.journal.is_open() {
+            self.note_face(f);
+        }
         let record = &mut self.faces[f.index()];
         self.holes -= usize::from(record.hole);
         record.hole = hole;
@@ -219,6 +234,9 @@ impl Mesh {
 
     #[inline]
     pub fn set_position(&mut self, v: VertexId, position: DVec3) {
+        if self.journal.is_open() {
+            self.note_position(v);
+        }
         self.positions[v.index()] = position;
     }
 }

@@ -16,8 +16,8 @@ use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 /// The dead slots of one kind.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Slots {
-    free: Vec<u32>,
-    pending: Vec<u32>,
+    pub(super) free: Vec<u32>,
+    pub(super) pending: Vec<u32>,
 }
 
 impl Slots {
@@ -66,6 +66,10 @@ impl Mesh {
     /// Marks the vertex dead. Erasing twice is erasing once.
     pub fn erase_vertex(&mut self, v: VertexId) {
         if self.vertex_alive(v) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Vertex);
+                self.note_vertex(v);
+            }
             self.vertices[v.index()] = HalfedgeId::DEAD;
             self.slots[ElementKind::Vertex as usize].pending.push(v.0);
         }
@@ -74,6 +78,10 @@ impl Mesh {
     /// Marks the halfedge dead; its other pointers can no longer be read.
     pub fn erase_halfedge(&mut self, h: HalfedgeId) {
         if self.halfedge_alive(h) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Halfedge);
+                self.note_halfedge(h);
+            }
             self.halfedges[h.index()].next = HalfedgeId::DEAD;
             self.slots[ElementKind::Halfedge as usize].pending.push(h.0);
         }
@@ -81,6 +89,10 @@ impl Mesh {
 
     pub fn erase_edge(&mut self, e: EdgeId) {
         if self.edge_alive(e) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Edge);
+                self.note_edge(e);
+            }
             self.edges[e.index()] = HalfedgeId::DEAD;
             self.slots[ElementKind::Edge as usize].pending.push(e.0);
         }
@@ -88,6 +100,10 @@ impl Mesh {
 
     pub fn erase_face(&mut self, f: FaceId) {
         if self.face_alive(f) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Face);
+                self.note_face(f);
+            }
             self.set_hole(f, false);
             self.faces[f.index()].halfedge = HalfedgeId::DEAD;
             self.slots[ElementKind::Face as usize].pending.push(f.0);
@@ -95,8 +111,11 @@ impl Mesh {
     }
 
     /// Frees the slots of everything erased so far. The caller knows that no one still
-    /// holds an id of those.
+    /// holds an id of those. While a journal is open, one might, and nothing is freed.
     pub fn recycle(&mut self) {
+        if self.journal.is_open() {
+            return;
+        }
         for slots in &mut self.slots {
             slots.free.append(&mut slots.pending);
         }
@@ -119,6 +138,12 @@ impl Mesh {
     fn take_slot(&mut self, kind: ElementKind) -> u32 {
         let new = self.capacity(kind);
         let slot = self.slots[kind as usize].free.pop();
+        if self.journal.is_open() {
+            match slot {
+                Some(slot) => self.note_taken(kind, slot),
+                None => self.note_grown(kind),
+            }
+        }
         let columns = &mut self.columns[kind as usize];
         match slot {
             Some(slot) => {

@@ -25,11 +25,19 @@ pub(super) struct Overload {
 const BOOL: Type = Type::Bool;
 const INT: Type = Type::Int;
 const REAL: Type = Type::Real;
+const VEC2: Type = Type::Vec2;
 const VEC3: Type = Type::Vec3;
+const VEC4: Type = Type::Vec4;
+const MAT3: Type = Type::Mat3;
+const MAT4: Type = Type::Mat4;
 
 const I: Wanted = Wanted::Is(Type::Int);
 const R: Wanted = Wanted::Is(Type::Real);
 const X: Wanted = Wanted::Is(Type::Vec3);
+const X2: Wanted = Wanted::Is(Type::Vec2);
+const X4: Wanted = Wanted::Is(Type::Vec4);
+const M3: Wanted = Wanted::Is(Type::Mat3);
+const M4: Wanted = Wanted::Is(Type::Mat4);
 const V: Wanted = Wanted::Is(Type::Vertex);
 const H: Wanted = Wanted::Is(Type::Halfedge);
 const E: Wanted = Wanted::Is(Type::Edge);
@@ -44,7 +52,8 @@ const fn f(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overloa
     }
 }
 
-/// The functions by name, each with its overloads. `vec3` and the aggregates stand apart.
+/// The functions by name, each with its overloads. The constructors and the
+/// aggregates stand apart.
 const FUNCTIONS: &[(&str, &[Overload])] = &[
     (
         "degree",
@@ -72,7 +81,9 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
         &[
             f(&[E], REAL, Builtin::LengthEdge),
             f(&[H], REAL, Builtin::LengthHalfedge),
-            f(&[X], REAL, Builtin::LengthVec3),
+            f(&[X], REAL, Builtin::LengthVector),
+            f(&[X2], REAL, Builtin::LengthVector),
+            f(&[X4], REAL, Builtin::LengthVector),
         ],
     ),
     ("area", &[f(&[F], REAL, Builtin::Area)]),
@@ -95,13 +106,98 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
         "mix",
         &[
             f(&[R, R, R], REAL, Builtin::MixReal),
-            f(&[X, X, R], VEC3, Builtin::MixVec3),
+            f(&[X, X, R], VEC3, Builtin::MixVector),
+            f(&[X2, X2, R], VEC2, Builtin::MixVector),
+            f(&[X4, X4, R], VEC4, Builtin::MixVector),
         ],
     ),
-    ("dot", &[f(&[X, X], REAL, Builtin::Dot)]),
-    ("cross", &[f(&[X, X], VEC3, Builtin::Cross)]),
-    ("normalize", &[f(&[X], VEC3, Builtin::Normalize)]),
-    ("distance", &[f(&[P, P], REAL, Builtin::Distance)]),
+    (
+        "dot",
+        &[
+            f(&[X, X], REAL, Builtin::Dot),
+            f(&[X2, X2], REAL, Builtin::Dot),
+            f(&[X4, X4], REAL, Builtin::Dot),
+        ],
+    ),
+    (
+        "cross",
+        &[
+            f(&[X, X], VEC3, Builtin::Cross),
+            f(&[X2, X2], REAL, Builtin::CrossPlane),
+        ],
+    ),
+    (
+        "normalize",
+        &[
+            f(&[X], VEC3, Builtin::Normalize),
+            f(&[X2], VEC2, Builtin::Normalize),
+            f(&[X4], VEC4, Builtin::Normalize),
+        ],
+    ),
+    (
+        "distance",
+        &[
+            f(&[P, P], REAL, Builtin::Distance),
+            f(&[X2, X2], REAL, Builtin::Distance),
+        ],
+    ),
+    (
+        "outer",
+        &[
+            f(&[X, X], MAT3, Builtin::Outer),
+            f(&[X4, X4], MAT4, Builtin::Outer),
+        ],
+    ),
+    (
+        "transpose",
+        &[
+            f(&[M3], MAT3, Builtin::Transpose),
+            f(&[M4], MAT4, Builtin::Transpose),
+        ],
+    ),
+    (
+        "determinant",
+        &[
+            f(&[M3], REAL, Builtin::Determinant),
+            f(&[M4], REAL, Builtin::Determinant),
+        ],
+    ),
+    (
+        "inverse",
+        &[
+            f(&[M3], MAT3, Builtin::Inverse),
+            f(&[M4], MAT4, Builtin::Inverse),
+        ],
+    ),
+    (
+        "solve",
+        &[
+            f(&[M3, X], VEC3, Builtin::Solve),
+            f(&[M4, X4], VEC4, Builtin::Solve),
+        ],
+    ),
+    (
+        "is_nan",
+        &[
+            f(&[R], BOOL, Builtin::IsNan),
+            f(&[X2], BOOL, Builtin::IsNan),
+            f(&[X], BOOL, Builtin::IsNan),
+            f(&[X4], BOOL, Builtin::IsNan),
+            f(&[M3], BOOL, Builtin::IsNan),
+            f(&[M4], BOOL, Builtin::IsNan),
+        ],
+    ),
+    (
+        "is_finite",
+        &[
+            f(&[R], BOOL, Builtin::IsFinite),
+            f(&[X2], BOOL, Builtin::IsFinite),
+            f(&[X], BOOL, Builtin::IsFinite),
+            f(&[X4], BOOL, Builtin::IsFinite),
+            f(&[M3], BOOL, Builtin::IsFinite),
+            f(&[M4], BOOL, Builtin::IsFinite),
+        ],
+    ),
     ("angle", &[f(&[X, X], REAL, Builtin::Angle)]),
     (
         "abs",
@@ -139,6 +235,9 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
     ("round", &[f(&[R], INT, Builtin::Round)]),
 ];
 
+/// The types that are made of parts: `vec3(x, y, z)`.
+pub(super) const CONSTRUCTORS: [Type; 5] = [VEC2, VEC3, VEC4, MAT3, MAT4];
+
 /// The ways to call a function; none if there is no such function.
 pub(super) fn overloads(name: &str) -> &'static [Overload] {
     let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
@@ -148,5 +247,5 @@ pub(super) fn overloads(name: &str) -> &'static [Overload] {
 /// The names of all functions but the aggregates.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     let known = FUNCTIONS.iter().map(|(known, _)| *known);
-    known.chain(["vec3"])
+    known.chain(CONSTRUCTORS.map(Type::word))
 }

@@ -175,7 +175,7 @@ fn assigned(
 impl Typing<'_> {
     /// The attribute of this name of an element, and the type of its values.
     pub(super) fn attribute_of(&mut self, ty: Type, name: &Ident) -> Option<(Access, Type)> {
-        let found = attribute(ty, &name.text);
+        let found = attribute(ty, &name.text).or(self.declared.attribute(ty, &name.text));
         if found.is_some() {
             return found;
         }
@@ -187,7 +187,8 @@ impl Typing<'_> {
         let element = a_type(ty);
         let message = format!("{element} has no attribute `{}`", name.text);
         let error = Diagnostic::error("unknown-attribute", message, name.span);
-        let known = attributes_of(ty);
+        let known = attributes_of(ty).into_iter();
+        let known: Vec<&str> = known.chain(self.declared.attributes_of(ty)).collect();
         let error = suggest(error, &name.text, name.span, known.iter().copied());
         let error = match known.as_slice() {
             [] => error.note(format!("{element} has none that can be set")),

@@ -6,13 +6,16 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::diagnostic::Diagnostic;
+use crate::diagram::{Access, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident, Item};
 
+use super::attribute::{Head, head};
 use super::builtin::function_names;
 use super::file::Unit;
 use super::report::{Report, not_yet};
 use super::sequence::fold_names;
+use super::words::a_type;
 
 /// What stands for a name of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +52,10 @@ pub(super) struct Declared {
     others: HashMap<String, Span>,
     scripts: HashMap<String, Span>,
     functions: HashSet<String>,
-    attributes: HashSet<String>,
+    /// The attributes that can be seen.
+    attributes: Vec<Head>,
+    /// The names of those that could not be understood.
+    lost_attributes: HashSet<String>,
     /// Whether some of what is used is not known.
     lacks: bool,
 }
@@ -58,6 +64,9 @@ pub(super) struct Declared {
 #[derive(Debug, Default)]
 struct Numbers {
     ops: usize,
+    attributes: u32,
+    /// The attributes that are not private: each has its name alone, in all files.
+    public: Vec<Head>,
 }
 
 impl Declared {
@@ -106,9 +115,7 @@ impl Declared {
                     diagnostics.push(not_yet(what, function.name.span));
                 }
                 Item::Attr(attr) => {
-                    self.attributes.insert(attr.name.text.clone());
-                    let what = "attributes (`attr`) are not supported yet";
-                    diagnostics.push(not_yet(what, attr.name.span));
+                    self.declare_attribute(attr, numbers, diagnostics);
                 }
                 Item::Test(test) => {
                     let what = "`test` blocks are not supported yet";
@@ -139,6 +146,34 @@ impl Declared {
         None
     }
 
+    fn declare_attribute(
+        &mut self,
+        attr: &tree::Attr,
+        numbers: &mut Numbers,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
+        let number = numbers.attributes;
+        numbers.attributes += 1;
+        let head = head(attr, number, diagnostics).and_then(|head| {
+            let others = self.attributes.iter();
+            let public = numbers.public.iter().filter(|_| !head.private);
+            match others.chain(public).find(|other| other.is_named_as(&head)) {
+                None => Some(head),
+                Some(other) => {
+                    diagnostics.push(clash(&head, other));
+                    None
+                }
+            }
+        });
+        match head {
+            Some(head) => {
+                numbers.public.extend((!head.private).then(|| head.clone()));
+                self.attributes.push(head);
+            }
+            None => drop(self.lost_attributes.insert(attr.name.text.clone())),
+        }
+    }
+
     fn declare_script(&mut self, name: &Ident) -> Option<Diagnostic> {
         if let Some(first) = self.scripts.get(&name.text) {
             return Some(duplicate("a script", name, *first));
@@ -165,7 +200,15 @@ impl Declared {
             }
         }
         self.functions.extend(used.functions.iter().cloned());
-        self.attributes.extend(used.attributes.iter().cloned());
+        for head in used.attributes.iter().filter(|head| !head.private) {
+            match own.attributes.iter().find(|mine| mine.is_named_as(head)) {
+                // Two that are public have been told apart already.
+                Some(mine) if mine.private => diagnostics.push(clash(mine, head)),
+                _ => self.attributes.push(head.clone()),
+            }
+        }
+        let lost = used.lost_attributes.iter().cloned();
+        self.lost_attributes.extend(lost);
     }
 
     /// What a name that is called means.
@@ -228,9 +271,31 @@ impl Declared {
         self.lacks || self.functions.contains(name)
     }
 
-    /// Whether the file declares an attribute of this name.
+    /// Whether an attribute of this name has been refused, or may stand where it cannot be
+    /// seen yet.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
-        self.lacks || self.attributes.contains(name)
+        self.lacks || self.lost_attributes.contains(name)
+    }
+
+    /// The attribute of this name of elements of a type, and the type of its values.
+    pub(super) fn attribute(&self, element: Type, name: &str) -> Option<(Access, Type)> {
+        let mut known = self.attributes.iter();
+        let head = known.find(|head| head.element == element && head.name == name)?;
+        Some((Access::Declared(head.number), head.ty))
+    }
+
+    /// The names of the attributes that elements of a type are declared to have.
+    pub(super) fn attributes_of(&self, element: Type) -> impl Iterator<Item = &str> {
+        let of_element = self
+            .attributes
+            .iter()
+            .filter(move |head| head.element == element);
+        of_element.map(|head| head.name.as_str())
+    }
+
+    /// The attribute whose name stands here.
+    pub(super) fn attribute_at(&self, span: Span) -> Option<&Head> {
+        self.attributes.iter().find(|head| head.span == span)
     }
 }
 
@@ -238,6 +303,20 @@ fn is_of_the_language(name: &str) -> bool {
     function_names()
         .chain(fold_names())
         .any(|known| known == name)
+}
+
+/// The error for an attribute whose name another has.
+fn clash(head: &Head, other: &Head) -> Diagnostic {
+    let what = format!("{} attribute", a_type(head.element));
+    let name = Ident {
+        text: head.name.clone(),
+        span: head.span,
+    };
+    let error = duplicate(&what, &name, other.span);
+    match head.span.file == other.span.file {
+        true => error,
+        false => error.note("the attributes of all files of a program have one namespace"),
+    }
 }
 
 /// The error for a name that `what` (with its article) has taken.

@@ -15,12 +15,13 @@ use super::words::{a_type, quoted};
 enum Field {
     Pointer(Pointer, Type),
     Attribute(Access, Type),
-    Component(u8),
+    Part(u8, Type),
 }
 
 /// The fields of a type that are values.
 fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
-    use Field::{Attribute, Component, Pointer as To};
+    use Field::{Attribute, Part, Pointer as To};
+    use Type::{Real, Vec3, Vec4};
     match ty {
         Type::Halfedge => &[
             ("next", To(Pointer::Next, Type::Halfedge)),
@@ -37,10 +38,29 @@ fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
         ],
         Type::Edge => &[("halfedge", To(Pointer::EdgeHalfedge, Type::Halfedge))],
         Type::Face => &[("halfedge", To(Pointer::FaceHalfedge, Type::Halfedge))],
+        Type::Vec2 => &[("x", Part(0, Real)), ("y", Part(1, Real))],
         Type::Vec3 => &[
-            ("x", Component(0)),
-            ("y", Component(1)),
-            ("z", Component(2)),
+            ("x", Part(0, Real)),
+            ("y", Part(1, Real)),
+            ("z", Part(2, Real)),
+        ],
+        Type::Vec4 => &[
+            ("x", Part(0, Real)),
+            ("y", Part(1, Real)),
+            ("z", Part(2, Real)),
+            ("w", Part(3, Real)),
+        ],
+        // The columns, as everywhere in graphics.
+        Type::Mat3 => &[
+            ("x", Part(0, Vec3)),
+            ("y", Part(3, Vec3)),
+            ("z", Part(6, Vec3)),
+        ],
+        Type::Mat4 => &[
+            ("x", Part(0, Vec4)),
+            ("y", Part(4, Vec4)),
+            ("z", Part(8, Vec4)),
+            ("w", Part(12, Vec4)),
         ],
         Type::Bool | Type::Int | Type::Real | Type::Text => &[],
     }
@@ -62,6 +82,35 @@ pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
     fields_of(ty).iter().filter_map(attribute).collect()
 }
 
+/// A field of a type, for those who list them.
+pub(super) struct Entry {
+    pub(super) name: &'static str,
+    pub(super) ty: Type,
+    pub(super) is_attribute: bool,
+}
+
+/// The fields of a type that are values.
+pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
+    let entry = |(name, field): &(&'static str, Field)| {
+        let (ty, is_attribute) = match field {
+            Field::Pointer(_, ty) => (*ty, false),
+            Field::Attribute(_, ty) => (*ty, true),
+            Field::Part(_, ty) => (*ty, false),
+        };
+        Entry {
+            name,
+            ty,
+            is_attribute,
+        }
+    };
+    fields_of(ty).iter().map(entry).collect()
+}
+
+/// Whether elements of type `ty` have a field of this name without any declaration.
+pub(super) fn is_taken(ty: Type, word: &str) -> bool {
+    fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
+}
+
 impl Typing<'_> {
     /// `x.field`
     pub(super) fn field(
@@ -72,7 +121,11 @@ impl Typing<'_> {
     ) -> Option<Expr> {
         let word = field.text.as_str();
         let found = fields_of(base.ty).iter().find(|(known, _)| *known == word);
-        let Some((_, found)) = found else {
+        let found = match self.declared.attribute(base.ty, word) {
+            Some((access, ty)) => Some(Field::Attribute(access, ty)),
+            None => found.map(|(_, found)| *found),
+        };
+        let Some(found) = found else {
             if sequences_of(base.ty).contains(&word) {
                 let message = format!(
                     "`{word}` of {} is a sequence; it can stand after `in` or in `count(…)`",
@@ -86,10 +139,10 @@ impl Typing<'_> {
             return None;
         };
         let base = Box::new(base);
-        Some(match *found {
+        Some(match found {
             Field::Pointer(pointer, ty) => typed(ty, ExprKind::Follow(pointer, base), span),
             Field::Attribute(access, ty) => typed(ty, ExprKind::Read(access, base), span),
-            Field::Component(axis) => typed(Type::Real, ExprKind::Component(axis, base), span),
+            Field::Part(from, ty) => typed(ty, ExprKind::Component(from, base), span),
         })
     }
 
@@ -103,6 +156,7 @@ impl Typing<'_> {
         let known: Vec<&str> = fields_of(ty)
             .iter()
             .map(|(known, _)| *known)
+            .chain(self.declared.attributes_of(ty))
             .chain(sequences_of(ty).iter().copied())
             .collect();
         let message = format!("{} has no field `{}`", a_type(ty), field.text);

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{self, Item};
 
+use super::attribute::attributes;
 use super::declared::Declared;
 use super::op::resolve_op;
 use super::program::Program;
@@ -46,13 +47,17 @@ pub fn resolve(tree: &tree::File) -> Resolved {
 pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut diagnostics = Vec::new();
     let declared = Declared::of_all(units, &mut diagnostics);
-    let mut program = Program::default();
+    let mut program = Program {
+        attributes: attributes(units, &declared, &mut diagnostics),
+        ..Program::default()
+    };
     let mut signatures = Vec::new();
     for (unit, declared) in units.iter().zip(&declared) {
         for item in &unit.tree.items {
             if let Item::Op(op) = item {
                 let mut report = Report::default();
-                let (signature, resolved) = resolve_op(op, declared, &mut report);
+                let (signature, resolved) =
+                    resolve_op(op, declared, &program.attributes, &mut report);
                 signatures.push(signature);
                 program.ops.push(resolved);
                 diagnostics.extend(report.into_diagnostics());

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{Overload, Wanted, function_names, overloads};
+use super::construct::constructed;
 use super::sequence::fold_names;
 use super::suggestion::suggest;
 use super::typing::{Typing, to_real, typed};
@@ -58,8 +59,8 @@ impl Typing<'_> {
         span: Span,
     ) -> Option<Expr> {
         let word = function.text.as_str();
-        if word == "vec3" {
-            return self.vector(args, span);
+        if let Some(ty) = constructed(word) {
+            return self.construct(ty, function, args, span);
         }
         if word == "count" || (fold_names().any(|known| known == word) && args.len() == 1) {
             return self.count(function, args, span);
@@ -158,22 +159,6 @@ impl Typing<'_> {
         }
         // Unreachable while every overload fits if each of its places does.
         self.report.fail();
-    }
-
-    /// `vec3(x, y, z)`
-    fn vector(&mut self, args: &[tree::Expr], span: Span) -> Option<Expr> {
-        let parts: Vec<Option<Expr>> = args
-            .iter()
-            .map(|arg| self.expression_as(arg, Type::Real, "`vec3`"))
-            .collect();
-        let vec3 = Ident {
-            text: "vec3".to_owned(),
-            span,
-        };
-        self.right_count(&vec3, 3, args.len(), span)?;
-        let parts: Vec<Expr> = parts.into_iter().collect::<Option<_>>()?;
-        let parts: [Expr; 3] = parts.try_into().ok()?;
-        Some(typed(Type::Vec3, ExprKind::Vector(Box::new(parts)), span))
     }
 
     /// Says that an expression cannot call this.

@@ -22,6 +22,7 @@ mod report;
 mod suggestion;
 mod words;
 
+mod attribute;
 mod condition;
 mod drawing;
 mod family;
@@ -33,6 +34,7 @@ mod parameter;
 mod rule;
 
 mod builtin;
+mod construct;
 mod field;
 mod function;
 mod lookup;
@@ -40,6 +42,7 @@ mod operator;
 mod scopes;
 mod sequence;
 mod typing;
+mod vocabulary;
 
 mod application;
 mod script;
@@ -48,4 +51,8 @@ mod statement;
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
     Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
+};
+pub use vocabulary::{
+    FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,
+    type_with_article,
 };

@@ -206,6 +206,6 @@ pub(super) fn kind_of(ty: Type) -> Option<Kind> {
         Type::Halfedge => Some(Kind::Halfedge),
         Type::Edge => Some(Kind::Edge),
         Type::Face => Some(Kind::Face),
-        Type::Bool | Type::Int | Type::Real | Type::Vec3 | Type::Text => None,
+        _ => None,
     }
 }

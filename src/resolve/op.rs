@@ -1,7 +1,9 @@
 //! An op: parameters, result, and its rules one by one.
 
+use std::sync::Arc;
+
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{self, Kind, Property, Type};
+use crate::diagram::{self, Attribute, Kind, Property, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
@@ -42,6 +44,7 @@ pub(super) enum Returned {
 pub(super) fn resolve_op(
     op: &tree::Op,
     declared: &Declared,
+    attributes: &Arc<[Attribute]>,
     report: &mut Report,
 ) -> (Signature, program::Op) {
     if !declared.is_op_of_its_name(&op.name) {
@@ -72,6 +75,7 @@ pub(super) fn resolve_op(
             params: &params,
             result,
             declared,
+            attributes,
         };
         for (rule, names) in op.rules.iter().zip(names) {
             rules.extend(resolve_rule(rule, names, &context, report));

@@ -22,10 +22,10 @@ impl Typing<'_> {
         let unary = match (op, value.ty) {
             (UnaryOp::Negate, Type::Int) => Unary::NegateInt,
             (UnaryOp::Negate, Type::Real) => Unary::NegateReal,
-            (UnaryOp::Negate, Type::Vec3) => Unary::NegateVec3,
+            (UnaryOp::Negate, ty) if ty.is_vector() || ty.is_matrix() => Unary::NegateVector,
             (UnaryOp::Negate, ty) => {
                 let message = format!(
-                    "`-` wants a number or a vector, but {} is {}",
+                    "`-` wants a number, a vector or a matrix, but {} is {}",
                     subject(written),
                     a_type(ty)
                 );
@@ -130,15 +130,18 @@ impl Joined {
 
 /// How `op` joins two types, if it does.
 fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
-    use Type::{Bool, Int, Real, Vec3};
+    use Type::{Bool, Int, Real};
     let number = |ty| matches!(ty, Int | Real);
     let numbers = types.into_iter().all(number);
     let ints = types == [Int, Int];
-    let vectors = types == [Vec3, Vec3];
-    let arithmetic = |int, real, vec3| match () {
+    let [left, right] = types;
+    let vectors = left == right && left.is_vector();
+    let matrices = left == right && left.is_matrix();
+    let wide = |ty: Type| ty.is_vector() || ty.is_matrix();
+    let arithmetic = |int, real, vector| match () {
         () if ints => Some(Joined::plain(int, Int)),
         () if numbers => Some(Joined::real(real, Real)),
-        () if vectors => Some(Joined::plain(vec3, Vec3)),
+        () if vectors || matrices => Some(Joined::plain(vector, left)),
         () => None,
     };
     let order = |int, real| match () {
@@ -147,23 +150,30 @@ fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
         () => None,
     };
     match op {
-        BinaryOp::Add => arithmetic(Binary::AddInt, Binary::AddReal, Binary::AddVec3),
+        BinaryOp::Add => arithmetic(Binary::AddInt, Binary::AddReal, Binary::AddVector),
         BinaryOp::Subtract => arithmetic(
             Binary::SubtractInt,
             Binary::SubtractReal,
-            Binary::SubtractVec3,
+            Binary::SubtractVector,
         ),
         BinaryOp::Multiply => match types {
-            [Vec3, other] if number(other) => Some(Joined::real(Binary::ScaleVec3, Vec3)),
-            [other, Vec3] if number(other) => Some(Joined::real(Binary::ScaleVec3, Vec3).swapped()),
+            _ if matrices => Some(Joined::plain(Binary::MultiplyMatrices, left)),
+            _ if left.is_matrix() && right.is_vector() => {
+                let fits = left.size() == right.size();
+                fits.then(|| Joined::plain(Binary::Transform, right))
+            }
+            _ if wide(left) && number(right) => Some(Joined::real(Binary::ScaleVector, left)),
+            _ if number(left) && wide(right) => {
+                Some(Joined::real(Binary::ScaleVector, right).swapped())
+            }
             _ => arithmetic(
                 Binary::MultiplyInt,
                 Binary::MultiplyReal,
-                Binary::MultiplyVec3,
+                Binary::MultiplyVector,
             ),
         },
         BinaryOp::Divide => match types {
-            [Vec3, other] if number(other) => Some(Joined::real(Binary::DivideVec3, Vec3)),
+            _ if wide(left) && number(right) => Some(Joined::real(Binary::DivideVector, left)),
             _ => numbers.then(|| Joined::real(Binary::DivideReal, Real)),
         },
         BinaryOp::Div => ints.then(|| Joined::plain(Binary::Div, Int)),
@@ -186,12 +196,14 @@ fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
 
 /// `x == y`
 fn equal([left, right]: [Type; 2]) -> Option<Joined> {
-    use Type::{Bool, Edge, Face, Halfedge, Int, Real, Text, Vec3, Vertex};
+    use Type::{Bool, Edge, Face, Halfedge, Int, Real, Text, Vertex};
     let plain = |binary| Some(Joined::plain(binary, Bool));
     match (left, right) {
         (Int, Int) => plain(Binary::EqualInt),
         (Int | Real, Int | Real) => Some(Joined::real(Binary::EqualReal, Bool)),
-        (Vec3, Vec3) => plain(Binary::EqualVec3),
+        (left, right) if left == right && (left.is_vector() || left.is_matrix()) => {
+            plain(Binary::EqualVector)
+        }
         (Bool, Bool) => plain(Binary::EqualBool),
         (Text, Text) => plain(Binary::EqualText),
         (Vertex, Vertex) | (Halfedge, Halfedge) | (Edge, Edge) | (Face, Face) => {
@@ -204,9 +216,12 @@ fn equal([left, right]: [Type; 2]) -> Option<Joined> {
 /// What an operator wants, in words.
 fn wants(op: BinaryOp) -> &'static str {
     match op {
-        BinaryOp::Add | BinaryOp::Subtract => "two numbers or two vectors",
-        BinaryOp::Multiply => "two numbers, two vectors, or a vector and a number",
-        BinaryOp::Divide => "two numbers, or a vector and a number",
+        BinaryOp::Add | BinaryOp::Subtract => "two numbers, or two vectors or matrices of one type",
+        BinaryOp::Multiply => {
+            "two numbers, two vectors or matrices of one type, a vector or matrix and a number, \
+             or a matrix and a vector of its size"
+        }
+        BinaryOp::Divide => "two numbers, or a vector or matrix and a number",
         BinaryOp::Div | BinaryOp::Mod => "two ints",
         BinaryOp::Equal | BinaryOp::NotEqual => "two values of one type",
         BinaryOp::Less | BinaryOp::LessEqual | BinaryOp::Greater | BinaryOp::GreaterEqual => {

@@ -6,7 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
-use super::report::{Report, not_yet};
+use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
 use super::suggestion::suggest;
 use super::typing::{Place, Typing};
@@ -49,11 +49,15 @@ pub(super) enum Owner {
     Script,
 }
 
-const TYPES: [Type; 9] = [
+const TYPES: [Type; 13] = [
     Type::Bool,
     Type::Int,
     Type::Real,
+    Type::Vec2,
     Type::Vec3,
+    Type::Vec4,
+    Type::Mat3,
+    Type::Mat4,
     Type::Text,
     Type::Vertex,
     Type::Halfedge,
@@ -61,19 +65,11 @@ const TYPES: [Type; 9] = [
     Type::Face,
 ];
 
-/// The types of the language that cannot be computed with yet.
-const LATER: [&str; 3] = ["vec2", "mat3", "mat4"];
-
 /// The type of this name.
 pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     let found = TYPES.into_iter().find(|ty| ty.word() == word.text);
     if found.is_some() {
         return found;
-    }
-    if LATER.contains(&word.text.as_str()) {
-        let what = format!("the type `{}` is not supported yet", word.text);
-        report.add(not_yet(what, word.span));
-        return None;
     }
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
@@ -122,12 +118,12 @@ fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> 
     let (fits, message) = match owner {
         Owner::Op => (
             ty != Type::Text,
-            "a parameter of an op is an element, a bool, an int, a real or a vec3".to_owned(),
+            "a parameter of an op is an element, a bool, a number, a vector or a matrix".to_owned(),
         ),
         Owner::Script => (
-            matches!(ty, Type::Bool | Type::Int | Type::Real | Type::Vec3),
+            matches!(ty, Type::Bool | Type::Int | Type::Real) || ty.is_vector(),
             format!(
-                "a parameter of a script is a bool, an int, a real or a vec3, not {}",
+                "a parameter of a script is a bool, a number or a vector, not {}",
                 a_type(ty)
             ),
         ),

@@ -1,11 +1,15 @@
 //! A program: operations as diagrams, scripts as typed statements.
 
-use crate::diagram::{self, Access, Collection, Expr, Param, Type};
+use std::sync::Arc;
+
+use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
 use crate::source::Span;
 
 /// Everything one file declares, as far as it could be understood.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
+    /// The attributes that elements have; an [`Access`] names one by its number.
+    pub attributes: Arc<[Attribute]>,
     /// The operations; one that could not be resolved keeps its place, so that
     /// calls of it are understood.
     pub ops: Vec<Op>,

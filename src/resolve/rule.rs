@@ -1,7 +1,9 @@
 //! A rule: its two drawings, what it asks and what it sets.
 
+use std::sync::Arc;
+
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Ref, Rule};
+use crate::diagram::{Attribute, Ref, Rule};
 use crate::syntax::tree::{self, Ident};
 
 use super::condition::{assignments, guard, requires};
@@ -21,6 +23,7 @@ pub(super) struct Context<'a> {
     pub(super) params: &'a [Parameter],
     pub(super) result: Returned,
     pub(super) declared: &'a Declared,
+    pub(super) attributes: &'a Arc<[Attribute]>,
 }
 
 /// Resolves a rule, whose names are read. It is complete only if the report has no error.
@@ -75,6 +78,7 @@ pub(super) fn resolve_rule(
         created: lists.created,
         erased: lists.erased,
         assignments,
+        attributes: Arc::clone(context.attributes),
         span: rule.span,
         names: names.into_list(),
     })

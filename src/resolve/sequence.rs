@@ -239,8 +239,10 @@ impl Typing<'_> {
             (FoldFunction::Mean, Type::Int | Type::Real) => {
                 return Some((Type::Real, to_real(value)));
             }
-            (FoldFunction::Mean, Type::Vec3)
-            | (FoldFunction::Sum, Type::Int | Type::Real | Type::Vec3)
+            (FoldFunction::Mean | FoldFunction::Sum, ty) if ty.is_vector() || ty.is_matrix() => {
+                return Some((value.ty, value));
+            }
+            (FoldFunction::Sum, Type::Int | Type::Real)
             | (FoldFunction::Min | FoldFunction::Max, Type::Int | Type::Real) => {
                 return Some((value.ty, value));
             }
@@ -252,7 +254,7 @@ impl Typing<'_> {
                 let value = self.convert(written, value, Type::Bool, &whose)?;
                 return Some((ty, value));
             }
-            (FoldFunction::Mean | FoldFunction::Sum, _) => "numbers or vectors",
+            (FoldFunction::Mean | FoldFunction::Sum, _) => "numbers, vectors or matrices",
             (FoldFunction::Min | FoldFunction::Max, _) => "numbers",
         };
         let message = format!(

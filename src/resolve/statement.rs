@@ -133,7 +133,9 @@ impl Scripting<'_> {
         };
         if !target.ty.is_element() {
             let message = match target.ty {
-                Type::Vec3 => "a component of a vector cannot be assigned by itself".to_owned(),
+                ty if ty.is_vector() || ty.is_matrix() => {
+                    "a component of a vector cannot be assigned by itself".to_owned()
+                }
                 ty => format!("{} has no attributes", a_type(ty)),
             };
             let error = Diagnostic::error("not-assignable", message, base.span.to(field.span));

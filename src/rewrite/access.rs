@@ -191,18 +191,6 @@ pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, 
     }
 }
 
-/// Writes the positions kept back in a buffer: four slots each, the vertex first.
-pub(super) fn release(mesh: &mut Mesh, held: &mut Vec<u64>) {
-    for one in held.chunks_exact(4) {
-        let v = VertexId(one[0] as u32);
-        if mesh.vertex_alive(v) {
-            let [x, y, z] = [one[1], one[2], one[3]].map(f64::from_bits);
-            mesh.set_position(v, DVec3::new(x, y, z));
-        }
-    }
-    held.clear();
-}
-
 /// Adds an element.
 #[inline]
 pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Message> {

@@ -2,9 +2,10 @@
 //!
 //! Registers are slots of 64 bits in one window per call. An int is an `i64`, a real an
 //! `f64`, a bool 0 or 1, an element its id (`u32::MAX`: none); a vector takes three
-//! consecutive slots. Each instruction fixes the types of its registers, so the code is
+//! consecutive slots, a matrix its columns one after the other. Each instruction fixes the types of its registers, so the code is
 //! typed though the slots are not. Jumps name instructions by index.
 
+use super::wide::{Lanes, Matrix};
 use crate::mesh::ElementKind;
 
 /// A register: a slot of the window.
@@ -376,6 +377,29 @@ pub enum Inst {
         to: Reg,
         from: Reg,
     },
+    /// A value of any width.
+    CopyWide {
+        to: Reg,
+        from: Reg,
+        width: u8,
+    },
+    /// Vectors and matrices of any width, component by component.
+    Wide {
+        operation: Lanes,
+        width: u8,
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
+    /// Square matrices with so many rows, and their vectors. What takes one operand reads
+    /// `left`.
+    Matrix {
+        operation: Matrix,
+        size: u8,
+        to: Reg,
+        left: Reg,
+        right: Reg,
+    },
 
     // Loads. Each traps if the element is none or erased.
     Load {
@@ -395,6 +419,12 @@ pub enum Inst {
     LoadPosition {
         to: Reg,
         vertex: Reg,
+    },
+    /// A declared attribute, by its number in the machine's table.
+    LoadAttribute {
+        attribute: u16,
+        to: Reg,
+        element: Reg,
     },
     /// The number of slots of a kind, living or dead: the bound of a loop over all.
     Capacity {
@@ -682,9 +712,21 @@ pub enum Inst {
         vertex: Reg,
         value: Reg,
     },
-    /// Writes the positions kept back in a buffer, in order, and clears it. Vertices
-    /// erased in the meantime are passed over.
-    ReleasePositions {
+    StoreAttribute {
+        attribute: u16,
+        element: Reg,
+        value: Reg,
+    },
+    /// Keeps the value of an attribute back in a buffer. Traps if the element is gone.
+    HoldAttribute {
+        buffer: u16,
+        attribute: u16,
+        element: Reg,
+        value: Reg,
+    },
+    /// Writes what is kept back in a buffer, in order, and clears it. Elements erased in
+    /// the meantime are passed over.
+    ReleaseHeld {
         buffer: u16,
     },
     /// Writes one pointer of every halfedge in a buffer.
@@ -740,6 +782,12 @@ pub enum Inst {
     },
     PrintVec {
         from: Reg,
+    },
+    /// Prints a vector or matrix with columns of this size.
+    PrintWide {
+        from: Reg,
+        size: u8,
+        columns: u8,
     },
     PrintElement {
         kind: ElementKind,

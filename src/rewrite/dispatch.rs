@@ -8,7 +8,9 @@ use glam::DVec3;
 
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
-use super::print::{ElementText, RealText, VectorText, append};
+use super::attribute;
+use super::print::{ElementText, RealText, VectorText, WideText, append};
+use super::wide;
 use super::window::Window;
 use super::{Call, Inst, Machine, Message, Outcome, Trap, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId};
@@ -131,6 +133,21 @@ impl Machine<'_> {
                 }
                 LengthVec { to, from } => w.set_real(to, w.vector(from).length()),
                 Normalize { to, from } => w.set_vector(to, direction(w.vector(from))),
+                CopyWide { to, from, width } => wide::copy(&mut w, to, from, width),
+                Wide {
+                    operation,
+                    width,
+                    to,
+                    left,
+                    right,
+                } => wide::lanes(&mut w, operation, width, [to, left, right]),
+                Matrix {
+                    operation,
+                    size,
+                    to,
+                    left,
+                    right,
+                } => wide::matrix(&mut w, operation, size, [to, left, right]),
 
                 // Loads.
                 Load {
@@ -150,6 +167,14 @@ impl Machine<'_> {
                         break gone(ElementKind::Vertex, id);
                     };
                     w.set_vector(to, position);
+                }
+                LoadAttribute {
+                    attribute,
+                    to,
+                    element,
+                } => {
+                    let column = or_trap!(attribute::column(&self.columns, attribute));
+                    or_trap!(attribute::load(mesh, column, w.id(element), &mut w, to));
                 }
                 Capacity { kind, to } => w.set_int(to, mesh.capacity(kind) as i64),
                 NextLiving {
@@ -458,9 +483,38 @@ impl Machine<'_> {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
                     let [x, y, z] = position.to_array().map(f64::to_bits);
-                    buffer!(buffer).extend([u64::from(v.0), x, y, z]);
+                    let held = buffer!(buffer);
+                    held.extend([attribute::HELD_POSITION, u64::from(v.0), x, y, z]);
                 }
-                ReleasePositions { buffer } => access::release(mesh, buffer!(buffer)),
+                StoreAttribute {
+                    attribute,
+                    element,
+                    value,
+                } => {
+                    let column = or_trap!(attribute::column(&self.columns, attribute));
+                    or_trap!(attribute::store(mesh, column, w.id(element), &w, value));
+                }
+                HoldAttribute {
+                    buffer,
+                    attribute,
+                    element,
+                    value,
+                } => {
+                    let column = or_trap!(attribute::column(&self.columns, attribute));
+                    let target = (attribute, w.id(element));
+                    or_trap!(attribute::hold(
+                        mesh,
+                        column,
+                        target,
+                        &w,
+                        value,
+                        buffer!(buffer)
+                    ));
+                }
+                ReleaseHeld { buffer } => {
+                    let held = buffer!(buffer);
+                    or_trap!(attribute::release(mesh, &self.columns, held));
+                }
                 StoreAll {
                     field,
                     buffer,
@@ -518,6 +572,14 @@ impl Machine<'_> {
                 PrintInt { from } => append(&mut self.line, w.int(from)),
                 PrintReal { from } => append(&mut self.line, RealText(w.real(from))),
                 PrintVec { from } => append(&mut self.line, VectorText(w.vector(from))),
+                PrintWide {
+                    from,
+                    size,
+                    columns,
+                } => append(
+                    &mut self.line,
+                    WideText(wide::columns(&w, from, size, columns)),
+                ),
                 PrintElement { kind, from } => {
                     append(&mut self.line, ElementText(kind, w.id(from)));
                 }

@@ -10,7 +10,7 @@ use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
-use crate::mesh::{ElementKind, Level, Mesh};
+use crate::mesh::{ColumnId, ElementKind, Level, Mesh};
 
 /// How deep calls may be nested.
 const DEPTH: usize = 16;
@@ -19,6 +19,8 @@ const DEPTH: usize = 16;
 #[derive(Debug)]
 pub struct Machine<'p> {
     pub(super) plans: &'p [Option<Plan>],
+    /// Where the attributes of the program lie in the mesh, by number.
+    pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
     /// What guards look at.
@@ -55,6 +57,7 @@ impl<'p> Machine<'p> {
         };
         Self {
             plans,
+            columns: Vec::new(),
             stack: Vec::new(),
             buffers: Vec::new(),
             preview: Preview::default(),
@@ -65,6 +68,12 @@ impl<'p> Machine<'p> {
             last_reason: None,
             created: None,
         }
+    }
+
+    /// Says where the mesh of the next run has the attributes of the program, by number.
+    /// Code that uses another attribute traps.
+    pub fn use_columns(&mut self, columns: Vec<Option<ColumnId>>) {
+        self.columns = columns;
     }
 
     /// Says that the mesh of the next run has a level. An operation for meshes of a higher

@@ -17,8 +17,10 @@ mod window;
 
 mod access;
 mod arithmetic;
+mod attribute;
 mod preview;
 mod print;
+mod wide;
 
 mod trap;
 mod watch;
@@ -30,8 +32,9 @@ pub use code::{
 };
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
-pub use print::{ElementText, RealText, VectorText};
+pub use print::{ElementText, RealText, VectorText, WideText};
 pub use trap::{Message, Site, Trap};
 pub use watch::{Unwatched, Watch};
+pub use wide::{Lanes, Matrix};
 
 use call::Call;

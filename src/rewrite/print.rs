@@ -32,6 +32,26 @@ impl Display for VectorText {
     }
 }
 
+/// A vector or matrix by its columns: `(0, 1)`, `((1, 0), (0, 1))`.
+#[derive(Clone, Debug)]
+pub struct WideText(pub Vec<Vec<f64>>);
+
+impl Display for WideText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let column = |parts: &Vec<f64>| {
+            let parts: Vec<_> = parts.iter().map(|x| RealText(*x).to_string()).collect();
+            format!("({})", parts.join(", "))
+        };
+        match self.0.as_slice() {
+            [one] => f.write_str(&column(one)),
+            columns => {
+                let columns: Vec<_> = columns.iter().map(column).collect();
+                write!(f, "({})", columns.join(", "))
+            }
+        }
+    }
+}
+
 /// An element: `vertex 12`, or `no vertex`.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementText(pub ElementKind, pub u32);

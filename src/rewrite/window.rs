@@ -79,6 +79,13 @@ impl<'a> Window<'a> {
     }
 
     #[inline]
+    pub(super) fn set_reals<const N: usize>(&mut self, reg: Reg, values: &[f64; N]) {
+        for (offset, part) in (0..).zip(values) {
+            self.set_real(Reg(reg.0.wrapping_add(offset)), *part);
+        }
+    }
+
+    #[inline]
     pub(super) fn set_vector(&mut self, reg: Reg, value: DVec3) {
         for (offset, part) in (0..).zip(value.to_array()) {
             self.set_real(Reg(reg.0.wrapping_add(offset)), part);

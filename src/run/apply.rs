@@ -1,5 +1,8 @@
 //! One call of an operation, from outside of any script.
 
+use std::sync::Arc;
+
+use super::columns::Columns;
 use super::report::{Failure, diagnostic, expect_level};
 use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
@@ -62,7 +65,9 @@ pub fn apply(
     let slots = prepared
         .slots(mesh, arguments, &mut code.texts)
         .map_err(failure)?;
+    let columns = Columns::of(&program.attributes, [&plan.code]).map_err(failure)?;
     let mut machine = Machine::new(&[]);
+    machine.use_columns(columns.bind(mesh).map_err(failure)?);
     machine.remember_created();
     let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));
     machine
@@ -71,7 +76,9 @@ pub fn apply(
     let slots = machine.window().to_vec();
     let outcome = machine
         .apply(mesh, plan, &slots)
-        .map_err(|trap| failure(in_plan(plan, trap, &prepared)))?;
+        .map_err(|trap| failure(in_plan(plan, trap, &prepared)));
+    columns.release(mesh);
+    let outcome = outcome?;
     Ok(match outcome {
         Outcome::Applied { result } => {
             let created = machine.created().to_vec();
@@ -108,6 +115,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
         body: Vec::new(),
     });
     Program {
+        attributes: Arc::clone(&program.attributes),
         ops: Vec::new(),
         scripts: scripts.into_iter().collect(),
     }

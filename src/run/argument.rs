@@ -1,5 +1,6 @@
 //! Values for the parameters of a script, from outside.
 
+use crate::compile::width;
 use crate::diagram::Type;
 use crate::mesh::{ElementKind, Mesh};
 
@@ -11,7 +12,8 @@ pub enum Argument {
     Int(i64),
     /// Finite, as are the parts of a vector.
     Real(f64),
-    Vec3([f64; 3]),
+    /// The components of a vector or matrix, of this type; matrices column by column.
+    Reals(Type, Vec<f64>),
     Text(String),
     /// An element of the mesh that the script runs on.
     Element(ElementKind, u32),
@@ -26,7 +28,9 @@ impl Argument {
             Type::Bool => text.parse().ok().map(Self::Bool),
             Type::Int => text.parse().ok().map(Self::Int),
             Type::Real => real(text).map(Self::Real),
-            Type::Vec3 => vector(text).map(Self::Vec3),
+            Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Mat3 | Type::Mat4 => {
+                reals(text, ty).map(|parts| Self::Reals(ty, parts))
+            }
             Type::Text => Some(Self::Text(text.to_owned())),
             Type::Vertex => element(ElementKind::Vertex, text),
             Type::Halfedge => element(ElementKind::Halfedge, text),
@@ -41,7 +45,7 @@ impl Argument {
             Self::Bool(_) => Type::Bool,
             Self::Int(_) => Type::Int,
             Self::Real(_) => Type::Real,
-            Self::Vec3(_) => Type::Vec3,
+            Self::Reals(ty, _) => *ty,
             Self::Text(_) => Type::Text,
             Self::Element(ElementKind::Vertex, _) => Type::Vertex,
             Self::Element(ElementKind::Halfedge, _) => Type::Halfedge,
@@ -64,7 +68,7 @@ impl Argument {
             Self::Bool(value) => vec![u64::from(*value)],
             Self::Int(value) => vec![*value as u64],
             Self::Real(value) => vec![value.to_bits()],
-            Self::Vec3(parts) => parts.iter().map(|part| part.to_bits()).collect(),
+            Self::Reals(_, parts) => parts.iter().map(|part| part.to_bits()).collect(),
             Self::Text(text) => {
                 // Equal texts have equal numbers.
                 let known = texts.iter().position(|known| known == text);
@@ -85,7 +89,11 @@ pub(super) fn example(ty: Type) -> &'static str {
         Type::Bool => "`true` or `false`",
         Type::Int => "a whole number such as `12`",
         Type::Real => "a number such as `0.5`",
+        Type::Vec2 => "two numbers such as `1,0.5`",
         Type::Vec3 => "three numbers such as `1,0.5,2`",
+        Type::Vec4 => "four numbers such as `1,0.5,2,1`",
+        Type::Mat3 => "nine numbers with commas between them, column by column",
+        Type::Mat4 => "sixteen numbers with commas between them, column by column",
         Type::Text => "a text",
         Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => "the number of an element",
     }
@@ -99,13 +107,12 @@ fn real(text: &str) -> Option<f64> {
 }
 
 /// With or without parentheses.
-fn vector(text: &str) -> Option<[f64; 3]> {
+fn reals(text: &str, ty: Type) -> Option<Vec<f64>> {
     let inner = text
         .strip_prefix('(')
         .map_or(Some(text), |rest| rest.strip_suffix(')'))?;
-    let mut parts = inner.split(',').map(real);
-    let vector = [parts.next()??, parts.next()??, parts.next()??];
-    parts.next().is_none().then_some(vector)
+    let parts: Option<Vec<f64>> = inner.split(',').map(real).collect();
+    parts.filter(|parts| parts.len() == usize::from(width(ty)))
 }
 
 fn element(kind: ElementKind, text: &str) -> Option<Argument> {
@@ -123,8 +130,8 @@ mod tests {
             ("-12", Argument::Int(-12)),
             ("12", Argument::Real(12.0)),
             ("1e-3", Argument::Real(0.001)),
-            ("1, 2,-3", Argument::Vec3([1.0, 2.0, -3.0])),
-            ("(1,2,3)", Argument::Vec3([1.0, 2.0, 3.0])),
+            ("1, 2,-3", Argument::Reals(Type::Vec3, vec![1.0, 2.0, -3.0])),
+            ("(1,2)", Argument::Reals(Type::Vec2, vec![1.0, 2.0])),
             ("7", Argument::Element(ElementKind::Edge, 7)),
             ("hello", Argument::Text("hello".to_owned())),
         ];

@@ -1,7 +1,7 @@
 //! The statements of a script to register code.
 
 use super::live::{Exits, Liveness, calls};
-use crate::compile::{Scope, lower, lower_into, width};
+use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
 use crate::diagram::{Access, Expr, NameId, Type};
 use crate::resolve::{Print, Script, Statement, StatementKind};
 use crate::rewrite::{Assembler, Inst, Label, Reg};
@@ -125,9 +125,9 @@ impl<'p> Lowering<'p> {
             StatementKind::Set { variable, value } => self.set(*variable, value),
             StatementKind::Write {
                 target,
-                attribute: Access::Position,
+                attribute,
                 value,
-            } => self.write(target, value, span),
+            } => self.write(target, *attribute, value, span),
             StatementKind::Repeat { count, body } => self.repeat(count, body, span, exits),
             StatementKind::While { condition, body } => {
                 self.repeat_while(condition, body, span, exits);
@@ -169,7 +169,7 @@ impl<'p> Lowering<'p> {
             StatementKind::Continue => self.jump(|around| around.again),
             StatementKind::Return => {
                 if let Some(buffer) = self.held {
-                    self.asm.emit(Inst::ReleasePositions { buffer });
+                    self.asm.emit(Inst::ReleaseHeld { buffer });
                 }
                 self.asm.emit(Inst::Return { result: None });
             }
@@ -207,23 +207,32 @@ impl<'p> Lowering<'p> {
         // Not at once: the value may read the variable.
         let from = self.value(value);
         let to = self.names.local(variable);
-        self.asm.emit(match value.ty {
-            Type::Vec3 => Inst::CopyVec { to, from },
-            _ => Inst::Copy { to, from },
-        });
+        copy(&mut self.asm, value.ty, to, from);
         self.asm.release(mark);
     }
 
-    fn write(&mut self, target: &Expr, value: &Expr, span: Span) {
-        let vertex = self.value(target);
+    fn write(&mut self, target: &Expr, access: Access, value: &Expr, span: Span) {
+        let element = self.value(target);
         let value = self.value(value);
-        let inst = match self.held {
-            Some(buffer) => Inst::HoldPosition {
+        let vertex = element;
+        let inst = match (access, self.held) {
+            (Access::Position, Some(buffer)) => Inst::HoldPosition {
                 buffer,
                 vertex,
                 value,
             },
-            None => Inst::StorePosition { vertex, value },
+            (Access::Position, None) => Inst::StorePosition { vertex, value },
+            (Access::Declared(number), Some(buffer)) => Inst::HoldAttribute {
+                buffer,
+                attribute: attribute(number),
+                element,
+                value,
+            },
+            (Access::Declared(number), None) => Inst::StoreAttribute {
+                attribute: attribute(number),
+                element,
+                value,
+            },
         };
         self.trap_at(span, inst);
     }
@@ -293,6 +302,16 @@ fn print_value(ty: Type, from: Reg) -> Inst {
         Type::Int => Inst::PrintInt { from },
         Type::Real => Inst::PrintReal { from },
         Type::Vec3 => Inst::PrintVec { from },
+        Type::Vec2 | Type::Vec4 => Inst::PrintWide {
+            from,
+            size: ty.size(),
+            columns: 1,
+        },
+        Type::Mat3 | Type::Mat4 => Inst::PrintWide {
+            from,
+            size: ty.size(),
+            columns: ty.size(),
+        },
         Type::Text => Inst::PrintTextOf { from },
         Type::Vertex => Inst::PrintElement { kind: Vertex, from },
         Type::Halfedge => Inst::PrintElement {

@@ -15,6 +15,7 @@
 //! A script that fails has done what it did so far: who runs it discards the mesh then.
 
 mod call;
+mod columns;
 mod live;
 mod lower;
 mod prepare;

@@ -2,6 +2,7 @@
 
 use super::Argument;
 use super::argument::example;
+use super::columns::Columns;
 use super::lower::Lowering;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
@@ -16,6 +17,7 @@ pub struct Prepared<'p> {
     pub(super) script: &'p Script,
     pub(super) plans: &'p [Option<Plan>],
     pub(super) code: Code,
+    pub(super) columns: Columns,
     /// Where in the source the code can trap, by number.
     pub(super) places: Vec<Span>,
     /// The numbers of those places where the script asserts something, in order.
@@ -65,10 +67,15 @@ pub fn prepare<'p>(
             Ok(_) => Ok(code),
             Err(_) => Err(TooLarge),
         });
+    let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
+    let called_code = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
+    let all_code = called_code.map(|plan| &plan.code).chain([&code]);
+    let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
     Ok(Prepared {
         script,
         plans,
-        code: code.map_err(|too_large| vec![does_not_fit(script, too_large)])?,
+        columns,
+        code,
         places: lowering.names.places,
         assertions: lowering.assertions,
         calls: called.iter().map(|&(_, call)| call).collect(),

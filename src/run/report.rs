@@ -59,9 +59,17 @@ pub fn run(
             report: Report::default(),
         })
     })?;
+    let columns = prepared.columns.bind(mesh).map_err(|diagnostic| {
+        Box::new(Failure {
+            diagnostic,
+            report: Report::default(),
+        })
+    })?;
     let mut machine = Machine::new(prepared.plans);
     machine.trust_level(level);
+    machine.use_columns(columns);
     let outcome = machine.run(mesh, &code, &slots, watch);
+    prepared.columns.release(mesh);
     let report = report(prepared, machine.counts());
     match outcome {
         Ok(_) => Ok(report),

@@ -150,7 +150,7 @@ impl Lowering<'_> {
         self.held = Some(buffer);
         self.visit(statement);
         self.held = None;
-        self.asm.emit(Inst::ReleasePositions { buffer });
+        self.asm.emit(Inst::ReleaseHeld { buffer });
     }
 
     /// Puts the elements that a loop visits into a buffer.

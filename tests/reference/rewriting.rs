@@ -103,8 +103,8 @@ impl Rewrite<'_> {
                 ExprKind::Element(name) => self.mesh.get_position(self.vertex(name)?),
                 _ => None,
             },
-            ExprKind::Binary(Binary::AddVec3, x, y) => Some(self.vector(x)? + self.vector(y)?),
-            ExprKind::Binary(Binary::DivideVec3, x, y) => Some(self.vector(x)? / real(y)?),
+            ExprKind::Binary(Binary::AddVector, x, y) => Some(self.vector(x)? + self.vector(y)?),
+            ExprKind::Binary(Binary::DivideVector, x, y) => Some(self.vector(x)? / real(y)?),
             _ => None,
         }
     }

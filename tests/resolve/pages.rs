@@ -86,6 +86,11 @@ fn expressions() {
 }
 
 #[test]
+fn attributes() {
+    check("attributes.md");
+}
+
+#[test]
 fn scripts() {
     check("scripts.md");
 }

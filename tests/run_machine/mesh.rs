@@ -441,7 +441,7 @@ fn held_positions_are_written_at_the_end_and_the_last_one_stays() {
             vertex: zero,
             value,
         });
-        asm.emit(Inst::ReleasePositions { buffer });
+        asm.emit(Inst::ReleaseHeld { buffer });
     });
     assert_eq!([1, 0].map(|id| mesh.position(VertexId(id))), old);
 }

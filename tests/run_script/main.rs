@@ -1,9 +1,11 @@
 //! Scripts on small meshes.
 
 mod arguments;
+mod attributes;
 mod expressions;
 mod failures;
 mod loops;
+mod matrices;
 mod remesh;
 
 use hedgerow::analysis::Analysis;
@@ -39,7 +41,16 @@ fn try_run(
     script: &str,
     arguments: &[(&str, &str)],
 ) -> Result<(Report, Vec<String>), Box<Failure>> {
-    let (_, analysis) = analyse(&format!("{OPS}\n{script}"));
+    run_alone(mesh, &format!("{OPS}\n{script}"), arguments)
+}
+
+/// Runs the script `main` of a program that has no other operations than its own.
+fn run_alone(
+    mesh: &mut Mesh,
+    program: &str,
+    arguments: &[(&str, &str)],
+) -> Result<(Report, Vec<String>), Box<Failure>> {
+    let (_, analysis) = analyse(program);
     let number = analysis.script("main").unwrap();
     let prepared = prepare(&analysis.program, number, &analysis.plans).unwrap();
     let own = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());

@@ -1,10 +1,23 @@
 //! Calls of what is part of the language.
 
-use crate::diagram::Builtin;
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Math, Reg};
+use super::operator::{matrix, wide};
+use crate::diagram::{Builtin, Type};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Reg};
+
+/// What a call makes: of a first argument of what type, a value of what type, where.
+#[derive(Clone, Copy)]
+pub(super) struct Made {
+    pub(super) of: Type,
+    pub(super) result: Type,
+    pub(super) to: Reg,
+}
 
 /// A call with its arguments in registers.
-pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Reg], to: Reg) {
+pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Reg], made: Made) {
+    if of_any_width(asm, builtin, args, made) {
+        return;
+    }
+    let to = made.to;
     match *args {
         [from] => {
             if !with_steps(asm, place, builtin, from, to) {
@@ -16,6 +29,70 @@ pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Re
         [left, right, t] => of_three(asm, place, builtin, [left, right, t], to),
         _ => unknown(asm, place),
     }
+}
+
+/// What is computed of vectors and matrices of any width; false for the rest.
+fn of_any_width(asm: &mut Assembler, builtin: Builtin, args: &[Reg], made: Made) -> bool {
+    let Made { of, result, to } = made;
+    let Some(&left) = args.first() else {
+        return false;
+    };
+    let right = args.get(1).copied().unwrap_or(left);
+    let all = [to, left, right];
+    // Vectors of three components have instructions of their own.
+    let short = of != Type::Vec3;
+    match builtin {
+        Builtin::Dot if short => asm.emit(wide(Lanes::Dot, of, all)),
+        Builtin::Normalize if short => asm.emit(wide(Lanes::Normalize, of, all)),
+        Builtin::LengthVector if short => length(asm, of, to, left),
+        Builtin::Distance if short => {
+            let between = asm.block(super::width(of));
+            asm.emit(wide(Lanes::Subtract, of, [between, left, right]));
+            length(asm, of, to, between);
+        }
+        Builtin::MixVector if short => {
+            let (Some(&t), one) = (args.get(2), asm.constant_real(1.0)) else {
+                return false;
+            };
+            // left * (1 - t) + right * t
+            let (rest, part) = (asm.reg(), asm.block(super::width(of)));
+            asm.emit(Inst::SubReal {
+                to: rest,
+                left: one,
+                right: t,
+            });
+            asm.emit(wide(Lanes::Scale, of, [part, right, t]));
+            asm.emit(wide(Lanes::Scale, of, [to, left, rest]));
+            asm.emit(wide(Lanes::Add, of, [to, to, part]));
+        }
+        Builtin::CrossPlane => {
+            let (first, second) = (asm.reg(), asm.reg());
+            for (to, at) in [(first, 0), (second, 1)] {
+                let (left, right) = (left.part(at), right.part(1 - at));
+                asm.emit(Inst::MulReal { to, left, right });
+            }
+            let (left, right) = (first, second);
+            asm.emit(Inst::SubReal { to, left, right });
+        }
+        Builtin::IsNan => asm.emit(wide(Lanes::IsNan, of, all)),
+        Builtin::IsFinite => asm.emit(wide(Lanes::IsFinite, of, all)),
+        Builtin::Diagonal => asm.emit(matrix(Matrix::Diagonal, result, all)),
+        Builtin::UpperLeft => asm.emit(matrix(Matrix::UpperLeft, result, all)),
+        Builtin::Outer => asm.emit(matrix(Matrix::Outer, result, all)),
+        Builtin::Transpose => asm.emit(matrix(Matrix::Transpose, of, all)),
+        Builtin::Inverse => asm.emit(matrix(Matrix::Inverse, of, all)),
+        Builtin::Determinant => asm.emit(matrix(Matrix::Determinant, of, all)),
+        Builtin::Solve => asm.emit(matrix(Matrix::Solve, of, all)),
+        _ => return false,
+    }
+    true
+}
+
+fn length(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) {
+    let square = asm.reg();
+    asm.emit(wide(Lanes::Dot, ty, [square, from, from]));
+    let (math, from) = (Math::Sqrt, square);
+    asm.emit(Inst::MathReal { math, to, from });
 }
 
 /// No such builtin takes so many arguments; a typed program has no such call.
@@ -76,7 +153,7 @@ fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {
         Builtin::StarShaped => Inst::StarShaped { to, edge: from },
         Builtin::KernelCentroid => Inst::KernelCentroid { to, edge: from },
         Builtin::LengthEdge => Inst::LengthEdge { to, edge: from },
-        Builtin::LengthVec3 => Inst::LengthVec { to, from },
+        Builtin::LengthVector => Inst::LengthVec { to, from },
         Builtin::Area => Inst::Area { to, face: from },
         Builtin::NormalFace => Inst::NormalFace { to, face: from },
         Builtin::NormalVertex => Inst::NormalVertex { to, vertex: from },
@@ -158,7 +235,7 @@ fn of_three(
     to: Reg,
 ) {
     match builtin {
-        Builtin::MixVec3 => asm.emit(Inst::MixVec { to, left, right, t }),
+        Builtin::MixVector => asm.emit(Inst::MixVec { to, left, right, t }),
         Builtin::MixReal => {
             // left * (1 - t) + right * t, as for vectors.
             let (one, rest, part) = (asm.constant_real(1.0), asm.reg(), asm.reg());

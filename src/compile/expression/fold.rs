@@ -1,10 +1,11 @@
 //! Aggregates: `mean(length(e) for e in edges where boundary(e))`.
 
 use super::collection::each;
+use super::operator::wide;
 use super::value::{copy, lower};
 use super::{Scope, width};
 use crate::diagram::{Expr, ExprKind, Fold, FoldFunction, Type};
-use crate::rewrite::{Assembler, Inst, Label, Reg};
+use crate::rewrite::{Assembler, Inst, Label, Lanes, Reg};
 
 /// Appends a loop that puts the aggregate into `to`.
 pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: Reg) {
@@ -119,6 +120,7 @@ impl Sum {
         match self.ty {
             Type::Vec3 => Inst::AddVec { to, left, right },
             Type::Int => Inst::AddInt { to, left, right },
+            ty if ty.size() > 1 => wide(Lanes::Add, ty, [to, left, right]),
             _ => Inst::AddReal { to, left, right },
         }
     }
@@ -169,6 +171,7 @@ impl Sum {
             asm.emit(Inst::IntToReal { to: right, from });
             asm.emit(match self.ty {
                 Type::Vec3 => Inst::DivVec { to, left, right },
+                ty if ty.size() > 1 => wide(Lanes::Divide, ty, [to, left, right]),
                 _ => Inst::DivReal { to, left, right },
             });
         }

@@ -20,7 +20,11 @@ pub trait Scope {
 /// How many registers a value takes.
 pub fn width(ty: Type) -> u16 {
     match ty {
+        Type::Vec2 => 2,
         Type::Vec3 => 3,
+        Type::Vec4 => 4,
+        Type::Mat3 => 9,
+        Type::Mat4 => 16,
         _ => 1,
     }
 }
@@ -32,6 +36,6 @@ pub fn element_kind(ty: Type) -> Option<ElementKind> {
         Type::Halfedge => Some(ElementKind::Halfedge),
         Type::Edge => Some(ElementKind::Edge),
         Type::Face => Some(ElementKind::Face),
-        Type::Bool | Type::Int | Type::Real | Type::Vec3 | Type::Text => None,
+        _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! The value of an expression in a register.
 
-use super::builtin::call;
+use super::builtin::{Made, call};
 use super::fold::fold;
 use super::operator::{binary, unary};
 use super::{Scope, width};
@@ -19,7 +19,8 @@ pub fn lower(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr) -> Reg {
         ExprKind::Element(name) => scope.element(*name),
         ExprKind::Local(variable) => scope.local(*variable),
         ExprKind::Component(part, vector) => {
-            lower(asm, scope, vector).part(u16::from(*part).min(2))
+            let most = width(vector.ty).saturating_sub(width(expr.ty));
+            lower(asm, scope, vector).part(u16::from(*part).min(most))
         }
         _ => {
             let to = asm.block(width(expr.ty));
@@ -49,28 +50,47 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let place = scope.place(expr.span);
             follow(asm, place, *pointer, element, to);
         }
-        ExprKind::Read(Access::Position, base) => {
-            let vertex = lower(asm, scope, base);
+        ExprKind::Read(access, base) => {
+            let element = lower(asm, scope, base);
             let place = scope.place(expr.span);
-            asm.trap_at(place, Inst::LoadPosition { to, vertex });
+            let inst = match *access {
+                Access::Position => Inst::LoadPosition {
+                    to,
+                    vertex: element,
+                },
+                Access::Declared(number) => Inst::LoadAttribute {
+                    attribute: attribute(number),
+                    to,
+                    element,
+                },
+            };
+            asm.trap_at(place, inst);
         }
         ExprKind::Vector(parts) => {
-            for (part, value) in (0..).zip(parts.iter()) {
-                lower_into(asm, scope, value, to.part(part));
+            let mut at = 0;
+            for value in parts {
+                lower_into(asm, scope, value, to.part(at));
+                at += width(value.ty);
             }
         }
         ExprKind::Unary(operator, operand) => {
             let from = lower(asm, scope, operand);
             let place = scope.place(expr.span);
-            unary(asm, place, *operator, to, from);
+            unary(asm, place, (*operator, expr.ty), to, from);
         }
         ExprKind::Binary(operator, left, right) => {
             binary(asm, scope, expr.span, *operator, [left, right], to);
         }
         ExprKind::Call(builtin, args) => {
+            let of = args.first().map_or(expr.ty, |first| first.ty);
             let args: Vec<Reg> = args.iter().map(|arg| lower(asm, scope, arg)).collect();
             let place = scope.place(expr.span);
-            call(asm, place, *builtin, &args, to);
+            let made = Made {
+                of,
+                result: expr.ty,
+                to,
+            };
+            call(asm, place, *builtin, &args, made);
         }
         ExprKind::If(condition, then, otherwise) => {
             let (second, end) = (asm.label(), asm.label());
@@ -91,11 +111,22 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
 }
 
 /// Copies a value of a type.
-pub(super) fn copy(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) {
-    asm.emit(match ty {
-        Type::Vec3 => Inst::CopyVec { to, from },
-        _ => Inst::Copy { to, from },
+pub fn copy(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) {
+    asm.emit(match width(ty) {
+        1 => Inst::Copy { to, from },
+        3 => Inst::CopyVec { to, from },
+        // No value is as wide as 256.
+        width => Inst::CopyWide {
+            to,
+            from,
+            width: width as u8,
+        },
     });
+}
+
+/// The number by which code names an attribute. One too large names none, and traps.
+pub fn attribute(number: u32) -> u16 {
+    u16::try_from(number).unwrap_or(u16::MAX)
 }
 
 /// `element.pointer`

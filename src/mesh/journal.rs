@@ -1,0 +1,211 @@
+//! What was written, so that it can be undone.
+//!
+//! While a journal is open, each writer first notes the record that it writes to. To roll back
+//! is to put the notes back, the last first, and costs what was written, however large the mesh
+//! is. Nothing is noted while none is open.
+//!
+//! ```text
+//! open_journal ──> write … ──> roll_back      as if nothing had been
+//!                         └──> keep           as if there had been no journal
+//! ```
+//!
+//! Journals nest: each ends what was begun last. No slot is freed while one is open, so that
+//! an id means one element throughout.
+
+use glam::DVec3;
+
+use super::attribute::{ColumnId, Value};
+use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
+use super::level_near::Footprint;
+
+/// Where a journal begins among the notes.
+#[derive(Debug)]
+#[must_use = "a journal that is open ends by `roll_back` or `keep`"]
+pub struct Bookmark(usize);
+
+/// A record as it was.
+#[derive(Clone, Debug)]
+enum Note {
+    Vertex(VertexId, HalfedgeId),
+    Halfedge(HalfedgeId, HalfedgeRecord),
+    Edge(EdgeId, HalfedgeId),
+    Face(FaceId, FaceRecord),
+    Position(VertexId, DVec3),
+    Value(ColumnId, u32, Value),
+    /// A slot has been added at the end of its table.
+    Grown(ElementKind),
+    /// A free slot has been taken; its record has been noted before.
+    Taken(ElementKind, u32),
+    /// An element has been erased; its record has been noted before.
+    Erased(ElementKind),
+}
+
+/// The notes of all journals that are open.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Journal {
+    notes: Vec<Note>,
+    open: usize,
+}
+
+impl Journal {
+    #[inline]
+    pub(super) fn is_open(&self) -> bool {
+        self.open > 0
+    }
+}
+
+impl Mesh {
+    /// From now on, until the mark is given back, what is written is noted.
+    pub fn open_journal(&mut self) -> Bookmark {
+        self.journal.open += 1;
+        Bookmark(self.journal.notes.len())
+    }
+
+    /// Ends the journal: what was written since stays.
+    pub fn keep(&mut self, _mark: Bookmark) {
+        self.journal.open = self.journal.open.saturating_sub(1);
+        // A journal around this one may yet be rolled back, and this with it.
+        if !self.journal.is_open() {
+            self.journal.notes.clear();
+        }
+    }
+
+    /// Ends the journal: the mesh is bit for bit what it was when it was opened.
+    pub fn roll_back(&mut self, mark: Bookmark) {
+        let Bookmark(start) = mark;
+        while self.journal.notes.len() > start {
+            if let Some(note) = self.journal.notes.pop() {
+                self.put_back(note);
+            }
+        }
+        self.journal.open = self.journal.open.saturating_sub(1);
+    }
+
+    /// What was written since the journal was opened.
+    pub fn written_since(&self, mark: &Bookmark) -> Footprint {
+        let mut footprint = Footprint::default();
+        let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
+        for note in notes {
+            match *note {
+                Note::Vertex(v, _) | Note::Position(v, _) => footprint.vertices.push(v),
+                Note::Halfedge(h, _) => footprint.halfedges.push(h),
+                Note::Edge(e, _) => footprint.edges.push(e),
+                Note::Face(f, _) => footprint.faces.push(f),
+                Note::Value(..) | Note::Grown(_) | Note::Taken(..) | Note::Erased(_) => {}
+            }
+        }
+        footprint
+    }
+
+    fn put_back(&mut self, note: Note) {
+        match note {
+            Note::Vertex(v, record) => self.vertices[v.index()] = record,
+            Note::Halfedge(h, record) => self.halfedges[h.index()] = record,
+            Note::Edge(e, record) => self.edges[e.index()] = record,
+            Note::Face(f, record) => {
+                let now = std::mem::replace(&mut self.faces[f.index()], record);
+                self.holes -= usize::from(now.hole);
+                self.holes += usize::from(self.faces[f.index()].hole);
+            }
+            Note::Position(v, position) => self.positions[v.index()] = position,
+            Note::Value(column, index, value) => self.put_value(column, index, value),
+            Note::Grown(kind) => self.drop_last(kind),
+            Note::Taken(kind, slot) => self.slots[kind as usize].free.push(slot),
+            Note::Erased(kind) => {
+                self.slots[kind as usize].pending.pop();
+            }
+        }
+    }
+
+    /// Takes the slot at the end of a table away.
+    fn drop_last(&mut self, kind: ElementKind) {
+        match kind {
+            ElementKind::Vertex => {
+                self.vertices.pop();
+                self.positions.pop();
+            }
+            ElementKind::Halfedge => drop(self.halfedges.pop()),
+            ElementKind::Edge => drop(self.edges.pop()),
+            ElementKind::Face => {
+                let last = self.faces.pop();
+                self.holes -= usize::from(last.is_some_and(|face| face.hole));
+            }
+        }
+        let len = self.capacity(kind);
+        self.columns[kind as usize].shrink(len);
+    }
+}
+
+/// What writers say before they write. Each is to be called while a journal is open only.
+impl Mesh {
+    #[cold]
+    pub(super) fn note_vertex(&mut self, v: VertexId) {
+        let record = self.vertices[v.index()];
+        self.journal.notes.push(Note::Vertex(v, record));
+    }
+
+    #[cold]
+    pub(super) fn note_halfedge(&mut self, h: HalfedgeId) {
+        let record = self.halfedges[h.index()].clone();
+        self.journal.notes.push(Note::Halfedge(h, record));
+    }
+
+    #[cold]
+    pub(super) fn note_edge(&mut self, e: EdgeId) {
+        let record = self.edges[e.index()];
+        self.journal.notes.push(Note::Edge(e, record));
+    }
+
+    #[cold]
+    pub(super) fn note_face(&mut self, f: FaceId) {
+        let record = self.faces[f.index()].clone();
+        self.journal.notes.push(Note::Face(f, record));
+    }
+
+    #[cold]
+    pub(super) fn note_position(&mut self, v: VertexId) {
+        let position = self.positions[v.index()];
+        self.journal.notes.push(Note::Position(v, position));
+    }
+
+    /// To be called by whoever writes to a column as a whole, before, for each slot.
+    #[inline]
+    pub fn note_value(&mut self, column: ColumnId, index: u32) {
+        if self.journal.is_open()
+            && let Some(value) = self.value_at(column, index)
+        {
+            self.journal.notes.push(Note::Value(column, index, value));
+        }
+    }
+
+    #[cold]
+    pub(super) fn note_grown(&mut self, kind: ElementKind) {
+        self.journal.notes.push(Note::Grown(kind));
+    }
+
+    /// A free slot is taken: all that it holds will be written.
+    #[cold]
+    pub(super) fn note_taken(&mut self, kind: ElementKind, slot: u32) {
+        self.journal.notes.push(Note::Taken(kind, slot));
+        match kind {
+            ElementKind::Vertex => {
+                self.note_vertex(VertexId(slot));
+                self.note_position(VertexId(slot));
+            }
+            ElementKind::Halfedge => self.note_halfedge(HalfedgeId(slot)),
+            ElementKind::Edge => self.note_edge(EdgeId(slot)),
+            ElementKind::Face => self.note_face(FaceId(slot)),
+        }
+        let columns: Vec<ColumnId> = self.columns(kind).map(|(id, _)| id).collect();
+        for column in columns {
+            self.note_value(column, slot);
+        }
+    }
+
+    /// An element is erased, its record noted.
+    #[cold]
+    pub(super) fn note_erased(&mut self, kind: ElementKind) {
+        self.journal.notes.push(Note::Erased(kind));
+    }
+}

@@ -1,0 +1,176 @@
+//! Declared attributes through registers, and writes that are kept back.
+//!
+//! A column holds values of one type, densely. A value in the window takes as many slots
+//! as it has components, matrices column by column, as the language lays them out.
+
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
+
+use super::access::gone;
+use super::window::Window;
+use super::{Message, Reg};
+use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
+
+/// In the place of an attribute's number: what is kept back is a position.
+pub(super) const HELD_POSITION: u64 = u64::MAX;
+
+/// Where an attribute lies in the mesh.
+#[inline]
+pub(super) fn column(columns: &[Option<ColumnId>], attribute: u16) -> Result<ColumnId, Message> {
+    let column = columns.get(usize::from(attribute)).copied().flatten();
+    column.ok_or(Message::Malformed)
+}
+
+/// How many slots a value takes.
+#[inline]
+fn width(data: &ColumnData) -> u16 {
+    match data {
+        ColumnData::Bool(_) | ColumnData::Int(_) | ColumnData::Real(_) => 1,
+        ColumnData::Vec2(_) => 2,
+        ColumnData::Vec3(_) => 3,
+        ColumnData::Vec4(_) => 4,
+        ColumnData::Mat3(_) => 9,
+        ColumnData::Mat4(_) => 16,
+    }
+}
+
+/// A living element as an index into its column.
+#[inline]
+fn index(mesh: &Mesh, column: ColumnId, id: u32) -> Result<usize, Message> {
+    match mesh.is_alive(column.kind, id) {
+        true => Ok(id as usize),
+        false => Err(gone(column.kind, id)),
+    }
+}
+
+/// Reads the value of a living element.
+#[inline]
+pub(super) fn load(
+    mesh: &Mesh,
+    column: ColumnId,
+    id: u32,
+    w: &mut Window,
+    to: Reg,
+) -> Result<(), Message> {
+    let at = index(mesh, column, id)?;
+    let data = mesh.column(column).ok_or(Message::Malformed)?.data();
+    // A column is as long as the table of its kind.
+    let beyond = Message::Malformed;
+    match data {
+        ColumnData::Bool(all) => w.set_truth(to, *all.get(at).ok_or(beyond)?),
+        ColumnData::Int(all) => w.set_int(to, *all.get(at).ok_or(beyond)?),
+        ColumnData::Real(all) => w.set_real(to, *all.get(at).ok_or(beyond)?),
+        ColumnData::Vec2(all) => w.set_reals(to, all.get(at).ok_or(beyond)?.as_ref()),
+        ColumnData::Vec3(all) => w.set_vector(to, *all.get(at).ok_or(beyond)?),
+        ColumnData::Vec4(all) => w.set_reals(to, all.get(at).ok_or(beyond)?.as_ref()),
+        ColumnData::Mat3(all) => w.set_reals(to, all.get(at).ok_or(beyond)?.as_ref()),
+        ColumnData::Mat4(all) => w.set_reals(to, all.get(at).ok_or(beyond)?.as_ref()),
+    }
+    Ok(())
+}
+
+/// Writes the value of a living element.
+#[inline]
+pub(super) fn store(
+    mesh: &mut Mesh,
+    column: ColumnId,
+    id: u32,
+    w: &Window,
+    value: Reg,
+) -> Result<(), Message> {
+    let at = index(mesh, column, id)?;
+    put(mesh, column, at, |part| {
+        w.bits(Reg(value.0.wrapping_add(part)))
+    })
+}
+
+/// Writes a value whose slots are asked for one by one.
+#[inline]
+fn put(
+    mesh: &mut Mesh,
+    column: ColumnId,
+    at: usize,
+    slot: impl Fn(u16) -> u64,
+) -> Result<(), Message> {
+    mesh.note_value(column, at as u32);
+    let data = mesh.column_data_mut(column).ok_or(Message::Malformed)?;
+    let real = |part: usize| f64::from_bits(slot(part as u16));
+    let beyond = Message::Malformed;
+    match data {
+        ColumnData::Bool(all) => *all.get_mut(at).ok_or(beyond)? = slot(0) != 0,
+        ColumnData::Int(all) => *all.get_mut(at).ok_or(beyond)? = slot(0) as i64,
+        ColumnData::Real(all) => *all.get_mut(at).ok_or(beyond)? = real(0),
+        ColumnData::Vec2(all) => {
+            *all.get_mut(at).ok_or(beyond)? = DVec2::from_array(std::array::from_fn(real));
+        }
+        ColumnData::Vec3(all) => {
+            *all.get_mut(at).ok_or(beyond)? = DVec3::from_array(std::array::from_fn(real));
+        }
+        ColumnData::Vec4(all) => {
+            *all.get_mut(at).ok_or(beyond)? = DVec4::from_array(std::array::from_fn(real));
+        }
+        ColumnData::Mat3(all) => {
+            let parts = std::array::from_fn(real);
+            *all.get_mut(at).ok_or(beyond)? = DMat3::from_cols_array(&parts);
+        }
+        ColumnData::Mat4(all) => {
+            let parts = std::array::from_fn(real);
+            *all.get_mut(at).ok_or(beyond)? = DMat4::from_cols_array(&parts);
+        }
+    }
+    Ok(())
+}
+
+/// Keeps the value of an attribute, by its number, of a living element back: the number,
+/// the element, the slots.
+pub(super) fn hold(
+    mesh: &Mesh,
+    column: ColumnId,
+    (attribute, id): (u16, u32),
+    w: &Window,
+    value: Reg,
+    held: &mut Vec<u64>,
+) -> Result<(), Message> {
+    index(mesh, column, id)?;
+    let data = mesh.column(column).ok_or(Message::Malformed)?.data();
+    held.extend([u64::from(attribute), u64::from(id)]);
+    let slots = 0..width(data);
+    held.extend(slots.map(|part| w.bits(Reg(value.0.wrapping_add(part)))));
+    Ok(())
+}
+
+/// Writes what is kept back, in order.
+pub(super) fn release(
+    mesh: &mut Mesh,
+    columns: &[Option<ColumnId>],
+    held: &mut Vec<u64>,
+) -> Result<(), Message> {
+    let mut rest = held.as_slice();
+    while let [attribute, id, values @ ..] = rest {
+        let id = *id as u32;
+        let width = match *attribute {
+            HELD_POSITION => {
+                if let [x, y, z, ..] = values
+                    && mesh.vertex_alive(VertexId(id))
+                {
+                    let position = [x, y, z].map(|part| f64::from_bits(*part));
+                    mesh.set_position(VertexId(id), DVec3::from_array(position));
+                }
+                3
+            }
+            number => {
+                let column = columns.get(number as usize).copied().flatten();
+                let column = column.ok_or(Message::Malformed)?;
+                let data = mesh.column(column).ok_or(Message::Malformed)?.data();
+                let width = width(data);
+                let slots = values.get(..usize::from(width)).ok_or(Message::Malformed)?;
+                if mesh.is_alive(column.kind, id) {
+                    put(mesh, column, id as usize, |part| slots[usize::from(part)])?;
+                }
+                usize::from(width)
+            }
+        };
+        rest = values.get(width..).unwrap_or_default();
+    }
+    held.clear();
+    Ok(())
+}

@@ -1,0 +1,265 @@
+//! Vectors and matrices of any width.
+//!
+//! Vectors of three components have instructions of their own; what stands here serves
+//! all others. Matrices are square and lie column by column.
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use super::Reg;
+use super::window::Window;
+
+/// What is computed component by component, or of all components of one or two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Lanes {
+    Add,
+    Subtract,
+    Multiply,
+    /// By the real on the right.
+    Scale,
+    Divide,
+    /// A bool: whether all components are equal.
+    Equal,
+    /// A real: the sum of the products.
+    Dot,
+    /// The left value divided by its length; zero if there is none.
+    Normalize,
+    /// A bool: whether any component of the left value is not a number.
+    IsNan,
+    /// A bool: whether all components of the left value are finite.
+    IsFinite,
+}
+
+/// What is computed of matrices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Matrix {
+    /// The real on the left along the diagonal, zero elsewhere.
+    Diagonal,
+    /// Of a matrix with one more row and column: without the last ones.
+    UpperLeft,
+    /// Of two vectors: the left as a column times the right as a row.
+    Outer,
+    Transpose,
+    Multiply,
+    /// A matrix on the left by a vector on the right.
+    Transform,
+    Determinant,
+    /// Not a number everywhere if the matrix is singular, as [`Matrix::Solve`] says.
+    Inverse,
+    /// The vector that the matrix on the left takes to the vector on the right; not a
+    /// number everywhere if the matrix is singular.
+    Solve,
+}
+
+fn real(w: &Window, from: Reg, part: usize) -> f64 {
+    w.real(Reg(from.0.wrapping_add(part as u16)))
+}
+
+fn set_real(w: &mut Window, to: Reg, part: usize, value: f64) {
+    w.set_real(Reg(to.0.wrapping_add(part as u16)), value);
+}
+
+/// Copies so many slots; they may overlap.
+#[inline]
+pub(super) fn copy(w: &mut Window, to: Reg, from: Reg, width: u8) {
+    let move_one = |w: &mut Window, part: u16| {
+        let bits = w.bits(Reg(from.0.wrapping_add(part)));
+        w.set_bits(Reg(to.0.wrapping_add(part)), bits);
+    };
+    match to.0 <= from.0 {
+        true => (0..u16::from(width)).for_each(|part| move_one(w, part)),
+        false => (0..u16::from(width))
+            .rev()
+            .for_each(|part| move_one(w, part)),
+    }
+}
+
+/// The columns of a vector or matrix.
+pub(super) fn columns(w: &Window, from: Reg, size: u8, columns: u8) -> Vec<Vec<f64>> {
+    let size = usize::from(size);
+    let column = |at: usize| {
+        (0..size)
+            .map(|part| real(w, from, at * size + part))
+            .collect()
+    };
+    (0..usize::from(columns)).map(column).collect()
+}
+
+#[inline]
+pub(super) fn lanes(w: &mut Window, operation: Lanes, width: u8, [to, left, right]: [Reg; 3]) {
+    let width = usize::from(width);
+    let mut each = |f: &dyn Fn(f64, f64) -> f64, step: usize| {
+        for part in 0..width {
+            let value = f(real(w, left, part), real(w, right, part * step));
+            set_real(w, to, part, value);
+        }
+    };
+    match operation {
+        Lanes::Add => each(&|x, y| x + y, 1),
+        Lanes::Subtract => each(&|x, y| x - y, 1),
+        Lanes::Multiply => each(&|x, y| x * y, 1),
+        Lanes::Scale => each(&|x, y| x * y, 0),
+        Lanes::Divide => each(&|x, y| x / y, 0),
+        Lanes::Equal => {
+            let equal = (0..width).all(|part| real(w, left, part) == real(w, right, part));
+            w.set_truth(to, equal);
+        }
+        Lanes::Dot => {
+            let products = (0..width).map(|part| real(w, left, part) * real(w, right, part));
+            let sum = products.sum();
+            w.set_real(to, sum);
+        }
+        Lanes::Normalize => normalize(w, to, left, width),
+        Lanes::IsNan => {
+            let any = (0..width).any(|part| real(w, left, part).is_nan());
+            w.set_truth(to, any);
+        }
+        Lanes::IsFinite => {
+            let all = (0..width).all(|part| real(w, left, part).is_finite());
+            w.set_truth(to, all);
+        }
+    }
+}
+
+/// Scaled first: the square of a small length is zero, that of a large one infinite.
+fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
+    let parts = (0..width).map(|part| real(w, from, part));
+    let largest = parts
+        .clone()
+        .fold(0.0, |most: f64, part| most.max(part.abs()));
+    let scaled = parts.map(|part| part / largest);
+    let length = scaled.map(|part| part * part).sum::<f64>().sqrt();
+    for part in 0..width {
+        let value = match largest > 0.0 && length.is_finite() {
+            true => real(w, from, part) / largest / length,
+            false => 0.0,
+        };
+        set_real(w, to, part, value);
+    }
+}
+
+/// Writes what is computed of matrices and vectors of one size.
+macro_rules! matrices {
+    ($name:ident, $matrix:ident, $vector:ident, $size:literal) => {
+        fn $name(w: &mut Window, operation: Matrix, [to, left, right]: [Reg; 3]) {
+            let vector = |w: &Window, from| $vector::from_array(reals::<$size>(w, from));
+            let matrix =
+                |w: &Window, from| $matrix::from_cols_array(&reals::<{ $size * $size }>(w, from));
+            let made = match operation {
+                Matrix::Diagonal => $matrix::from_diagonal($vector::splat(w.real(left))),
+                Matrix::UpperLeft => {
+                    let column = |at: usize| reals(w, left.part(at as u16 * ($size + 1)));
+                    $matrix::from_cols_array_2d(&std::array::from_fn(column))
+                }
+                Matrix::Outer => {
+                    let (column, row) = (vector(w, left), vector(w, right).to_array());
+                    $matrix::from_cols_array_2d(&row.map(|factor| (column * factor).to_array()))
+                }
+                Matrix::Transpose => matrix(w, left).transpose(),
+                Matrix::Multiply => matrix(w, left) * matrix(w, right),
+                Matrix::Inverse => {
+                    let unit = $matrix::IDENTITY.to_cols_array_2d();
+                    let inverse = eliminate(matrix(w, left).to_cols_array_2d(), unit);
+                    $matrix::from_cols_array_2d(&inverse)
+                }
+                Matrix::Determinant => return w.set_real(to, matrix(w, left).determinant()),
+                Matrix::Transform => {
+                    let image = matrix(w, left) * vector(w, right);
+                    return w.set_reals(to, &image.to_array());
+                }
+                Matrix::Solve => {
+                    let wanted = [reals::<$size>(w, right)];
+                    let [solution] = eliminate(matrix(w, left).to_cols_array_2d(), wanted);
+                    return w.set_reals(to, &solution);
+                }
+            };
+            w.set_reals(to, &made.to_cols_array());
+        }
+    };
+}
+
+matrices!(matrix3, DMat3, DVec3, 3);
+matrices!(matrix4, DMat4, DVec4, 4);
+
+#[inline]
+pub(super) fn matrix(w: &mut Window, operation: Matrix, size: u8, registers: [Reg; 3]) {
+    match size {
+        3 => matrix3(w, operation, registers),
+        _ => matrix4(w, operation, registers),
+    }
+}
+
+fn reals<const N: usize>(w: &Window, from: Reg) -> [f64; N] {
+    std::array::from_fn(|part| real(w, from, part))
+}
+
+/// Solves for several right sides at once by Gaussian elimination with partial pivoting
+/// (Golub and Van Loan, Matrix Computations, 1996, section 3.4), which loses less than
+/// an inverse by cofactors. A matrix is singular if a pivot is lost in rounding: no larger
+/// than the number of rows times the rounding of the largest entry.
+fn eliminate<const N: usize, const M: usize>(
+    mut a: [[f64; N]; N],
+    mut b: [[f64; N]; M],
+) -> [[f64; N]; M] {
+    let largest = a
+        .as_flattened()
+        .iter()
+        .fold(0.0, |most: f64, x| most.max(x.abs()));
+    let least = N as f64 * f64::EPSILON * largest;
+    for k in 0..N {
+        let smaller = |&i: &usize, &j: &usize| a[k][i].abs().total_cmp(&a[k][j].abs());
+        let pivot = (k..N).max_by(smaller).unwrap_or(k);
+        if !(a[k][pivot].abs() > least && a[k][pivot].is_finite()) {
+            return [[f64::NAN; N]; M];
+        }
+        a.iter_mut().for_each(|column| column.swap(k, pivot));
+        b.iter_mut().for_each(|side| side.swap(k, pivot));
+        for row in k + 1..N {
+            let factor = a[k][row] / a[k][k];
+            a.iter_mut()
+                .for_each(|column| column[row] -= factor * column[k]);
+            b.iter_mut().for_each(|side| side[row] -= factor * side[k]);
+        }
+    }
+    for side in &mut b {
+        for row in (0..N).rev() {
+            let known: f64 = (row + 1..N).map(|k| a[k][row] * side[k]).sum();
+            side[row] = (side[row] - known) / a[row][row];
+        }
+    }
+    b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elimination_inverts_what_glam_multiplies() {
+        let a = DMat4::from_cols_array(&[
+            2.0, -1.0, 0.5, 3.0, 1.0, 4.0, -2.0, 0.25, 0.0, 1.5, 5.0, -1.0, 3.0, 0.0, 1.0, 7.0,
+        ]);
+        let unit = DMat4::IDENTITY.to_cols_array_2d();
+        let inverse = DMat4::from_cols_array_2d(&eliminate(a.to_cols_array_2d(), unit));
+        assert!((inverse * a).abs_diff_eq(DMat4::IDENTITY, 1e-12));
+        // A zero on the diagonal asks for another pivot.
+        let b = DMat3::from_cols_array(&[0.0, 1.0, 0.0, 2.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
+        let x = DVec3::new(1.0, -2.0, 3.0);
+        let [solved] = eliminate(b.to_cols_array_2d(), [x.to_array()]);
+        assert!((b * DVec3::from_array(solved)).abs_diff_eq(x, 1e-12));
+    }
+
+    #[test]
+    fn a_singular_matrix_has_no_inverse_at_any_scale() {
+        for scale in [1e-200, 1.0, 1e200] {
+            let row = [1.0, 2.0, 3.0].map(|x| x * scale);
+            let singular = [row, row.map(|x| x * 1.1), [0.0, 0.0, scale]];
+            assert!(eliminate(singular, [row])[0][0].is_nan());
+            let regular = [row, [0.0, scale, 0.0], [0.0, 0.0, scale]];
+            assert!(eliminate(regular, [row])[0][0].is_finite());
+        }
+        assert!(eliminate([[0.0; 4]; 4], [[0.0; 4]])[0][0].is_nan());
+        assert!(eliminate([[f64::INFINITY; 3]; 3], [[0.0; 3]])[0][0].is_nan());
+    }
+}

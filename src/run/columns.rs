@@ -1,0 +1,139 @@
+//! Attributes that a program declares, on a mesh.
+//!
+//! Before a run each attribute that its code uses gets a column, or takes over the one of
+//! its name that the mesh has already. Scratch attributes live under a name that no file can
+//! bring, and are gone after the run.
+
+use super::lower::Names;
+use crate::compile::{element_kind, lower};
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Attribute, Type};
+use crate::mesh::{ColumnId, ElementKind, Mesh, Value};
+use crate::rewrite::{Assembler, Code, Inst, Machine, Unwatched};
+use crate::source::Span;
+
+/// The columns that a run needs, by the numbers of the attributes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Columns(Vec<Option<Needed>>);
+
+/// A column that is needed.
+#[derive(Clone, Debug)]
+struct Needed {
+    kind: ElementKind,
+    name: String,
+    /// What a new element has.
+    default: Value,
+    private: bool,
+    span: Span,
+}
+
+impl Columns {
+    /// The columns that some code needs.
+    ///
+    /// # Errors
+    /// The default of an attribute has no value, as `1 div 0`.
+    pub(super) fn of<'c>(
+        attributes: &[Attribute],
+        code: impl IntoIterator<Item = &'c Code>,
+    ) -> Result<Self, Diagnostic> {
+        let mut used = vec![false; attributes.len()];
+        for inst in code.into_iter().flat_map(|code| &code.insts) {
+            if let Inst::LoadAttribute { attribute, .. }
+            | Inst::StoreAttribute { attribute, .. }
+            | Inst::HoldAttribute { attribute, .. } = inst
+                && let Some(used) = used.get_mut(usize::from(*attribute))
+            {
+                *used = true;
+            }
+        }
+        let needed = (0..).zip(attributes.iter().zip(used));
+        let needed = needed.map(|(number, (attribute, used)): (u32, _)| {
+            let kind = element_kind(attribute.element).filter(|_| used);
+            let needed = kind.map(|kind| {
+                let name = &attribute.name;
+                Ok(Needed {
+                    kind,
+                    name: match attribute.private {
+                        true => format!("private {number} {name}"),
+                        false => name.clone(),
+                    },
+                    default: default(attribute)?,
+                    private: attribute.private,
+                    span: attribute.span,
+                })
+            });
+            needed.transpose()
+        });
+        Ok(Self(needed.collect::<Result<_, _>>()?))
+    }
+
+    /// Puts the columns on a mesh, and says where they lie.
+    ///
+    /// # Errors
+    /// The mesh has one of that name with values of another type.
+    pub(super) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
+        let bind = |needed: &Needed| {
+            let (kind, name, default) = (needed.kind, &needed.name, needed.default);
+            let column = mesh.add_column(kind, name, default).map_err(|conflict| {
+                let message = format!("{conflict} on this mesh");
+                Diagnostic::error("attribute-conflict", message, needed.span)
+            })?;
+            // One that was there may have another default; its type is this.
+            let _ = mesh.set_default(column, default);
+            Ok(column)
+        };
+        let mut bind = bind;
+        let columns = self.0.iter().map(|needed| needed.as_ref().map(&mut bind));
+        columns.map(Option::transpose).collect()
+    }
+
+    /// Takes the scratch attributes off a mesh.
+    pub(super) fn release(&self, mesh: &mut Mesh) {
+        for needed in self.0.iter().flatten().filter(|needed| needed.private) {
+            if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
+                mesh.remove_column(column);
+            }
+        }
+    }
+}
+
+/// What an element has that was given no value: the default, or zero.
+fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
+    let mut machine = Machine::new(&[]);
+    let Some(default) = &attribute.default else {
+        return Ok(value(attribute.ty, &[]));
+    };
+    let (mut asm, mut names) = (Assembler::new(), Names::default());
+    let from = lower(&mut asm, &mut names, default);
+    let failed = |message: String| {
+        let message = format!(
+            "the default of `{}` has no value: {message}",
+            attribute.name
+        );
+        Diagnostic::error("attribute-default", message, default.span)
+    };
+    let code = asm.finish().map_err(|error| failed(error.to_string()))?;
+    let outcome = machine.run(&mut Mesh::default(), &code, &[], &mut Unwatched);
+    outcome.map_err(|trap| failed(trap.to_string()))?;
+    let slots = machine.window().get(usize::from(from.0)..);
+    Ok(value(attribute.ty, slots.unwrap_or_default()))
+}
+
+/// The value of a type in slots; those that are missing count as zero.
+fn value(ty: Type, slots: &[u64]) -> Value {
+    let slot = |at: usize| slots.get(at).copied().unwrap_or(0);
+    let real = |at: usize| f64::from_bits(slot(at));
+    match ty {
+        Type::Bool => Value::Bool(slot(0) != 0),
+        Type::Vec2 => Value::Vec2(std::array::from_fn(real).into()),
+        Type::Vec3 => Value::Vec3(std::array::from_fn(real).into()),
+        Type::Vec4 => Value::Vec4(std::array::from_fn(real).into()),
+        Type::Mat3 => Value::Mat3(glam::DMat3::from_cols_array(&std::array::from_fn(real))),
+        Type::Mat4 => Value::Mat4(glam::DMat4::from_cols_array(&std::array::from_fn(real))),
+        Type::Real => Value::Real(real(0)),
+        // No attribute holds a text or an element.
+        Type::Int | Type::Text | Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => {
+            Value::Int(slot(0) as i64)
+        }
+    }
+}

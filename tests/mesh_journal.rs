@@ -1,0 +1,148 @@
+//! Journals: what is rolled back was never written, and what was written is known.
+
+use std::path::Path;
+
+use glam::DVec3;
+use hedgerow::analysis::Analysis;
+use hedgerow::mesh::{
+    ElementKind, Level, Mesh, Value, highest_level, identical, shape, validate_level,
+    validate_level_near,
+};
+use hedgerow::rewrite::{Machine, Outcome, Plan};
+use hedgerow::source::Sources;
+
+/// A small generator of numbers (splitmix64; S. Vigna, 2015): the same in every run.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((x ^ (x >> 31)) % end.max(1) as u64) as usize
+    }
+}
+
+/// The steps of the library, which respect no level.
+fn steps() -> Vec<Plan> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/library/std/map.hedge");
+    let mut sources = Sources::new();
+    let file = sources.add("map.hedge", std::fs::read_to_string(path).unwrap());
+    let analysis = Analysis::of(&sources, file);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    analysis.plans.into_iter().map(Option::unwrap).collect()
+}
+
+fn meshes() -> Vec<Mesh> {
+    vec![
+        shape::tetrahedron(),
+        shape::cube(),
+        shape::octahedron(),
+        shape::pillow(3),
+        shape::fan(5),
+        shape::tube(4, 2),
+        shape::grid(2, 3),
+        shape::triangle_grid(3, 3),
+        shape::torus(3, 4),
+    ]
+}
+
+fn element(mesh: &Mesh, plan: &Plan, dice: &mut Dice) -> u64 {
+    let kind = match plan.name.as_str() {
+        "straighten" => ElementKind::Vertex,
+        "zip" | "drop_monogon" | "open" => ElementKind::Face,
+        _ => ElementKind::Edge,
+    };
+    dice.below(mesh.capacity(kind)) as u64
+}
+
+/// Takes a few random steps; says how many were taken.
+fn wander(mesh: &mut Mesh, plans: &[Plan], dice: &mut Dice) -> usize {
+    let mut machine = Machine::new(&[]);
+    let mut taken = 0;
+    for _ in 0..1 + dice.below(6) {
+        let plan = &plans[dice.below(plans.len())];
+        let at = element(mesh, plan, dice);
+        let outcome = machine.apply(mesh, plan, &[at]);
+        taken += usize::from(matches!(outcome, Ok(Outcome::Applied { .. })));
+    }
+    taken
+}
+
+#[test]
+fn what_is_rolled_back_was_never_written() {
+    let plans = steps();
+    let mut dice = Dice(5);
+    let mut taken = 0;
+    for original in meshes() {
+        for _ in 0..200 {
+            let mut mesh = original.clone();
+            let color = mesh
+                .add_column(ElementKind::Vertex, "color", Value::Int(7))
+                .unwrap();
+            // Some slots are free, some are pending.
+            wander(&mut mesh, &plans, &mut dice);
+            if dice.below(2) == 0 {
+                mesh.recycle();
+            }
+            wander(&mut mesh, &plans, &mut dice);
+            let before = mesh.clone();
+            let outer = mesh.open_journal();
+            taken += wander(&mut mesh, &plans, &mut dice);
+            let between = mesh.clone();
+            let inner = mesh.open_journal();
+            taken += wander(&mut mesh, &plans, &mut dice);
+            let v = mesh.add_vertex();
+            mesh.set_position(v, DVec3::ONE);
+            assert!(mesh.set_value(color, v.0, Value::Int(8)));
+            mesh.recycle();
+            if dice.below(2) == 0 {
+                mesh.roll_back(inner);
+                assert!(identical(&mesh, &between));
+            } else {
+                mesh.keep(inner);
+            }
+            mesh.roll_back(outer);
+            assert!(identical(&mesh, &before));
+            for kind in ElementKind::ALL {
+                assert_eq!(mesh.count(kind), before.count(kind));
+                assert_eq!(mesh.capacity(kind), before.capacity(kind));
+            }
+            // Slots are given out as if nothing had been.
+            let mut twin = before.clone();
+            for mesh in [&mut mesh, &mut twin] {
+                mesh.recycle();
+            }
+            let born = |mesh: &mut Mesh| (mesh.add_vertex(), mesh.add_edge(), mesh.add_face());
+            assert_eq!(born(&mut mesh), born(&mut twin));
+        }
+    }
+    assert!(taken > 3_000, "only {taken} steps");
+}
+
+#[test]
+fn a_level_is_lost_where_something_was_written() {
+    let plans = steps();
+    let mut dice = Dice(6);
+    let (mut kept, mut lost) = ([0; 3], [0; 3]);
+    for original in meshes() {
+        for _ in 0..400 {
+            let mut mesh = original.clone();
+            let level = highest_level(&mesh).unwrap();
+            let mark = mesh.open_journal();
+            let taken = wander(&mut mesh, &plans, &mut dice);
+            for asked in Level::ALL.into_iter().filter(|&asked| asked <= level) {
+                let near = validate_level_near(&mesh, asked, &mesh.written_since(&mark));
+                let all = validate_level(&mesh, asked);
+                assert_eq!(near.is_ok(), all.is_ok(), "{asked}: {near:?}, {all:?}");
+                match near {
+                    Ok(()) => kept[asked as usize] += usize::from(taken > 0),
+                    Err(_) => lost[asked as usize] += 1,
+                }
+            }
+            mesh.keep(mark);
+        }
+    }
+    println!("kept {kept:?}, lost {lost:?}");
+    assert!(kept[1] > 100 && lost[1] > 1_000 && kept[2] > 50 && lost[2] > 1_000);
+}
