@@ -9,6 +9,7 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::files::{Parts, Reader, fetch, name_of};
 use super::names::Names;
@@ -16,6 +17,8 @@ use super::{Examined, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::resolve::{Program, resolve_all};
+use crate::rewrite::Function;
+use crate::run::Functions;
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
@@ -31,6 +34,7 @@ pub struct Snapshot {
     parsed: Parsed,
     used: Vec<(FileId, tree::File)>,
     program: Program,
+    functions: Arc<[Function]>,
     told: Vec<Diagnostic>,
     names: Names,
     surroundings: u64,
@@ -83,6 +87,12 @@ impl Snapshot {
         told.extend(diagnostics.iter().cloned());
         told.retain(|told| told.span().file == file);
         let program = resolved.program;
+        let (functions, too_large) = Functions::of(&program);
+        told.extend(
+            too_large
+                .into_iter()
+                .filter(|told| told.span().file == file),
+        );
         for op in program.ops.iter().filter(|op| op.span.file == file) {
             if let Some(diagram) = &op.diagram {
                 let readable = Rc::new(diagram.clone());
@@ -101,6 +111,7 @@ impl Snapshot {
             parsed: own.parsed,
             used: used.collect(),
             program,
+            functions: functions.code,
             told,
             memory,
         }
@@ -226,7 +237,7 @@ impl Snapshot {
         {
             return moved(&known.examined, known.at, span);
         }
-        let examined = Rc::new(Examined::of(op, &self.told, &self.sources));
+        let examined = Rc::new(Examined::of(op, &self.told, &self.sources, &self.functions));
         let labels = examined.diagnostics.iter().flat_map(|told| &told.labels);
         let is_alone = labels.map(|label| label.span).all(|label| {
             label.file == span.file && span.start <= label.start && label.end <= span.end

@@ -47,7 +47,7 @@ pub(super) fn resolve_op(
     attributes: &Arc<[Attribute]>,
     report: &mut Report,
 ) -> (Signature, program::Op) {
-    if !declared.is_op_of_its_name(&op.name) {
+    if !declared.has_its_name(&op.name) {
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);

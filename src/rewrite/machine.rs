@@ -33,6 +33,8 @@ pub struct Machine<'p> {
     level: Level,
     /// Why the op called last refused.
     last_reason: Option<u16>,
+    /// How many running calls need that no id is given out again.
+    pub(super) holding: u32,
     /// What was created, if anybody wants to know.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
 }
@@ -66,6 +68,7 @@ impl<'p> Machine<'p> {
             counts: plans.iter().map(count).collect(),
             level: Level::Map,
             last_reason: None,
+            holding: 0,
             created: None,
         }
     }
@@ -113,19 +116,20 @@ impl<'p> Machine<'p> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(args);
-        self.execute(mesh, &Call::top(code, &[]), watch)
+        self.execute(mesh, Call::top(code, &[]), watch)
     }
 
     /// Applies an operation with the arguments in slots. It is not counted.
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
         self.start(args);
         let call = Call::top(&plan.code, &plan.refusals);
-        self.execute(mesh, &call, &mut Unwatched)
+        self.execute(mesh, call, &mut Unwatched)
     }
 
     fn start(&mut self, args: &[u64]) {
         self.line.clear();
         self.last_reason = None;
+        self.holding = 0;
         if let Some(created) = &mut self.created {
             created.clear();
         }
@@ -165,7 +169,7 @@ impl<'p> Machine<'p> {
             .fold(0, |sum, &one| sum.saturating_add(one));
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
-        let outcome = self.execute(mesh, &call, watch)?;
+        let outcome = self.execute(mesh, call, watch)?;
         if matches!(outcome, Outcome::Applied { .. }) {
             self.level = plan.level_after(self.level);
         }

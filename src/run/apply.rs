@@ -117,6 +117,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
     Program {
         attributes: Arc::clone(&program.attributes),
         ops: Vec::new(),
+        functions: program.functions.clone(),
         scripts: scripts.into_iter().collect(),
     }
 }

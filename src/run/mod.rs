@@ -16,6 +16,7 @@
 
 mod call;
 mod columns;
+mod function;
 mod live;
 mod lower;
 mod prepare;
@@ -27,5 +28,6 @@ mod report;
 
 pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
+pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
