@@ -966,11 +966,11 @@ impl Inst {
             Inst::JumpUnlessLiving { to, .. } => Some(to),
             Inst::NextLiving { otherwise, .. }
             | Inst::BufferNext { otherwise, .. }
-            | Inst::DrainStale { otherwise, .. }
-            | Inst::DrainLeast { otherwise, .. }
             | Inst::NextIndex { otherwise, .. }
             | Inst::ExpectAllDistinct { otherwise, .. }
-            | Inst::ExpectRoomFor { otherwise, .. } => Some(otherwise),
+            | Inst::ExpectRoomFor { otherwise, .. }
+            | Inst::DrainStale { otherwise, .. }
+            | Inst::DrainLeast { otherwise, .. } => Some(otherwise),
             Inst::ExpectEqual { otherwise, .. }
             | Inst::ExpectDistinct { otherwise, .. }
             | Inst::Expect { otherwise, .. }
