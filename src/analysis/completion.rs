@@ -298,7 +298,11 @@ fn rank(
             })
         }
         (Wanted::Path, Kind::Path) => Some(open(own.place(word).is_none())),
-        (Wanted::EdgeHalfedge, Kind::Halfedge) => Some(open(own.pair(word).is_none())),
+        (Wanted::EdgeHalfedge, Kind::Halfedge) => {
+            // In `after` those come first that had a twin, or are new.
+            let is_due = !is_after || before.pair(word).is_some() || !before.draws(word);
+            Some(open(is_due && own.pair(word).is_none()))
+        }
         (Wanted::Spoke, Kind::Halfedge) | (Wanted::Fan, Kind::Fan) => {
             Some(open(own.star_of(word).is_none()))
         }
