@@ -3,7 +3,7 @@
 use super::action::statement_span;
 use super::element::{Fate, element_of};
 use super::names::{Names, SideName, Symbol, SymbolId, SymbolKind};
-use super::place::{Place, Start, Wanted, op_near, place, rule_near};
+use super::place::{Place, Start, Wanted, item_near, op_near, place, rule_near};
 use super::side::{Sketch, subject};
 use super::snapshot::Snapshot;
 use super::words::meaning;
@@ -298,7 +298,11 @@ fn rank(
             })
         }
         (Wanted::Path, Kind::Path) => Some(open(own.place(word).is_none())),
-        (Wanted::EdgeHalfedge, Kind::Halfedge) => Some(open(own.pair(word).is_none())),
+        (Wanted::EdgeHalfedge, Kind::Halfedge) => {
+            // In `after` those come first that had a twin, or are new.
+            let is_due = !is_after || before.pair(word).is_some() || !before.draws(word);
+            Some(open(is_due && own.pair(word).is_none()))
+        }
         (Wanted::Spoke, Kind::Halfedge) | (Wanted::Fan, Kind::Fan) => {
             Some(open(own.star_of(word).is_none()))
         }
@@ -357,9 +361,7 @@ fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Completion> {
 /// The variables and parameters of the item around a byte; in an op also what it draws.
 fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let names = snapshot.names();
-    let near = snapshot.items().iter().enumerate();
-    let near = near.filter(|(_, item)| super::span_of(item).start as usize <= offset);
-    let Some((item, node)) = near.last() else {
+    let Some((item, node)) = item_near(snapshot, offset) else {
         return Vec::new();
     };
     let is_op = matches!(node, Item::Op(_));
@@ -420,9 +422,7 @@ fn of_chain(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Vec<Complet
 
 fn chain_type(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Option<Type> {
     let (first, rest) = chain.split_first()?;
-    let near = snapshot.items().iter().enumerate();
-    let near = near.filter(|(_, item)| super::span_of(item).start as usize <= offset);
-    let (item, _) = near.last()?;
+    let (item, _) = item_near(snapshot, offset)?;
     let names: &Names = snapshot.names();
     // Of several variables of a name, the last before the cursor is the likeliest.
     let symbol = names
@@ -465,7 +465,7 @@ pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
     let words = sequence
         .iter()
         .map(|token| snapshot.sources().slice(token.span));
-    let last = words
+    words
         .zip(sequence)
         .take_while(|(_, token)| {
             token.kind.is_wordlike() || token.kind == crate::syntax::TokenKind::Dot
@@ -478,6 +478,5 @@ pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
             "edges" => Some(Type::Edge),
             "faces" | "holes" => Some(Type::Face),
             _ => None,
-        });
-    last
+        })
 }

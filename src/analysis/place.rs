@@ -184,12 +184,7 @@ fn within(tokens: &[Token]) -> Place {
                 }
             }
             T::RightParen => {
-                if open
-                    .last()
-                    .is_some_and(|(bracket, _)| *bracket == T::LeftParen)
-                {
-                    open.pop();
-                }
+                open.pop_if(|(bracket, _)| *bracket == T::LeftParen);
             }
             T::Before | T::After | T::Rule | T::Require | T::Guard | T::Each => {
                 opener = token.kind;
@@ -336,10 +331,14 @@ pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &R
 
 /// The op that a cursor is in or, if that is not finished, behind.
 pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)> {
-    let items = snapshot.items().iter().enumerate();
-    let started = items.filter(|(_, item)| (span_of(item).start as usize) <= offset);
-    match started.last()? {
+    match item_near(snapshot, offset)? {
         (at, Item::Op(op)) => Some((at, op)),
         _ => None,
     }
+}
+
+/// The item that a cursor is in or behind, and its index.
+pub fn item_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &Item)> {
+    let mut items = snapshot.items().iter().enumerate().rev();
+    items.find(|(_, item)| (span_of(item).start as usize) <= offset)
 }

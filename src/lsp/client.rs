@@ -105,6 +105,13 @@ impl Client {
         }
     }
 
+    /// Whether the client shows what is published. Most that can ask for diagnostics, too,
+    /// would show all of them twice.
+    pub(super) fn shows_published(&self) -> bool {
+        let text = self.can.text_document.as_ref();
+        text.is_some_and(|text| text.publish_diagnostics.is_some())
+    }
+
     /// Whether a hover may be Markdown.
     pub(super) fn reads_markdown(&self) -> bool {
         let hover = self

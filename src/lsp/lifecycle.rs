@@ -39,15 +39,17 @@ impl Server {
                 }
                 .into(),
             ),
-            diagnostic_provider: Some(
+            // Asked for, diagnostics are always answered; but they are offered only to those
+            // who would see none otherwise.
+            diagnostic_provider: (!self.client.shows_published()).then(|| {
                 DiagnosticOptions {
                     identifier: Some("hedgerow".into()),
                     inter_file_dependencies: true,
                     workspace_diagnostics: false,
                     ..Default::default()
                 }
-                .into(),
-            ),
+                .into()
+            }),
             hover_provider: Some(true.into()),
             definition_provider: Some(true.into()),
             references_provider: Some(true.into()),

@@ -93,14 +93,16 @@ fn latency() {
         let whole = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 80, "character": 0 } });
         let params = json!({ "textDocument": document(), "position": position(&text, at),
             "range": if method == "codeAction" { json!({ "start": start, "end": start }) } else { whole },
-            "context": { "diagnostics": [], "includeDeclaration": true },
+            "context": match method { "references" => json!({ "includeDeclaration": true }), "codeAction" => json!({ "diagnostics": [] }), _ => json!(null) },
             "options": { "tabSize": 2, "insertSpaces": true } });
         let id = lsp_server::RequestId::from(1_000_000 + round as i32);
         let request = lsp_server::Request::new(id, format!("textDocument/{method}"), params);
         client.server.accept(request.into());
         let asked = Instant::now();
-        client.server.work().expect("an answer");
+        let answer = client.server.work().expect("an answer");
         times.entry(method).or_default().push(asked.elapsed());
+        let is_answered = |message: &lsp_server::Message| matches!(message, lsp_server::Message::Response(answer) if answer.response_result.is_ok());
+        assert!(answer.iter().any(is_answered), "{method}: {answer:?}");
         if typed {
             text.remove(at);
             let end = position(&text, at + 1);
