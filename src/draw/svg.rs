@@ -175,8 +175,8 @@ impl Steps {
         let mut last = self.at;
         for (nth, point) in points.iter().enumerate() {
             last = [point.x, point.y].map(hundredths);
-            for axis in 0..2 {
-                let way = last[axis] - self.at[axis];
+            for (axis, (to, from)) in last.into_iter().zip(self.at).enumerate() {
+                let way = to - from;
                 // A sign parts two numbers as well as a space does.
                 if (nth > 0 || axis > 0) && way >= 0 {
                     self.text.push(' ');
