@@ -95,7 +95,14 @@ const files = createServer(async (request, response) => {
   }
 });
 
+// What is recorded: pictures and long lists only by their beginning.
 const conversation = [];
+const short = (name, value) => {
+  if (name === "capabilities" && value.textDocument) return "(of VS Code)";
+  if (typeof value === "string" && value.length > 600) return `${value.slice(0, 200)}… (${value.length} characters)`;
+  if (Array.isArray(value) && typeof value[0] === "number" && value.length > 20) return [...value.slice(0, 20), "…"];
+  return value;
+};
 let published = [];
 files.listen(port);
 const sockets = bridge(socket, program, (who, message) => {
@@ -205,8 +212,12 @@ try {
   await shot("failure");
   console.log(said.slice(-20).join("\n"));
 } finally {
-  const lines = conversation.map((message) => JSON.stringify(message)).join("\n");
-  await writeFile(join(here, "out", "conversation.jsonl"), lines);
+  // Of a text typed in quickly the last change and the last answer to it tell enough.
+  const often = ["textDocument/didChange", "textDocument/publishDiagnostics"];
+  const told = conversation.filter((message, at) => !often.includes(message.method)
+    || !conversation.slice(at + 1, at + 12).some((next) => next.method === message.method));
+  const lines = told.map((message) => `${JSON.stringify(message, short)}\n`);
+  await writeFile(join(here, "out", "conversation.jsonl"), lines.join(""));
   await browser.close();
   await rm(profile, { recursive: true, force: true });
   sockets.close();
