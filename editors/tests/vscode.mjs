@@ -6,7 +6,8 @@
 //     node vscode.mjs                 # HEDGEROW=program, CHROMIUM=browser
 
 import { createServer } from "node:http";
-import { readFile, mkdir, writeFile } from "node:fs/promises";
+import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import { createRequire } from "node:module";
 import { dirname, extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -53,6 +54,8 @@ init(document.body, {
     nameShort: "Code - OSS", nameLong: "Code - OSS", applicationName: "code-oss",
     dataFolderName: ".vscode-oss", version: "1.137.0", quality: "stable",
     extensionEnabledApiProposals: {}, webEndpointUrlTemplate: "${origin}/code",
+    webviewContentExternalBaseUrlTemplate:
+      "http://{{uuid}}.localhost:${port}/code/out/vs/workbench/contrib/webview/browser/pre/",
   },
   additionalBuiltinExtensions: [{ scheme: "http", authority: "localhost:${port}", path: "/extension" }],
   configurationDefaults: {
@@ -92,7 +95,14 @@ const files = createServer(async (request, response) => {
   }
 });
 
+// What is recorded: pictures and long lists only by their beginning.
 const conversation = [];
+const short = (name, value) => {
+  if (name === "capabilities" && value.textDocument) return "(of VS Code)";
+  if (typeof value === "string" && value.length > 600) return `${value.slice(0, 200)}… (${value.length} characters)`;
+  if (Array.isArray(value) && typeof value[0] === "number" && value.length > 20) return [...value.slice(0, 20), "…"];
+  return value;
+};
 let published = [];
 files.listen(port);
 const sockets = bridge(socket, program, (who, message) => {
@@ -100,12 +110,19 @@ const sockets = bridge(socket, program, (who, message) => {
   if (message.method === "textDocument/publishDiagnostics") published = message.params.diagnostics;
 });
 
-const browser = await chromium.launch({
+// With a profile of its own: a panel is a page of another address, which has to be let in.
+const profile = await mkdtemp(join(tmpdir(), "hedgerow-"));
+await mkdir(join(profile, "Default"));
+await writeFile(join(profile, "Default/Preferences"), JSON.stringify({
+  profile: { cookie_controls_mode: 0, block_third_party_cookies: false },
+}));
+const browser = await chromium.launchPersistentContext(profile, {
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox"],
+  viewport: { width: 1280, height: 800 },
 });
 await mkdir(join(here, "out"), { recursive: true });
-const view = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+const view = await browser.newPage();
 const said = [];
 view.on("console", (message) => said.push(message.text()));
 let failed = false;
@@ -115,9 +132,8 @@ const command = async (name) => {
   await view.keyboard.press("F1");
   await view.waitForSelector(".quick-input-widget:visible");
   await view.keyboard.type(name);
-  await view.waitForSelector(".quick-input-list .monaco-list-row:visible");
-  await view.waitForTimeout(300);
-  await view.keyboard.press("Enter");
+  const row = view.locator(`.quick-input-list .monaco-list-row[aria-label^="${name}"]`);
+  await row.first().click();
 };
 /** Waits until something holds; that it does is what is tested. */
 async function holds(what, test, seconds = 30) {
@@ -144,7 +160,7 @@ try {
   await view.goto(origin, { timeout: 120000 });
   await view.waitForSelector(".monaco-workbench", { timeout: 120000 });
   await view.waitForTimeout(5000);
-  await command(">File: New Untitled Text File");
+  await command("File: New Untitled Text File");
   await view.waitForSelector(".monaco-editor .view-lines");
   await view.keyboard.insertText(broken);
 
@@ -157,7 +173,7 @@ try {
   await shot("1-squiggle");
 
   await go(2, 5);
-  await command(">Show or Focus Hover");
+  await command("Show or Focus Hover");
   const image = '.monaco-hover img[src^="data:image/svg+xml"]';
   await holds("the hover has a picture", async () => await view.locator(image).count() > 0
     && await view.locator(image).first().evaluate((image) => image.naturalWidth > 100));
@@ -177,11 +193,12 @@ try {
 
   await go(4, 1);
   await view.keyboard.insertText("    ");
-  await command(">Format Document");
+  await command("Format Document");
   await holds("the document is formatted", async () => /\n {4}face f0: v0 -a-> v1/.test(await text()));
 
   await go(2, 5);
-  await command(">hedgerow: Show Diagram Beside");
+  await command("hedgerow: Show Diagram Beside");
+  // A panel is a frame within a frame.
   const drawn = async () => {
     const inner = view.frames().map((frame) => frame.locator("svg").count().catch(() => 0));
     return (await Promise.all(inner)).some((count) => count > 0);
@@ -195,9 +212,14 @@ try {
   await shot("failure");
   console.log(said.slice(-20).join("\n"));
 } finally {
-  const lines = conversation.map((message) => JSON.stringify(message)).join("\n");
-  await writeFile(join(here, "out", "conversation.jsonl"), lines);
+  // Of a text typed in quickly the last change and the last answer to it tell enough.
+  const often = ["textDocument/didChange", "textDocument/publishDiagnostics"];
+  const told = conversation.filter((message, at) => !often.includes(message.method)
+    || !conversation.slice(at + 1, at + 12).some((next) => next.method === message.method));
+  const lines = told.map((message) => `${JSON.stringify(message, short)}\n`);
+  await writeFile(join(here, "out", "conversation.jsonl"), lines.join(""));
   await browser.close();
+  await rm(profile, { recursive: true, force: true });
   sockets.close();
   files.close();
 }

@@ -275,10 +275,11 @@ module.exports = grammar({
       /[0-9]+\.[0-9]+([eE][+-]?[0-9]+)?/,
       /[0-9]+[eE][+-]?[0-9]+/,
     )),
-    _grown_number: (_) => token(prec(-1, choice(
+    // Of equal length the earlier wins: `1e3` is real.
+    _grown_number: (_) => token(choice(
       /[0-9]+(\.[0-9]+)?\p{XID_Start}\p{XID_Continue}*/,
       /[0-9]+(\.[0-9]+)?_\p{XID_Continue}*/,
-    ))),
+    )),
     text: (_) => /"([^"\\\r\n]|\\[nt"\\])*"/,
 
     // Exactly one of the three matches a whole line.

@@ -27,6 +27,9 @@ pub(super) fn routine(proved: &Proved, pointers: Pointers) -> Result<Routine, No
         let what = format!("a parameter of type `{}`", param.ty.word());
         return Err(NotEmitted::new(what, param.span));
     }
+    if let Some(rule) = op.rules.iter().find(|rule| rule.has_families()) {
+        return Err(NotEmitted::new("a drawing with `each`", rule.span));
+    }
     let mut params = Vec::new();
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
@@ -77,7 +80,10 @@ fn alternative(
     };
     let mut end = proof.matching().len();
     for &at in attempts.iter().rev() {
-        let Step::Attempt { element, halfedge } = proof.matching()[at] else {
+        let Step::Attempt {
+            element, halfedge, ..
+        } = proof.matching()[at]
+        else {
             continue;
         };
         let mut body = matching.steps(&proof.matching()[at + 1..end]);

@@ -25,6 +25,9 @@ impl Expressions<'_> {
             ExprKind::Invoke(..) | ExprKind::Let(..) => {
                 return Err(NotEmitted::new("a function of the program", expr.span));
             }
+            ExprKind::Member(..) => {
+                return Err(NotEmitted::new("a name with an index", expr.span));
+            }
             ExprKind::Read(Access::Declared(_), _) => {
                 return Err(NotEmitted::new("an attribute of the program", expr.span));
             }
@@ -152,6 +155,7 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
         | ExprKind::Text(_)
         | ExprKind::Element(_)
         | ExprKind::Local(_)
+        | ExprKind::Member(..)
         | ExprKind::Follow(..)
         | ExprKind::Invoke(..)
         | ExprKind::Let(..)

@@ -21,6 +21,8 @@ impl Matching<'_, '_> {
                 name: self.bound_word(*name).into(),
                 value: self.source(*source),
             }),
+            // A drawing with `each` is not emitted.
+            Step::Walk { .. } => None,
             Step::Parameter { .. } | Step::Attempt { .. } | Step::Test(_) => None,
         });
         binds.collect()
@@ -99,6 +101,11 @@ impl Matching<'_, '_> {
 
     fn claim(&self, claim: &Claim) -> Term {
         match claim {
+            // Those of a drawing with `each`, which is not emitted.
+            Claim::Begins(_)
+            | Claim::AllDistinct(_)
+            | Claim::AroundInOrder { .. }
+            | Claim::NotAllEmptyAround(_) => Term::Bool(true),
             // The same, without `prev`.
             Claim::Leads(Source::Prev(from), to) => {
                 self.source(Source::Next(*to)).is(self.bound(*from))

@@ -7,7 +7,10 @@ const { start, options, settings } = require("./extension");
 
 function client() {
   const command = settings().get("path") || "hedgerow";
-  return new LanguageClient("hedgerow", "hedgerow", { command, args: ["lsp"] }, options());
+  return new LanguageClient("hedgerow", "hedgerow", { command, args: ["lsp"] }, options({
+    "hedgerow.runTest": (uri, name) => runTest(vscode.Uri.parse(uri).fsPath, name),
+    "hedgerow.runScript": (uri, name) => runScript(vscode.Uri.parse(uri).fsPath, name),
+  }));
 }
 
 /** Whether the program answers; if not, says what to do. */
@@ -57,22 +60,15 @@ async function check() {
   if (path) await run("check", ["check", path]);
 }
 
-async function test() {
+const runTest = (path, name) => run("test", name ? ["test", path, name] : ["test", path]);
+
+async function testHere() {
   const path = await file();
-  if (path) await run("test", ["test", path]);
+  if (path) await runTest(path);
 }
 
-async function runScript() {
-  const path = await file();
-  if (!path) return;
-  const text = vscode.window.activeTextEditor.document.getText();
-  const names = [...text.matchAll(/^\s*script\s+([\p{L}_][\p{L}\p{N}_]*'*)/gmu)].map((found) => found[1]);
-  if (names.length === 0) {
-    vscode.window.showInformationMessage("This file has no script.");
-    return;
-  }
-  const name = names.length === 1 ? names[0] : await vscode.window.showQuickPick(names);
-  if (!name) return;
+/** Asks for a mesh and a place for the result. */
+async function runScript(path, name) {
   const filters = { Meshes: ["obj"] };
   const mesh = await vscode.window.showOpenDialog({ filters, title: "The mesh to run it on" });
   if (!mesh) return;
@@ -81,5 +77,20 @@ async function runScript() {
   await run(`run ${name}`, ["run", `${path}::${name}`, mesh[0].fsPath, "-o", output.fsPath]);
 }
 
-exports.activate = (context) => start(context, { client, answers, commands: { check, test, runScript } });
+async function runScriptHere() {
+  const path = await file();
+  if (!path) return;
+  const { uri } = vscode.window.activeTextEditor.document;
+  const lenses = await vscode.commands.executeCommand("vscode.executeCodeLensProvider", uri) ?? [];
+  const scripts = lenses.map((lens) => lens.command).filter((command) => command?.command === "hedgerow.runScript");
+  const names = scripts.map((command) => command.arguments[1]);
+  if (names.length === 0) {
+    vscode.window.showInformationMessage("This file has no script.");
+    return;
+  }
+  const name = names.length === 1 ? names[0] : await vscode.window.showQuickPick(names);
+  if (name) await runScript(path, name);
+}
+
+exports.activate = (context) => start(context, { client, answers, commands: { check, testHere, runScriptHere } });
 exports.deactivate = require("./extension").stop;

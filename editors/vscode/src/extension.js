@@ -8,7 +8,8 @@ let panel;
 
 exports.settings = () => vscode.workspace.getConfiguration("hedgerow");
 
-exports.options = () => ({
+/** Settings of the client; `lenses` are actions for the commands behind code lenses. */
+exports.options = (lenses = {}) => ({
   documentSelector: [{ language: "hedgerow" }],
   synchronize: {
     configurationSection: "hedgerow",
@@ -16,6 +17,14 @@ exports.options = () => ({
   },
   // Pictures in hovers are images of markdown.
   markdown: { isTrusted: true, supportHtml: true },
+  // What the server would show on a page or run unseen is shown and run here.
+  middleware: {
+    executeCommand: (command, [uri, name, ...rest], next) => {
+      if (command === "hedgerow.showDiagram") return showDiagram({ uri, name });
+      const lens = lenses[command];
+      return lens && rest.length === 0 ? lens(uri, name) : next(command, [uri, name, ...rest]);
+    },
+  },
 });
 
 exports.start = async (context, { client, answers, commands }) => {
@@ -34,12 +43,12 @@ exports.start = async (context, { client, answers, commands }) => {
     vscode.commands.registerCommand(`hedgerow.${name}`, action),
   );
   register("restart", begin);
-  register("showDiagram", () => showDiagram(context));
+  register("diagramBeside", () => showDiagram());
   for (const [name, action] of Object.entries(commands)) register(name, action);
   let pause;
   const later = () => {
     clearTimeout(pause);
-    pause = setTimeout(draw, 150);
+    pause = setTimeout(() => draw(), 150);
   };
   context.subscriptions.push(
     vscode.window.onDidChangeTextEditorSelection(later),
@@ -61,36 +70,37 @@ exports.stop = async () => {
   }
 };
 
-function showDiagram(context) {
+/** Shows a named operation of a document, or the one under the cursor. */
+function showDiagram(of) {
   if (panel) {
     panel.reveal(undefined, true);
   } else {
     const beside = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
     panel = vscode.window.createWebviewPanel("hedgerow.diagram", "Diagram", beside, {});
-    panel.onDidDispose(() => { panel = undefined; }, undefined, context.subscriptions);
+    panel.onDidDispose(() => { panel = undefined; });
   }
-  return draw();
+  return draw(of);
 }
 
-/** Shows the operation under the cursor; where there is none, the last one stays. */
-async function draw() {
+/** Where there is no operation, the last one stays. */
+async function draw(of) {
   const editor = vscode.window.activeTextEditor;
-  if (!panel || !running || editor?.document.languageId !== "hedgerow") return;
+  const here = editor?.document.languageId === "hedgerow";
+  if (!panel || !running || (!of && !here)) return;
   let answer;
   try {
-    answer = await running.sendRequest("hedgerow/diagram", {
-      textDocument: { uri: editor.document.uri.toString() },
-      position: { line: editor.selection.active.line, character: editor.selection.active.character },
-    });
+    answer = await running.sendRequest("hedgerow/diagram", of
+      ? { textDocument: { uri: of.uri }, name: of.name }
+      : { textDocument: { uri: editor.document.uri.toString() }, position: editor.selection.active });
   } catch (error) {
-    if (!panel.webview.html) panel.webview.html = page(`<p>${escaped(error.message)}</p>`);
+    if (panel && !panel.webview.html) panel.webview.html = page(`<p>${escaped(error.message)}</p>`);
     return;
   }
-  const svg = typeof answer === "string" ? answer : answer?.svg;
   if (!panel) return;
-  if (svg) {
-    panel.title = answer.name ? `Diagram: ${answer.name}` : "Diagram";
-    panel.webview.html = page(svg);
+  if (answer) {
+    panel.title = `Diagram: ${answer.name}`;
+    const old = answer.isCurrent ? "" : "<p>(as it was when it could last be read)</p>";
+    panel.webview.html = page(answer.svg + old);
   } else if (!panel.webview.html) {
     panel.webview.html = page("<p>Put the cursor into an operation.</p>");
   }
