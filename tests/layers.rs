@@ -61,6 +61,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "diagram",
             "draw",
             "library",
+            "format",
             "analysis",
         ],
     ),
