@@ -29,10 +29,7 @@ impl Applied {
     /// refusal.
     pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
         let refused = Statement {
-            kind: StatementKind::Assert {
-                condition: typed(Type::Bool, ExprKind::Bool(false), self.span),
-                reason: format!("`{}` was refused", self.name),
-            },
+            kind: StatementKind::Refused { op: self.op },
             span: self.span,
         };
         StatementKind::IfApply {

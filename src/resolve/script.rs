@@ -11,6 +11,7 @@ use super::program::{Block, Script, Statement, StatementKind};
 use super::report::{Report, not_yet};
 use super::returns::Returns;
 use super::scopes::{Binding, Local, Scopes};
+use super::testing::Meshes;
 use super::typing::{Place, Typing};
 
 /// Resolving the statements of one script.
@@ -24,6 +25,8 @@ pub(super) struct Scripting<'a> {
     pub(super) updating: bool,
     /// What `return` gives.
     pub(super) returns: Returns,
+    /// The meshes of the test, if this is one.
+    pub(super) testing: Option<Meshes>,
 }
 
 /// The head of `for` or `update`, and what it repeats.
@@ -73,6 +76,7 @@ pub(super) fn resolve_script(
         loops: 0,
         updating: false,
         returns: Returns::nothing(),
+        testing: None,
     };
     let body = scripting.block(&script.body);
     let scopes = scripting.typing.scopes;
@@ -116,6 +120,9 @@ impl Scripting<'_> {
     fn action(&mut self, action: &Action) -> Option<StatementKind> {
         if self.updating && !self.may_update(action) {
             return None;
+        }
+        if let Some(of_test) = self.testing_action(action) {
+            return of_test;
         }
         match &action.kind {
             ActionKind::Let { .. } => self.declaration(action),
