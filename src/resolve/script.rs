@@ -108,6 +108,12 @@ impl Scripting<'_> {
             match &action.kind {
                 // A block in a block is nothing but a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
+                _ if self.testing.is_some() => {
+                    statements.extend(self.tested(action).map(|kind| Statement {
+                        kind,
+                        span: action.span,
+                    }));
+                }
                 _ => statements.extend(self.action(action).map(|kind| Statement {
                     kind,
                     span: action.span,
@@ -116,13 +122,18 @@ impl Scripting<'_> {
         }
     }
 
+    /// A statement, perhaps one that only tests have.
+    fn tested(&mut self, action: &Action) -> Option<StatementKind> {
+        match self.testing_action(action) {
+            Some(of_test) => of_test,
+            None => self.action(action),
+        }
+    }
+
     /// A statement; `None` if the report has the reason.
     fn action(&mut self, action: &Action) -> Option<StatementKind> {
         if self.updating && !self.may_update(action) {
             return None;
-        }
-        if let Some(of_test) = self.testing_action(action) {
-            return of_test;
         }
         match &action.kind {
             ActionKind::Let { .. } => self.declaration(action),
