@@ -24,6 +24,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod test;
 mod view;
 mod witness;
 
@@ -54,6 +55,7 @@ pub fn main() -> ExitCode {
         Command::View(arguments) => view::view(&arguments),
         Command::Lsp(arguments) => lsp::lsp(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
+        Command::Test(arguments) => test::test(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     };
     match done {
