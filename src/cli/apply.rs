@@ -128,6 +128,7 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
             })
         })?;
         let wanted = params[at].ty;
+        let place = place.as_wanted(wanted);
         if place.ty() != wanted {
             let (name, wanted, given) = (&params[at].name, wanted.word(), place.ty().word());
             return Err(Failure::usage(format!(
