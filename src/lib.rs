@@ -53,7 +53,7 @@
 //! Each folder is a layer, and names only layers below it (a test holds this):
 //!
 //! ```text
-//! 5  cli                                 the command line
+//! 5  cli          lsp                    the command line; the language server
 //! 4  analysis                            a text taken all the way; plain data out
 //! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
 //! 2  syntax  check  compile  draw        text to tree; the proof; a plan; a picture
@@ -92,5 +92,7 @@ pub mod resolve;
 pub mod run;
 
 pub mod analysis;
+
+pub mod lsp;
 
 pub mod cli;

@@ -52,6 +52,17 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lsp",
+        &[
+            "source",
+            "diagnostic",
+            "diagram",
+            "draw",
+            "library",
+            "analysis",
+        ],
+    ),
+    (
         "cli",
         &[
             "source",
@@ -66,6 +77,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "draw",
             "format",
             "analysis",
+            "lsp",
         ],
     ),
 ];

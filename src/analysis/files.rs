@@ -10,6 +10,7 @@ use strsim::damerau_levenshtein;
 
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, FOLDER};
+use crate::resolve::Unit;
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::tree::Item;
 use crate::syntax::{Parsed, parse};
@@ -93,7 +94,7 @@ fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
 }
 
 /// The name of the file that `path` means in the file `here`.
-fn name_of(here: &str, path: &str) -> String {
+pub(super) fn name_of(here: &str, path: &str) -> String {
     if path.starts_with(FOLDER) || path.starts_with('/') {
         return path.to_owned();
     }
@@ -149,6 +150,17 @@ pub(super) struct Part {
     pub uses: Vec<usize>,
     /// Whether one that it uses could not be had.
     pub lacks: bool,
+}
+
+impl Part {
+    /// The file as `resolve` wants it.
+    pub fn unit(&self) -> Unit<'_> {
+        Unit {
+            tree: &self.parsed.tree,
+            uses: self.uses.clone(),
+            lacks: self.lacks,
+        }
+    }
 }
 
 /// The files of a program, the root first, and what is wrong with their `use`.

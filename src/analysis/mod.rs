@@ -4,14 +4,38 @@
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
 mod argument;
+pub mod element;
 mod examined;
 mod files;
+mod hints;
+mod hover;
+mod links;
+pub mod names;
+mod occurrences;
+mod outline;
 mod program;
+pub mod side;
+mod snapshot;
+mod spans;
+mod tokens;
 mod verdict;
+mod words;
 
 pub use crate::check::{Argument, Counterexample};
 pub use argument::{RuleArgument, why_proved};
 pub use examined::Examined;
 pub use files::{Nowhere, Reader};
+pub use hints::{Hint, hints};
+pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
+pub use links::{Link, links};
+pub use occurrences::{
+    Shared, a_word, definition, mentions_of_shared, occurrences, rename, renameable, shared,
+    used_path,
+};
+pub use outline::{Entry, EntryKind, folds, outline};
 pub use program::Analysis;
+pub use snapshot::{Snapshot, span_of};
+pub use spans::around;
+pub use tokens::{Class, Coloured, Marks, tokens};
 pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, Verdict, verdicts};
+pub use words::{Word, a_type, meaning, word};

@@ -1,10 +1,10 @@
 //! From a text to proved and compiled operations.
 
 use super::Examined;
-use super::files::{Absent, Parts, Reader, fetch};
+use super::files::{Absent, Part, Parts, Reader, fetch};
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
-use crate::resolve::{Program, Unit, resolve_all};
+use crate::resolve::{Program, resolve_all};
 use crate::rewrite::Plan;
 use crate::source::{FileId, Sources, Span};
 
@@ -49,14 +49,7 @@ impl Analysis {
             mut diagnostics,
             ..
         } = Parts::of(sources, file, absent);
-        let units: Vec<_> = parts
-            .iter()
-            .map(|part| Unit {
-                tree: &part.parsed.tree,
-                uses: part.uses.clone(),
-                lacks: part.lacks,
-            })
-            .collect();
+        let units: Vec<_> = parts.iter().map(Part::unit).collect();
         let resolved = resolve_all(&units);
         for part in &parts {
             diagnostics.extend(part.parsed.diagnostics.iter().cloned());

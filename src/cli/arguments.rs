@@ -39,6 +39,8 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Make a picture of a mesh
     View(ViewArguments),
+    /// Speak the Language Server Protocol, for editors
+    Lsp(LspArguments),
     /// Format programs, so that their drawings stand in columns
     Fmt(FmtArguments),
     /// List the standard library, print a file of it, or copy it out
@@ -190,6 +192,13 @@ pub(super) enum Drawn {
     Svg,
     /// Lines and letters, for terminals
     Text,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct LspArguments {
+    /// Accepted for clients that say it; there is nothing else
+    #[arg(long, hide = true)]
+    pub stdio: bool,
 }
 
 #[derive(Debug, Args)]

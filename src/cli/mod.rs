@@ -1,6 +1,6 @@
 //! The command line: translation of commands into questions, and of answers into text.
 //!
-//! The only place, with the language server to come, that touches files and streams.
+//! The only place, with the language server, that touches files and streams.
 //! Results go to standard output, everything said about them to standard error. Exit
 //! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
 //! usage or a file that cannot be read or written; 3 the operation was refused.
@@ -15,6 +15,7 @@ mod failure;
 mod fmt;
 mod info;
 mod library;
+mod lsp;
 mod meshes;
 mod output;
 mod place;
@@ -50,6 +51,7 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::View(arguments) => view::view(&arguments),
+        Command::Lsp(arguments) => lsp::lsp(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     };

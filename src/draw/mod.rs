@@ -27,6 +27,7 @@ mod sheet;
 mod view;
 
 // What it is written as.
+mod compact;
 mod page;
 mod png;
 mod svg;

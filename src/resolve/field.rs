@@ -82,6 +82,30 @@ pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
     fields_of(ty).iter().filter_map(attribute).collect()
 }
 
+/// A field of a type, for those who list them.
+pub(super) struct Entry {
+    pub(super) name: &'static str,
+    pub(super) ty: Type,
+    pub(super) is_attribute: bool,
+}
+
+/// The fields of a type that are values.
+pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
+    let entry = |(name, field): &(&'static str, Field)| {
+        let (ty, is_attribute) = match field {
+            Field::Pointer(_, ty) => (*ty, false),
+            Field::Attribute(_, ty) => (*ty, true),
+            Field::Part(_, ty) => (*ty, false),
+        };
+        Entry {
+            name,
+            ty,
+            is_attribute,
+        }
+    };
+    fields_of(ty).iter().map(entry).collect()
+}
+
 /// Whether elements of type `ty` have a field of this name without any declaration.
 pub(super) fn is_taken(ty: Type, word: &str) -> bool {
     fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)

@@ -42,6 +42,7 @@ mod operator;
 mod scopes;
 mod sequence;
 mod typing;
+mod vocabulary;
 
 mod application;
 mod script;
@@ -50,4 +51,8 @@ mod statement;
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
     Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
+};
+pub use vocabulary::{
+    FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,
+    type_with_article,
 };

@@ -1,0 +1,134 @@
+//! What is not written, but known: to be shown between the words.
+
+use super::side::Sketch;
+use super::snapshot::Snapshot;
+use super::verdict::Verdict;
+use crate::source::Span;
+use crate::syntax::TokenKind;
+use crate::syntax::tree::{Item, Op, Rule, Statement};
+
+/// Something known, and the place behind which it is shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hint {
+    /// The place.
+    pub after: Span,
+    /// What is known.
+    pub label: String,
+    /// Whether it is a type.
+    pub is_type: bool,
+    /// What it means, in a sentence.
+    pub meaning: String,
+}
+
+/// What is known in a part of the text.
+pub fn hints(snapshot: &Snapshot, part: std::ops::Range<usize>) -> Vec<Hint> {
+    let mut hints = Vec::new();
+    for item in snapshot.items() {
+        let span = super::span_of(item);
+        if span.end as usize >= part.start
+            && span.start as usize <= part.end
+            && let Item::Op(op) = item
+        {
+            op_hints(snapshot, op, &mut hints);
+        }
+    }
+    variables(snapshot, &mut hints);
+    hints.retain(|hint| (part.start..=part.end).contains(&(hint.after.end as usize)));
+    hints.sort_by_key(|hint| hint.after.end);
+    hints
+}
+
+fn op_hints(snapshot: &Snapshot, op: &Op, hints: &mut Vec<Hint>) {
+    let resolved = snapshot.resolved(op);
+    let resolved = resolved.map(|at| (&snapshot.program().ops[at], snapshot.examined(at)));
+    if let (Some(result), Some((known, _))) = (&op.result, resolved)
+        && let Some(ty) = known.result
+    {
+        hints.push(Hint {
+            after: result.span,
+            label: format!(": {}", ty.word()),
+            is_type: true,
+            meaning: format!("the op returns {}", super::a_type(ty)),
+        });
+    }
+    let proved = resolved.and_then(|(_, examined)| examined.proved.as_ref());
+    let verdict = Verdict::of(&op.name.text, proved);
+    for (at, rule) in op.rules.iter().enumerate() {
+        outer_ends(rule, hints);
+        if let (Some(verdict), Some(after)) = (verdict.rules.get(at), &rule.after) {
+            let changes: Vec<_> = verdict
+                .degrees
+                .iter()
+                .map(|(vertex, by)| format!("{vertex} {by}"))
+                .collect();
+            if !changes.is_empty() {
+                let keyword = after.span.start + "after".len() as u32;
+                hints.push(Hint {
+                    after: Span {
+                        end: keyword.min(after.span.end),
+                        ..after.span
+                    },
+                    label: format!("degrees {}", changes.join(", ")),
+                    is_type: false,
+                    meaning: "how the degrees of the vertices change".into(),
+                });
+            }
+        }
+    }
+}
+
+/// Where the outer halfedges of `before` start and end.
+fn outer_ends(rule: &Rule, hints: &mut Vec<Hint>) {
+    let [before, _] = Sketch::of(rule);
+    let statements = rule.before.iter().flat_map(|side| &side.statements);
+    for statement in statements {
+        let Statement::Edge { halfedges, .. } = statement else {
+            continue;
+        };
+        for (outer, twin) in [(0, 1), (1, 0)] {
+            let name = &halfedges[outer];
+            if before.place(&name.ident.text).is_some() {
+                continue;
+            }
+            let Some(twin) = before.place(&halfedges[twin].ident.text) else {
+                continue;
+            };
+            let (from, to) = (twin.to.text(), twin.from.text());
+            hints.push(Hint {
+                after: name.span,
+                label: format!("{from} → {to}"),
+                is_type: false,
+                meaning: format!("this outer halfedge starts at `{from}` and ends at `{to}`"),
+            });
+        }
+    }
+}
+
+/// Whether a name is declared by `let` or `var`: of a loop over `edges`, anybody sees it.
+fn follows_let(snapshot: &Snapshot, name: Span) -> bool {
+    let tokens = &snapshot.parsed().tokens;
+    let at = tokens.partition_point(|token| token.span.start < name.start);
+    let before = at.checked_sub(1).map(|at| tokens[at].kind);
+    matches!(before, Some(TokenKind::Let | TokenKind::Var))
+}
+
+/// The types of variables that are declared without one.
+fn variables(snapshot: &Snapshot, hints: &mut Vec<Hint>) {
+    for script in &snapshot.program().scripts {
+        for variable in script.variables.iter().skip(script.params.len()) {
+            let mention = snapshot.names().at(variable.span.start as usize);
+            let symbol = mention.map(|mention| snapshot.names().symbol(mention.symbol));
+            let is_bare = symbol.is_some_and(|symbol| {
+                symbol.definition == Some(variable.span) && symbol.ty.is_none()
+            });
+            if is_bare && follows_let(snapshot, variable.span) {
+                hints.push(Hint {
+                    after: variable.span,
+                    label: format!(": {}", variable.ty.word()),
+                    is_type: true,
+                    meaning: format!("`{}` is {}", variable.name, super::a_type(variable.ty)),
+                });
+            }
+        }
+    }
+}

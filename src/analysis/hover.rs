@@ -1,0 +1,184 @@
+//! What there is to say about the place under a cursor.
+
+use std::rc::Rc;
+
+use super::element::{Element, element};
+use super::names::{Mention, Symbol, SymbolKind};
+use super::snapshot::Snapshot;
+use super::verdict::Verdict;
+use super::words::{Word, word};
+use crate::diagram;
+use crate::source::Span;
+use crate::syntax::TokenKind;
+use crate::syntax::tree::{self, Item};
+
+/// What there is to say, and about which part of the text.
+#[derive(Clone, Debug)]
+pub struct Hover {
+    /// The part of the text.
+    pub span: Span,
+    /// What there is to say.
+    pub card: Card,
+}
+
+/// What there is to say.
+#[derive(Clone, Debug)]
+pub enum Card {
+    /// About an op.
+    Op(OpCard),
+    /// About an element of a drawing.
+    Element(Element),
+    /// About something else that is declared.
+    Declared {
+        /// Its head, as it is written.
+        head: String,
+        /// Its doc comment, a line each.
+        docs: Vec<String>,
+    },
+    /// About a word of the language.
+    Word(Word),
+}
+
+/// An op, in short.
+#[derive(Clone, Debug)]
+pub struct OpCard {
+    /// Its head, as it is written.
+    pub head: String,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its diagrams, if they could ever be read.
+    pub diagram: Option<Rc<diagram::Op>>,
+    /// Whether they are those of this text; else they are the last that could be read.
+    pub is_current: bool,
+    /// What is proved.
+    pub verdict: Verdict,
+    /// What is wrong, a line each.
+    pub wrong: Vec<String>,
+}
+
+/// What there is to say about the place at a byte.
+pub fn hover(snapshot: &Snapshot, offset: usize) -> Option<Hover> {
+    if let Some(mention) = snapshot.names().at(offset)
+        && let Some(card) = of_mention(snapshot, mention, offset)
+    {
+        return Some(Hover {
+            span: mention.span,
+            card,
+        });
+    }
+    let tokens = &snapshot.parsed().tokens;
+    let after = tokens.partition_point(|token| token.span.start as usize <= offset);
+    let token = tokens[..after]
+        .last()
+        .filter(|token| token.span.touches(offset))?;
+    let opens_op = matches!(
+        token.kind,
+        TokenKind::Op | TokenKind::Before | TokenKind::After | TokenKind::Rule
+    );
+    if opens_op && let Some((_, op)) = snapshot.op_at(offset) {
+        return Some(Hover {
+            span: token.span,
+            card: Card::Op(op_card(snapshot, op)),
+        });
+    }
+    let card = Card::Word(word(snapshot.sources().slice(token.span))?);
+    let span = token.span;
+    Some(Hover { span, card })
+}
+
+/// The op whose picture belongs to the place at a byte: the one around it, or the one that
+/// is called there.
+pub fn op_here(snapshot: &Snapshot, offset: usize) -> Option<&tree::Op> {
+    if let Some((_, op)) = snapshot.op_at(offset) {
+        return Some(op);
+    }
+    let mention = snapshot.names().at(offset)?;
+    op_named(snapshot, &snapshot.names().symbol(mention.symbol).name)
+}
+
+/// The first op of a name.
+pub fn op_named<'s>(snapshot: &'s Snapshot, name: &str) -> Option<&'s tree::Op> {
+    snapshot.items().iter().find_map(|item| match item {
+        Item::Op(op) if op.name.text == name => Some(op),
+        _ => None,
+    })
+}
+
+fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Card> {
+    let symbol = snapshot.names().symbol(mention.symbol);
+    match symbol.kind {
+        SymbolKind::Op => Some(Card::Op(op_card(
+            snapshot,
+            op_named(snapshot, &symbol.name)?,
+        ))),
+        SymbolKind::Element(_) => {
+            let found = element(snapshot, mention.symbol, offset);
+            found.map(Card::Element).or_else(|| Some(declared(symbol)))
+        }
+        SymbolKind::Script | SymbolKind::Function | SymbolKind::Attribute => {
+            item_card(snapshot, &symbol.name)
+        }
+        SymbolKind::Rule => {
+            let (_, op) = snapshot.op_at(offset)?;
+            Some(Card::Op(op_card(snapshot, op)))
+        }
+        SymbolKind::Parameter | SymbolKind::Index | SymbolKind::Variable => Some(declared(symbol)),
+        SymbolKind::Elsewhere => None,
+    }
+}
+
+fn declared(symbol: &Symbol) -> Card {
+    let head = match &symbol.ty {
+        Some(ty) => format!("{}: {ty}", symbol.name),
+        None => symbol.name.clone(),
+    };
+    let docs = vec![super::occurrences::a_word(symbol).to_owned()];
+    Card::Declared { head, docs }
+}
+
+fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
+    let (start, end, docs) = snapshot.items().iter().find_map(|item| match item {
+        Item::Script(script) if script.name.text == name => {
+            Some((script.span, script.body.span.start, &script.docs))
+        }
+        Item::Fn(function) if function.name.text == name => {
+            Some((function.span, function.body.span.start, &function.docs))
+        }
+        Item::Attr(attr) if attr.name.text == name => Some((attr.span, attr.span.end, &attr.docs)),
+        _ => None,
+    })?;
+    let span = Span {
+        end: end.max(start.start),
+        ..start
+    };
+    Some(Card::Declared {
+        head: snapshot.sources().slice(span).trim_end().to_owned(),
+        docs: docs.clone(),
+    })
+}
+
+/// What there is to say about an op.
+pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
+    let proved = snapshot
+        .resolved(op)
+        .and_then(|at| snapshot.examined(at).proved.as_ref());
+    let wrong = snapshot.diagnostics();
+    let wrong = wrong
+        .iter()
+        .filter(|told| told.is_error() && op.span.touches(told.span().start as usize));
+    OpCard {
+        head: head(snapshot, op),
+        docs: op.docs.clone(),
+        diagram: snapshot.readable(op),
+        is_current: snapshot.is_readable(op),
+        verdict: Verdict::of(&op.name.text, proved),
+        wrong: wrong.map(|told| told.message.clone()).collect(),
+    }
+}
+
+/// The head of an op, as it is written: up to its brace.
+pub fn head(snapshot: &Snapshot, op: &tree::Op) -> String {
+    let whole = snapshot.sources().slice(op.span);
+    let head = whole.split('{').next().unwrap_or(whole).trim_end();
+    head.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,172 @@
+//! A name, its mentions, and how to find them.
+
+use super::walk::Walk;
+use crate::diagram::Kind;
+use crate::source::Span;
+use crate::syntax::tree;
+
+/// A name, by its index in [`Names::symbols`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SymbolId(pub usize);
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SymbolKind {
+    /// An op.
+    Op,
+    /// An alternative of an op.
+    Rule,
+    /// A script.
+    Script,
+    /// A function.
+    Function,
+    /// An attribute.
+    Attribute,
+    /// A name of a drawing; its kind if a statement gives it one.
+    Element(Option<Kind>),
+    /// A parameter that is a value.
+    Parameter,
+    /// The index of a family.
+    Index,
+    /// A variable of a block or an aggregate.
+    Variable,
+    /// Something called that this file does not declare, nor the language.
+    Elsewhere,
+}
+
+/// A name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Symbol {
+    /// The word.
+    pub name: String,
+    /// What it stands for.
+    pub kind: SymbolKind,
+    /// Where it is declared; of a name of a drawing where it is first drawn or made.
+    pub definition: Option<Span>,
+    /// The type it is declared with, as written.
+    pub ty: Option<String>,
+    /// The item it belongs to, by its index in the file; `None` for the items themselves.
+    pub item: Option<usize>,
+    /// The rule of the op it belongs to, if only to one.
+    pub rule: Option<usize>,
+}
+
+/// A side of a rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SideName {
+    /// `before`
+    Before,
+    /// `after`
+    After,
+}
+
+/// A list of names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum List {
+    /// `new`
+    New,
+    /// `erase`
+    Erase,
+    /// `keep`
+    Keep,
+}
+
+/// What a mention does with a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// It declares it.
+    Declared,
+    /// A statement of a side draws it.
+    Drawn(SideName),
+    /// A list names it.
+    Listed(List),
+    /// It is what an op returns.
+    Returned,
+    /// It is assigned to.
+    Written,
+    /// It is read, or called.
+    Read,
+}
+
+/// One place that mentions a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mention {
+    /// The word.
+    pub span: Span,
+    /// The name.
+    pub symbol: SymbolId,
+    /// What the mention does with it.
+    pub role: Role,
+}
+
+/// All names of a file.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    pub(super) symbols: Vec<Symbol>,
+    pub(super) mentions: Vec<Mention>,
+    /// The mentions of each symbol, by their indices.
+    of_symbol: Vec<Vec<usize>>,
+}
+
+impl Names {
+    /// Finds the names of a tree.
+    pub fn of(tree: &tree::File) -> Self {
+        let mut walk = Walk::default();
+        walk.file(tree);
+        let mut names = walk.into_names();
+        names.mentions.sort_by_key(|mention| mention.span);
+        names.of_symbol = vec![Vec::new(); names.symbols.len()];
+        for (at, mention) in names.mentions.iter().enumerate() {
+            names.of_symbol[mention.symbol.0].push(at);
+        }
+        names
+    }
+
+    /// A name.
+    pub fn symbol(&self, id: SymbolId) -> &Symbol {
+        &self.symbols[id.0]
+    }
+
+    /// All names, in the order in which they are met.
+    pub fn symbols(&self) -> impl Iterator<Item = (SymbolId, &Symbol)> {
+        let symbols = self.symbols.iter().enumerate();
+        symbols.map(|(at, symbol)| (SymbolId(at), symbol))
+    }
+
+    /// All mentions, in the order of the text.
+    pub fn mentions(&self) -> &[Mention] {
+        &self.mentions
+    }
+
+    /// The mention at a byte: the one that covers it, else the one that ends there.
+    pub fn at(&self, offset: usize) -> Option<Mention> {
+        let after = self
+            .mentions
+            .partition_point(|mention| mention.span.start as usize <= offset);
+        let last = self.mentions[..after].last()?;
+        last.span.touches(offset).then_some(*last)
+    }
+
+    /// The mentions of one name, in the order of the text.
+    pub fn mentions_of(&self, symbol: SymbolId) -> impl Iterator<Item = &Mention> {
+        self.of_symbol[symbol.0]
+            .iter()
+            .map(|&at| &self.mentions[at])
+    }
+
+    /// The names that belong to a rule of an item: its own, and those of its op.
+    pub fn of_rule(&self, item: usize, rule: usize) -> impl Iterator<Item = (SymbolId, &Symbol)> {
+        self.symbols().filter(move |(_, symbol)| {
+            symbol.item == Some(item) && symbol.rule.is_none_or(|of| of == rule)
+        })
+    }
+
+    /// The name of an item: an op, a script, a function or an attribute.
+    pub fn item_named(&self, name: &str) -> Option<SymbolId> {
+        self.symbols()
+            .find(|(_, symbol)| {
+                symbol.item.is_none() && symbol.name == name && symbol.kind != SymbolKind::Elsewhere
+            })
+            .map(|(id, _)| id)
+    }
+}

@@ -1,0 +1,272 @@
+//! One side of a rule as it is written: who follows whom, whose twin, whose spoke.
+//!
+//! Read off the tree alone, families included, so that it can be shown while the rule is not
+//! finished. A `keep` in `after` stands for the statement of `before`.
+
+use crate::syntax::tree::{Arrow, Loop, Name, Rule, Side, Spoke, Star, Statement};
+
+/// A name as it is drawn: the word, and for a member of a family its shift from the index.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The word; nothing for a path or fan without a name.
+    pub word: String,
+    /// The index and what is added to it.
+    pub index: Option<(String, i64)>,
+}
+
+impl Place {
+    fn of(name: &Name) -> Self {
+        let index = name.index.as_ref().map(|index| {
+            let variable = index.variable.as_ref();
+            let variable = variable.map(|variable| variable.text.clone());
+            (variable.unwrap_or_default(), index.offset)
+        });
+        Self {
+            word: name.ident.text.clone(),
+            index,
+        }
+    }
+
+    fn shifted(mut self, by: i64) -> Self {
+        if let Some((_, shift)) = &mut self.index {
+            *shift = shift.saturating_add(by);
+        }
+        self
+    }
+
+    /// The place as it is written.
+    pub fn text(&self) -> String {
+        match &self.index {
+            None => self.word.clone(),
+            Some((variable, 0)) => format!("{}[{variable}]", self.word),
+            Some((variable, shift)) => format!("{}[{variable}{shift:+}]", self.word),
+        }
+    }
+}
+
+/// A halfedge or path of a loop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// The halfedge or path.
+    pub item: Place,
+    /// The face or hole.
+    pub face: Place,
+    /// Where it leaves.
+    pub from: Place,
+    /// Where it arrives.
+    pub to: Place,
+    /// What follows.
+    pub next: Place,
+    /// What precedes.
+    pub prev: Place,
+}
+
+/// A pair of twins.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// The edge.
+    pub edge: Place,
+    /// Its halfedges.
+    pub halfedges: [Place; 2],
+}
+
+/// A vertex statement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spokes {
+    /// The vertex.
+    pub vertex: Place,
+    /// Its spokes and fans, as they are written.
+    pub spokes: Vec<Place>,
+    /// The statement, without its keyword and name.
+    pub text: String,
+}
+
+/// One side, as it is written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sketch {
+    /// What stands in loops.
+    pub drawn: Vec<Drawn>,
+    /// The edge statements.
+    pub pairs: Vec<Pair>,
+    /// The vertex statements.
+    pub stars: Vec<Spokes>,
+}
+
+impl Sketch {
+    /// Both sides of a rule.
+    pub fn of(rule: &Rule) -> [Self; 2] {
+        let before = statements(rule.before.as_ref());
+        let mut after = statements(rule.after.as_ref());
+        let kept: Vec<&str> = after
+            .iter()
+            .filter_map(|statement| match statement {
+                Statement::Keep(names, _) => Some(names),
+                _ => None,
+            })
+            .flatten()
+            .map(|name| name.ident.text.as_str())
+            .collect();
+        let is_kept = |statement: &&&Statement| {
+            subject(statement).is_some_and(|name| kept.contains(&name.ident.text.as_str()))
+        };
+        after.extend(before.iter().filter(is_kept));
+        [Self::read(&before), Self::read(&after)]
+    }
+
+    fn read(statements: &[&Statement]) -> Self {
+        let mut sketch = Self::default();
+        for statement in statements {
+            match statement {
+                Statement::Loop(orbit) => sketch.orbit(orbit),
+                Statement::Edge {
+                    name, halfedges, ..
+                } => sketch.pairs.push(Pair {
+                    edge: Place::of(name),
+                    halfedges: [Place::of(&halfedges[0]), Place::of(&halfedges[1])],
+                }),
+                Statement::Vertex(star) => sketch.star(star),
+                _ => {}
+            }
+        }
+        sketch
+    }
+
+    fn orbit(&mut self, orbit: &Loop) {
+        let count = orbit.items.len();
+        let around = i64::from(orbit.each.is_some());
+        let item = |at: usize| match &orbit.items[at].arrow {
+            Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Place::of(name),
+            Arrow::Path(None) => Place {
+                word: String::new(),
+                index: None,
+            },
+        };
+        let from = |at: usize| Place::of(&orbit.items[at].from);
+        for at in 0..count {
+            let is_last = at + 1 == count;
+            let (to, next) = if is_last {
+                let first = || from(0).shifted(around);
+                let to = orbit.end.as_ref().map_or_else(first, Place::of);
+                (to, item(0).shifted(around))
+            } else {
+                (from(at + 1), item(at + 1))
+            };
+            let prev = match at.checked_sub(1) {
+                Some(before) => item(before),
+                None => item(count - 1).shifted(-around),
+            };
+            self.drawn.push(Drawn {
+                item: item(at),
+                face: Place::of(&orbit.name),
+                from: from(at),
+                to,
+                next,
+                prev,
+            });
+        }
+    }
+
+    fn star(&mut self, star: &Star) {
+        let spoke = |spoke: &Spoke| match spoke {
+            Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => Place::of(name),
+            Spoke::Fan(None, _) => Place {
+                word: String::new(),
+                index: None,
+            },
+        };
+        let words = star.spokes.iter().map(|written| match written {
+            Spoke::Halfedge(name) => Place::of(name).text(),
+            Spoke::Fan(name, _) => {
+                let name = name.as_ref().map(|name| Place::of(name).text());
+                format!("*{}", name.unwrap_or_default())
+            }
+        });
+        let words = words.collect::<Vec<_>>().join(" ");
+        let text = match &star.each {
+            Some(index) => format!("each {} {{ {words} }}", index.text),
+            None => words,
+        };
+        self.stars.push(Spokes {
+            vertex: Place::of(&star.name),
+            spokes: star.spokes.iter().map(spoke).collect(),
+            text,
+        });
+    }
+
+    /// Where a halfedge or path stands in a loop, seen from itself: what is around a member
+    /// of a family is told relative to its own index.
+    pub fn place(&self, word: &str) -> Option<Drawn> {
+        let drawn = self.drawn.iter().find(|drawn| drawn.item.word == word)?;
+        let own = drawn.item.index.as_ref().map_or(0, |(_, shift)| *shift);
+        let seen = |place: &Place| place.clone().shifted(own.saturating_neg());
+        Some(Drawn {
+            item: seen(&drawn.item),
+            face: seen(&drawn.face),
+            from: seen(&drawn.from),
+            to: seen(&drawn.to),
+            next: seen(&drawn.next),
+            prev: seen(&drawn.prev),
+        })
+    }
+
+    /// The edge and the twin of a halfedge, seen from itself.
+    pub fn pair(&self, word: &str) -> Option<(Place, Place)> {
+        let (pair, at) = self.pairs.iter().find_map(|pair| {
+            let at = pair.halfedges.iter().position(|half| half.word == word)?;
+            Some((pair, at))
+        })?;
+        let own = &pair.halfedges[at].index;
+        let own = own.as_ref().map_or(0, |(_, shift)| *shift);
+        let seen = |place: &Place| place.clone().shifted(own.saturating_neg());
+        Some((seen(&pair.edge), seen(&pair.halfedges[1 - at])))
+    }
+
+    /// The vertex whose statement lists a spoke or fan.
+    pub fn star_of(&self, word: &str) -> Option<Place> {
+        let star = self
+            .stars
+            .iter()
+            .find(|star| star.spokes.iter().any(|spoke| spoke.word == word))?;
+        Some(star.vertex.clone())
+    }
+
+    /// Where a halfedge starts, as far as this side says.
+    pub fn origin(&self, word: &str) -> Option<Place> {
+        let own = self.place(word).map(|drawn| drawn.from);
+        own.or_else(|| self.star_of(word)).or_else(|| {
+            let (_, twin) = self.pair(word)?;
+            let shift = twin.index.as_ref().map_or(0, |(_, shift)| *shift);
+            Some(self.place(&twin.word)?.to.shifted(shift))
+        })
+    }
+
+    /// Whether any statement of the side draws a name.
+    pub fn draws(&self, word: &str) -> bool {
+        let is = |place: &Place| place.word == word;
+        self.drawn
+            .iter()
+            .any(|drawn| is(&drawn.item) || is(&drawn.face) || is(&drawn.from) || is(&drawn.to))
+            || self
+                .pairs
+                .iter()
+                .any(|pair| is(&pair.edge) || pair.halfedges.iter().any(is))
+            || self
+                .stars
+                .iter()
+                .any(|star| is(&star.vertex) || star.spokes.iter().any(is))
+    }
+}
+
+fn statements(side: Option<&Side>) -> Vec<&Statement> {
+    side.map_or_else(Vec::new, |side| side.statements.iter().collect())
+}
+
+/// The element that a statement is about.
+pub fn subject(statement: &Statement) -> Option<&Name> {
+    match statement {
+        Statement::Loop(orbit) => Some(&orbit.name),
+        Statement::Edge { name, .. } => Some(name),
+        Statement::Vertex(star) => Some(&star.name),
+        _ => None,
+    }
+}

@@ -1,0 +1,253 @@
+//! The parts of a text that lie in one another, as its tree has them.
+
+use super::snapshot::{Snapshot, span_of};
+use crate::source::Span;
+use crate::syntax::tree::{
+    Action, ActionKind, Block, Condition, Expr, ExprKind, Item, Name, Rule, Side, Spoke, Statement,
+};
+
+/// The parts around a byte, the smallest first: a word, the name, the statement, the side,
+/// the rule, the op, the text.
+pub fn around(snapshot: &Snapshot, offset: usize) -> Vec<Span> {
+    let mut found = Spans::default();
+    for item in snapshot.items() {
+        if span_of(item).touches(offset) {
+            found.item(item);
+        }
+    }
+    let tokens = snapshot.parsed().tokens.iter().map(|token| token.span);
+    let comments = snapshot.parsed().comments.iter();
+    found.all.extend(tokens);
+    found.all.extend(comments.map(|comment| comment.span));
+    let whole = Span::new(snapshot.file(), 0, snapshot.text().len());
+    found.all.push(whole);
+    let mut around: Vec<_> = found
+        .all
+        .into_iter()
+        .filter(|span| span.touches(offset) && span.start < span.end)
+        .collect();
+    // Of two words that meet at the cursor, the one behind it counts.
+    around.sort_by_key(|span| (span.end - span.start, std::cmp::Reverse(span.start)));
+    let mut chain: Vec<Span> = Vec::new();
+    for span in around {
+        let holds_last = |last: &Span| span.start <= last.start && last.end <= span.end;
+        if chain
+            .last()
+            .is_none_or(|last| holds_last(last) && *last != span)
+        {
+            chain.push(span);
+        }
+    }
+    chain
+}
+
+/// The blocks of scripts, functions and tests.
+pub fn blocks(items: &[Item]) -> Vec<Span> {
+    let mut found = Spans::default();
+    items.iter().for_each(|item| found.item(item));
+    found.blocks
+}
+
+#[derive(Default)]
+struct Spans {
+    all: Vec<Span>,
+    blocks: Vec<Span>,
+}
+
+impl Spans {
+    fn item(&mut self, item: &Item) {
+        self.all.push(span_of(item));
+        match item {
+            Item::Op(op) => {
+                self.all.extend(op.params.iter().map(|param| param.span));
+                op.rules.iter().for_each(|rule| self.rule(rule));
+            }
+            Item::Script(script) => self.block(&script.body),
+            Item::Fn(function) => self.block(&function.body),
+            Item::Test(test) => self.block(&test.body),
+            Item::Attr(attr) => attr.default.iter().for_each(|value| self.value(value)),
+            Item::Use(used) => self.all.push(used.path_span),
+            Item::Broken(_) => {}
+        }
+    }
+
+    fn rule(&mut self, rule: &Rule) {
+        self.all.push(rule.span);
+        rule.before
+            .iter()
+            .chain(&rule.after)
+            .for_each(|side| self.side(side));
+        for condition in &rule.conditions {
+            match condition {
+                Condition::Require {
+                    condition, span, ..
+                } => {
+                    self.all.push(*span);
+                    self.value(condition);
+                }
+                Condition::Guard { span, .. } => self.all.push(*span),
+            }
+        }
+    }
+
+    fn side(&mut self, side: &Side) {
+        self.all.push(side.span);
+        for statement in &side.statements {
+            self.statement(statement);
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Loop(orbit) => {
+                self.all.push(orbit.span);
+                for item in &orbit.items {
+                    self.name(&item.from);
+                    self.all.push(item.span);
+                    self.all.push(item.from.span.to(item.span));
+                }
+            }
+            Statement::Edge {
+                name,
+                halfedges,
+                span,
+            } => {
+                self.all.push(*span);
+                self.name(name);
+                halfedges.iter().for_each(|half| self.name(half));
+                self.all.push(halfedges[0].span.to(halfedges[1].span));
+            }
+            Statement::Vertex(star) => {
+                self.all.push(star.span);
+                for spoke in &star.spokes {
+                    match spoke {
+                        Spoke::Halfedge(name) => self.name(name),
+                        Spoke::Fan(_, span) => self.all.push(*span),
+                    }
+                }
+            }
+            Statement::New(names, span)
+            | Statement::Erase(names, span)
+            | Statement::Keep(names, span) => {
+                self.all.push(*span);
+                names.iter().for_each(|name| self.name(name));
+            }
+            Statement::Assign { value, span, .. } => {
+                self.all.push(*span);
+                self.value(value);
+            }
+            Statement::Broken(span) => self.all.push(*span),
+        }
+    }
+
+    fn name(&mut self, name: &Name) {
+        self.all.push(name.span);
+    }
+
+    fn block(&mut self, block: &Block) {
+        self.all.push(block.span);
+        self.blocks.push(block.span);
+        block
+            .statements
+            .iter()
+            .for_each(|action| self.action(action));
+    }
+
+    fn action(&mut self, action: &Action) {
+        self.all.push(action.span);
+        match &action.kind {
+            ActionKind::Let { value, .. } => self.value(value),
+            ActionKind::Assign { target, value } => {
+                self.value(target);
+                self.value(value);
+            }
+            ActionKind::Repeat {
+                count: value, body, ..
+            }
+            | ActionKind::While {
+                condition: value,
+                body,
+            } => {
+                self.value(value);
+                self.block(body);
+            }
+            ActionKind::For {
+                sequence,
+                filter,
+                body,
+                ..
+            }
+            | ActionKind::Update {
+                sequence,
+                filter,
+                body,
+                ..
+            } => {
+                self.value(sequence);
+                filter.iter().for_each(|filter| self.value(filter));
+                self.block(body);
+            }
+            ActionKind::Drain {
+                sequence,
+                key,
+                condition,
+                body,
+                ..
+            } => {
+                self.value(sequence);
+                self.value(key);
+                condition.iter().for_each(|condition| self.value(condition));
+                self.block(body);
+            }
+            ActionKind::If {
+                condition,
+                then,
+                otherwise,
+                ..
+            } => {
+                self.value(condition);
+                self.block(then);
+                otherwise.iter().for_each(|block| self.block(block));
+            }
+            ActionKind::Print(values) => values.iter().for_each(|value| self.value(value)),
+            ActionKind::Assert { condition, .. } => self.value(condition),
+            ActionKind::Return(value) => value.iter().for_each(|value| self.value(value)),
+            ActionKind::Block(block) => self.block(block),
+            ActionKind::Expr(value) => self.value(value),
+            ActionKind::Break | ActionKind::Continue | ActionKind::Broken => {}
+        }
+    }
+
+    fn value(&mut self, value: &Expr) {
+        self.all.push(value.span);
+        match &value.kind {
+            ExprKind::Field(base, _) => self.value(base),
+            ExprKind::Call { args, .. } => args.iter().for_each(|arg| self.value(arg)),
+            ExprKind::Must(inner) | ExprKind::Unary(_, inner) => self.value(inner),
+            ExprKind::Binary(_, left, right) => {
+                self.value(left);
+                self.value(right);
+            }
+            ExprKind::If {
+                condition,
+                then,
+                otherwise,
+            } => {
+                self.value(condition);
+                self.block(then);
+                self.block(otherwise);
+            }
+            ExprKind::Aggregate {
+                body,
+                sequence,
+                filter,
+                ..
+            } => {
+                self.value(body);
+                self.value(sequence);
+                filter.iter().for_each(|filter| self.value(filter));
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! The words of the language, each explained in a sentence.
+
+use crate::resolve::{signatures, type_with_article};
+
+/// A word of the language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// How it is written: `degree(vertex) -> int`, a line for each way.
+    pub forms: Vec<String>,
+    /// What it means.
+    pub meaning: &'static str,
+}
+
+/// What each keyword, kind, property and pointer means.
+const MEANINGS: &[(&str, &str)] = &[
+    ("use", "takes in what another file declares"),
+    ("private", "an attribute that is never saved"),
+    ("attr", "a value stored with each element of a kind"),
+    (
+        "fn",
+        "a function: computes a value from elements and values",
+    ),
+    ("op", "an operation, drawn before and after"),
+    ("script", "a program that runs operations over a mesh"),
+    ("test", "a test: runs on small meshes, and asserts"),
+    (
+        "keeps",
+        "what the operation must be proved to keep, besides validity",
+    ),
+    (
+        "rule",
+        "one alternative of an operation; they are tried in order",
+    ),
+    ("before", "the orbits that the operation matches"),
+    ("after", "the orbits that the operation leaves"),
+    (
+        "require",
+        "a condition asked before anything is written; where it fails the operation refuses, and changes nothing",
+    ),
+    (
+        "guard",
+        "the weakest tests, found by the compiler, that keep a mesh of this level one",
+    ),
+    (
+        "face",
+        "a cycle of `next` around an interior face, counterclockwise: `face f0: v0 -a-> v1 -b-> v2 -c-> v0`",
+    ),
+    (
+        "hole",
+        "a boundary loop: a cycle of `next` with nothing in it",
+    ),
+    ("loop", "a cycle of `next`: a face or a hole"),
+    ("edge", "a pair of twins: `edge e: a | d`"),
+    (
+        "vertex",
+        "the spokes of a vertex, counterclockwise: `vertex v: a b *S`",
+    ),
+    (
+        "halfedge",
+        "one side of an edge: it has `next`, `prev`, `twin`, `vertex`, `edge` and `face`",
+    ),
+    (
+        "each",
+        "a cyclic pattern of any size: `face f: each i { v[i] -h[i]-> }`",
+    ),
+    ("new", "lists what `after` adds"),
+    (
+        "keep",
+        "states again, word for word, what `before` says of these names",
+    ),
+    ("erase", "lists what the operation removes"),
+    ("let", "a variable that does not change"),
+    ("var", "a variable that may change"),
+    (
+        "if",
+        "chooses by a condition; `if let m = split(e)` by whether an operation applies",
+    ),
+    (
+        "else",
+        "what is done otherwise; behind `require`, the reason of the refusal",
+    ),
+    ("repeat", "does something a number of times"),
+    (
+        "for",
+        "visits the elements that exist when the loop starts, and still do when their turn comes",
+    ),
+    ("in", "what is visited"),
+    (
+        "where",
+        "which elements are visited, asked when their turn comes",
+    ),
+    ("while", "goes on as long as a condition holds"),
+    (
+        "drain",
+        "takes the element with the least key first, and keeps keys current",
+    ),
+    ("by", "the key of a `drain`"),
+    (
+        "update",
+        "reads old values everywhere, and writes all at the end",
+    ),
+    ("must", "stops the script where the operation refuses"),
+    ("print", "prints values, separated by spaces"),
+    ("assert", "stops the script unless a condition holds"),
+    (
+        "return",
+        "ends the script, or gives the value of a function",
+    ),
+    ("break", "ends the innermost loop"),
+    (
+        "continue",
+        "goes on with the next turn of the innermost loop",
+    ),
+    (
+        "and",
+        "both hold; the right one is asked only if the left one does",
+    ),
+    (
+        "or",
+        "one of them holds; the right one is asked only if the left one does not",
+    ),
+    ("not", "it does not hold"),
+    ("div", "division of ints, rounded towards minus infinity"),
+    ("mod", "what `div` leaves; it has the sign of the divisor"),
+    ("true", "holds"),
+    ("false", "does not hold"),
+    ("next", "the halfedge that follows in the loop"),
+    ("prev", "the halfedge that precedes in the loop"),
+    ("twin", "the halfedge on the other side of the edge"),
+    ("target", "the vertex where the halfedge ends"),
+    ("position", "where a vertex is, a vector"),
+    (
+        "halfedges",
+        "all halfedges, of the mesh, around a vertex or around a face",
+    ),
+    (
+        "vertices",
+        "all vertices, of the mesh, of a face or of an edge",
+    ),
+    (
+        "edges",
+        "all edges, of the mesh, at a vertex or around a face",
+    ),
+    (
+        "faces",
+        "all faces, of the mesh, around a vertex or beside an edge",
+    ),
+    ("holes", "all boundary loops of the mesh"),
+    ("neighbors", "the other ends of the edges at a vertex"),
+    ("map", "every orbit is in order: what is always proved"),
+    (
+        "surface",
+        "a level: no face with two sides, no vertex where the surface is pinched",
+    ),
+    (
+        "simple",
+        "a level: edges and faces are told apart by their vertices",
+    ),
+    ("triangles", "every face stays a triangle, if all were"),
+    ("quads", "every face stays a quad, if all were"),
+    ("euler", "V - E + F stays what it is"),
+    (
+        "boundary",
+        "as a property: the holes keep their number and their vertices; as a function: whether an element lies on a hole",
+    ),
+    ("constant_time", "the time does not grow with the mesh"),
+    ("bool", "true or false"),
+    ("int", "a whole number of 64 bits"),
+    ("real", "a number with a fraction, of 64 bits"),
+    ("vec2", "two reals"),
+    ("vec3", "three reals: a point or a direction"),
+    ("mat3", "three rows of three reals"),
+    ("mat4", "four rows of four reals"),
+    ("text", "letters in quotes"),
+    ("pi", "half the circumference of the unit circle"),
+    ("degree", "how many spokes a vertex has, or corners a face"),
+    ("adjacent", "whether an edge joins two vertices"),
+    (
+        "link_condition",
+        "whether the ends of an edge have no common neighbours but those opposite to it: then it can be collapsed",
+    ),
+    ("length", "the length of an edge, a halfedge or a vector"),
+    ("area", "the area of a face"),
+    ("normal", "the unit normal of a face, or at a vertex"),
+    (
+        "centroid",
+        "the mean of the corners of a face, or of the ends of an edge",
+    ),
+    ("midpoint", "the middle of an edge"),
+    (
+        "mix",
+        "from the first towards the second, by the third, from 0 to 1",
+    ),
+    ("dot", "the scalar product"),
+    ("cross", "the vector product"),
+    ("normalize", "the same direction, with length 1"),
+    ("distance", "how far two points are apart"),
+    ("angle", "the angle between two directions, in radians"),
+    (
+        "mean",
+        "the mean of a value over a sequence: `mean(length(e) for e in edges)`",
+    ),
+    ("sum", "the sum of a value over a sequence"),
+    ("min", "the smaller of two, or the least over a sequence"),
+    ("max", "the larger of two, or the greatest over a sequence"),
+    ("count", "how many there are: `count(faces)`"),
+    (
+        "any",
+        "whether a condition holds somewhere: `any(boundary(v) for v in vertices)`",
+    ),
+    ("all", "whether a condition holds everywhere"),
+];
+
+/// What a word of the language means.
+pub fn word(text: &str) -> Option<Word> {
+    let forms = forms(text);
+    let meaning = meaning(text);
+    if meaning.is_none() && forms.is_empty() {
+        return None;
+    }
+    Some(Word {
+        forms,
+        meaning: meaning.unwrap_or(""),
+    })
+}
+
+/// What a word means, in a sentence.
+pub fn meaning(text: &str) -> Option<&'static str> {
+    let found = MEANINGS.iter().find(|(word, _)| *word == text);
+    found.map(|(_, meaning)| *meaning)
+}
+
+/// The ways to call a function of the language.
+fn forms(text: &str) -> Vec<String> {
+    let ways = signatures(text).into_iter().map(|way| {
+        let takes = way.takes.join(", ");
+        match way.gives {
+            Some(ty) => format!("{text}({takes}) -> {}", ty.word()),
+            None => format!("{text}({takes})"),
+        }
+    });
+    ways.collect()
+}
+
+/// The type in words, with its article, for what the cursor is on.
+pub fn a_type(ty: crate::diagram::Type) -> &'static str {
+    type_with_article(ty)
+}

@@ -1,0 +1,151 @@
+//! What the client can do, and what it wants.
+
+use gen_lsp_types::{ClientCapabilities, InitializeParams};
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::position::Encoding;
+
+/// The client.
+#[derive(Debug, Default)]
+pub(super) struct Client {
+    /// What a column counts.
+    pub(super) encoding: Encoding,
+    /// What it says it can do.
+    pub(super) can: ClientCapabilities,
+    /// What it wants.
+    pub(super) settings: Settings,
+    /// Whether it is known to draw the images of a hover.
+    draws_images: bool,
+}
+
+/// How the operation under the cursor is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum HoverPicture {
+    /// As the client is known to like it.
+    #[default]
+    Auto,
+    /// As an image.
+    Svg,
+    /// With letters.
+    Text,
+}
+
+/// The settings of the section `hedgerow`; what is missing or wrong is as it is by default.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Settings {
+    /// `hover.picture`: `auto`, `svg` or `text`.
+    pub(super) picture: HoverPicture,
+    /// `inlayHints.enable`
+    pub(super) hints: bool,
+    /// `codeLens.enable`
+    pub(super) lenses: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            picture: HoverPicture::Auto,
+            hints: true,
+            lenses: true,
+        }
+    }
+}
+
+impl Settings {
+    /// Reads settings, with or without the section's name around them.
+    pub(super) fn read(value: &Value) -> Self {
+        let own = value.get("hedgerow").unwrap_or(value);
+        let at = |section: &str, name: &str| own.get(section).and_then(|found| found.get(name));
+        let picture = at("hover", "picture").cloned().unwrap_or_default();
+        let flag = |value: Option<&Value>| value.and_then(Value::as_bool).unwrap_or(true);
+        Self {
+            picture: serde_json::from_value(picture).unwrap_or_default(),
+            hints: flag(at("inlayHints", "enable")),
+            lenses: flag(at("codeLens", "enable")),
+        }
+    }
+}
+
+/// Clients that draw an SVG in the Markdown of a hover, by a part of their names.
+const DRAWING_CLIENTS: [&str; 6] = [
+    "visual studio code",
+    "code - oss",
+    "vscod",
+    "code-server",
+    "monaco",
+    "codemirror",
+];
+
+impl Client {
+    pub(super) fn new(params: &InitializeParams) -> Self {
+        let general = params.capabilities.general.as_ref();
+        let offered = general.and_then(|general| general.position_encodings.as_deref());
+        let name = params
+            .client_info
+            .as_ref()
+            .map(|info| info.name.to_lowercase());
+        let name = name.unwrap_or_default();
+        let options = params.initialization_options.as_ref();
+        Self {
+            encoding: Encoding::agreed(offered.unwrap_or_default()),
+            can: params.capabilities.clone(),
+            settings: options.map(Settings::read).unwrap_or_default(),
+            draws_images: DRAWING_CLIENTS.iter().any(|known| name.contains(known)),
+        }
+    }
+
+    /// Whether a hover shows an image.
+    pub(super) fn wants_images(&self) -> bool {
+        match self.settings.picture {
+            HoverPicture::Auto => self.draws_images,
+            HoverPicture::Svg => true,
+            HoverPicture::Text => false,
+        }
+    }
+
+    /// Whether a hover may be Markdown.
+    pub(super) fn reads_markdown(&self) -> bool {
+        let hover = self
+            .can
+            .text_document
+            .as_ref()
+            .and_then(|can| can.hover.as_ref());
+        let formats = hover.and_then(|hover| hover.content_format.as_ref());
+        formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
+    }
+
+    /// Whether symbols may stand in one another.
+    pub(super) fn nests_symbols(&self) -> bool {
+        let text = self.can.text_document.as_ref();
+        let symbols = text.and_then(|text| text.document_symbol.as_ref());
+        symbols
+            .and_then(|symbols| symbols.hierarchical_document_symbol_support)
+            .unwrap_or(false)
+    }
+
+    /// Whether a change may say which version of a document it is about.
+    pub(super) fn takes_versioned_edits(&self) -> bool {
+        let workspace = self.can.workspace.as_ref();
+        let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
+        edit.and_then(|edit| edit.document_changes).unwrap_or(false)
+    }
+
+    /// Whether the client can be asked for its settings.
+    pub(super) fn has_configuration(&self) -> bool {
+        let workspace = self.can.workspace.as_ref();
+        workspace
+            .and_then(|workspace| workspace.configuration)
+            .unwrap_or(false)
+    }
+
+    /// Whether the client can be asked to watch files.
+    pub(super) fn watches_files(&self) -> bool {
+        let workspace = self.can.workspace.as_ref();
+        let watched = workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref());
+        watched
+            .and_then(|watched| watched.dynamic_registration)
+            .unwrap_or(false)
+    }
+}

@@ -1,0 +1,91 @@
+//! Diagnostics: published when a text is understood, and answered when they are asked for.
+
+use gen_lsp_types::*;
+use serde_json::json;
+
+use super::document::Document;
+use super::requests::Answer;
+use super::server::Server;
+use crate::diagnostic::{self, Severity};
+
+/// Where codes are explained.
+const EXPLAINED: &str =
+    "https://github.com/hedgerow-lang/hedgerow/blob/main/src/diagnostic/explained.md";
+
+impl Server {
+    /// Proves one more op of a document that changed, or publishes what is wrong with it;
+    /// false if there is nothing to do.
+    pub(super) fn publish_next(&mut self) -> bool {
+        let unpublished = self.documents.iter_mut();
+        let next = unpublished
+            .into_iter()
+            .find(|document| !document.is_published);
+        let Some(document) = next else { return false };
+        if document.snapshot().examine_next() {
+            return true;
+        }
+        document.is_published = true;
+        let params = PublishDiagnosticsParams {
+            uri: document.uri().clone(),
+            version: Some(document.version()),
+            diagnostics: diagnostics(document),
+        };
+        self.tell::<PublishDiagnosticsNotification>(params);
+        true
+    }
+
+    /// `textDocument/diagnostic`
+    pub(super) fn pull(
+        &mut self,
+        params: DocumentDiagnosticParams,
+    ) -> Answer<DocumentDiagnosticRequest> {
+        let document = self.document(&params.text_document.uri)?;
+        let report = RelatedFullDocumentDiagnosticReport {
+            related_documents: None,
+            full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                result_id: None,
+                items: diagnostics(document),
+            },
+        };
+        Ok(report.into())
+    }
+}
+
+/// Everything that is wrong with a document.
+pub(super) fn diagnostics(document: &Document) -> Vec<Diagnostic> {
+    let told = document.snapshot().diagnostics();
+    told.iter().map(|told| diagnostic(document, told)).collect()
+}
+
+/// A diagnostic in the protocol's form. Notes stand below the message; labels are places
+/// beside it.
+pub(super) fn diagnostic(document: &Document, told: &diagnostic::Diagnostic) -> Diagnostic {
+    let mut message = told.message.clone();
+    for note in &told.notes {
+        message.push('\n');
+        message.push_str(note);
+    }
+    let labels = told.labels.iter().filter(|label| !label.text.is_empty());
+    let related = labels.filter_map(|label| {
+        Some(DiagnosticRelatedInformation {
+            location: document.location(label.span)?,
+            message: label.text.clone(),
+        })
+    });
+    Diagnostic {
+        range: document.range(told.span()),
+        severity: Some(match told.severity {
+            Severity::Error => DiagnosticSeverity::Error,
+            Severity::Warning => DiagnosticSeverity::Warning,
+        }),
+        code: Some(told.code.to_owned().into()),
+        code_description: Some(CodeDescription {
+            href: Uri(format!("{EXPLAINED}#{}", told.code)),
+        }),
+        source: Some("hedgerow".into()),
+        message: message.into(),
+        related_information: Some(related.collect()),
+        data: Some(json!({ "fixes": told.fixes.len() })),
+        ..Default::default()
+    }
+}

@@ -1,0 +1,146 @@
+//! A document that a client has open.
+
+use std::cell::OnceCell;
+use std::ops::Range;
+use std::rc::Rc;
+
+use gen_lsp_types::{Location, Position, TextDocumentContentChangeEvent, TextDocumentItem, Uri};
+
+use super::files::{Files, name};
+use super::position::{Encoding, Lines};
+use crate::analysis::Snapshot;
+use crate::source::Span;
+
+/// A document: its text, and what is understood of it.
+#[derive(Debug)]
+pub(super) struct Document {
+    uri: Uri,
+    version: i32,
+    text: String,
+    lines: Lines,
+    encoding: Encoding,
+    files: Files,
+    snapshot: OnceCell<Rc<Snapshot>>,
+    /// The snapshot of an earlier text, from which the next one learns.
+    earlier: Option<Rc<Snapshot>>,
+    /// Whether diagnostics have been published for this version.
+    pub(super) is_published: bool,
+}
+
+impl Document {
+    pub(super) fn new(item: TextDocumentItem, encoding: Encoding, files: Files) -> Self {
+        let TextDocumentItem {
+            uri, version, text, ..
+        } = item;
+        Self {
+            files,
+            lines: Lines::new(&text, encoding),
+            uri,
+            version,
+            text,
+            encoding,
+            snapshot: OnceCell::new(),
+            earlier: None,
+            is_published: false,
+        }
+    }
+
+    pub(super) fn uri(&self) -> &Uri {
+        &self.uri
+    }
+
+    pub(super) fn version(&self) -> i32 {
+        self.version
+    }
+
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Takes in changes, in order: each is about the text that the ones before have made.
+    pub(super) fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
+        for change in changes {
+            match change {
+                TextDocumentContentChangeEvent::TextDocumentContentChangePartial(part) => {
+                    let start = self.lines.offset(&self.text, part.range.start);
+                    let end = self.lines.offset(&self.text, part.range.end).max(start);
+                    self.text.replace_range(start..end, &part.text);
+                }
+                TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(whole) => {
+                    self.text = whole.text;
+                }
+            }
+            self.lines = Lines::new(&self.text, self.encoding);
+        }
+        self.version = version;
+        self.files.hold(&self.uri, &self.text);
+        self.forget();
+    }
+
+    /// Has the text read again, as what it depends on may have changed.
+    pub(super) fn forget(&mut self) {
+        if let Some(snapshot) = self.snapshot.take() {
+            self.earlier = Some(snapshot);
+        }
+        self.is_published = false;
+    }
+
+    /// What is understood of the text.
+    pub(super) fn snapshot(&self) -> &Rc<Snapshot> {
+        self.snapshot.get_or_init(|| {
+            let mut files = self.files.clone();
+            Rc::new(match &self.earlier {
+                Some(earlier) => earlier.next(&self.text, &mut files),
+                None => Snapshot::new(&name(&self.uri), &self.text, &mut files),
+            })
+        })
+    }
+
+    /// Whether the text, as it was read last, uses a file of this name.
+    pub(super) fn uses(&self, file: &str) -> bool {
+        let read = self.snapshot.get().or(self.earlier.as_ref());
+        read.is_some_and(|snapshot| snapshot.looks_for(file))
+    }
+
+    /// Where a span is, perhaps in another file.
+    pub(super) fn location(&self, span: Span) -> Option<Location> {
+        let snapshot = self.snapshot();
+        if span.file == snapshot.file() {
+            return Some(Location {
+                uri: self.uri.clone(),
+                range: self.range(span),
+            });
+        }
+        let source = snapshot.sources().get(span.file);
+        let uri = self.files.uri(source.name(), source.text())?;
+        let lines = Lines::new(source.text(), self.encoding);
+        Some(Location {
+            uri,
+            range: lines.range(source.text(), span.range()),
+        })
+    }
+
+    /// The beginning of a file that the text uses.
+    pub(super) fn used_file(&self, path: &str) -> Option<Location> {
+        let snapshot = self.snapshot();
+        let file = snapshot.used_file(path)?;
+        self.location(Span::new(file, 0, 0))
+    }
+
+    pub(super) fn offset(&self, position: Position) -> usize {
+        self.lines.offset(&self.text, position)
+    }
+
+    pub(super) fn position(&self, offset: usize) -> Position {
+        self.lines.position(&self.text, offset)
+    }
+
+    pub(super) fn range(&self, span: Span) -> gen_lsp_types::Range {
+        self.lines.range(&self.text, span.range())
+    }
+
+    pub(super) fn bytes(&self, range: gen_lsp_types::Range) -> Range<usize> {
+        let start = self.offset(range.start);
+        start..self.offset(range.end).max(start)
+    }
+}

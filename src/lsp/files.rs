@@ -1,0 +1,118 @@
+//! The files that programs use: as they stand in open documents, else as the reader has them.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::Path;
+use std::rc::Rc;
+
+use gen_lsp_types::Uri;
+
+use super::uri;
+use crate::analysis::Reader;
+use crate::library;
+
+/// A reader of all files, shared by all documents.
+#[derive(Clone)]
+pub(super) struct Files {
+    open: Rc<RefCell<BTreeMap<String, Held>>>,
+    rest: Rc<RefCell<Box<dyn Reader>>>,
+}
+
+#[derive(Clone)]
+struct Held {
+    uri: Uri,
+    text: Rc<str>,
+}
+
+impl fmt::Debug for Files {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.open.borrow().keys()).finish()
+    }
+}
+
+/// What a document is called in messages, and by those that use it.
+pub(super) fn name(of: &Uri) -> String {
+    match uri::path(of) {
+        Some(path) => path.display().to_string().replace('\\', "/"),
+        None => of.0.clone(),
+    }
+}
+
+impl Files {
+    pub(super) fn new(rest: Box<dyn Reader>) -> Self {
+        Self {
+            open: Rc::default(),
+            rest: Rc::new(RefCell::new(rest)),
+        }
+    }
+
+    /// The text of an open document.
+    pub(super) fn hold(&self, uri: &Uri, text: &str) {
+        let held = Held {
+            uri: uri.clone(),
+            text: text.into(),
+        };
+        self.open.borrow_mut().insert(name(uri), held);
+    }
+
+    /// Whether a document of this name is open.
+    pub(super) fn is_open(&self, name: &str) -> bool {
+        self.open.borrow().contains_key(name)
+    }
+
+    /// The document is closed: from now on its file counts.
+    pub(super) fn release(&self, uri: &Uri) {
+        self.open.borrow_mut().remove(&name(uri));
+    }
+
+    /// Where an editor finds a file of this name and text. A file of the library is written
+    /// to a temporary folder, since it is on no disk.
+    pub(super) fn uri(&self, name: &str, text: &str) -> Option<Uri> {
+        if let Some(held) = self.open.borrow().get(name) {
+            return Some(held.uri.clone());
+        }
+        if name.starts_with(library::FOLDER) {
+            return written(name, text).ok();
+        }
+        let path = Path::new(name);
+        path.is_absolute().then(|| uri::of_path(path))
+    }
+}
+
+/// Writes a file of the library where an editor can open it, whole or not at all.
+fn written(name: &str, text: &str) -> std::io::Result<Uri> {
+    let folder = format!("hedgerow-{}", env!("CARGO_PKG_VERSION"));
+    let path = std::env::temp_dir().join(folder).join(name);
+    if std::fs::read_to_string(&path).is_ok_and(|known| known == text) {
+        return Ok(uri::of_path(&path));
+    }
+    let parent = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(parent)?;
+    let file = tempfile::NamedTempFile::new_in(parent)?;
+    std::fs::write(file.path(), text)?;
+    file.persist(&path)?;
+    Ok(uri::of_path(&path))
+}
+
+impl Reader for Files {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        if let Some(held) = self.open.borrow().get(name) {
+            return Ok(held.text.to_string());
+        }
+        self.rest.borrow_mut().read(name)
+    }
+
+    fn beside(&mut self, name: &str) -> Vec<String> {
+        let mut names = self.rest.borrow_mut().beside(name);
+        let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let open = self.open.borrow();
+        let beside = open
+            .keys()
+            .filter(|known| known.rsplit_once('/').map_or("", |(of, _)| of) == folder);
+        names.extend(beside.cloned());
+        names.sort();
+        names.dedup();
+        names
+    }
+}

@@ -1,0 +1,187 @@
+//! Hovers, as Markdown for people.
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use gen_lsp_types::*;
+
+use super::requests::Answer;
+use super::server::Server;
+use crate::analysis::element::Element;
+use crate::analysis::{Card, OpCard, RuleVerdict, Word, hover};
+use crate::draw::{draw_op, text_op};
+
+/// The largest image that clients draw, as text of the Markdown.
+const LARGEST_IMAGE: usize = 70_000;
+
+impl Server {
+    /// `textDocument/hover`
+    pub(super) fn hover(&mut self, params: HoverParams) -> Answer<HoverRequest> {
+        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let found = hover(document.snapshot(), offset);
+        let images = self.client.wants_images();
+        Ok(found.map(|found| {
+            let value = match &found.card {
+                Card::Op(op) => op_text(op, images),
+                Card::Element(element) => element_text(element),
+                Card::Declared { head, docs } => declared_text(head, docs),
+                Card::Word(word) => word_text(word),
+            };
+            let kind = if self.client.reads_markdown() {
+                MarkupKind::Markdown
+            } else {
+                MarkupKind::PlainText
+            };
+            Hover {
+                contents: MarkupContent { kind, value }.into(),
+                range: Some(document.range(found.span)),
+            }
+        }))
+    }
+}
+
+fn fenced(word: &str, text: &str) -> String {
+    format!("```{word}\n{}\n```\n", text.trim_end())
+}
+
+fn op_text(op: &OpCard, images: bool) -> String {
+    let mut text = fenced("hedgerow", &op.head);
+    text.push_str(&verdict(op));
+    if !op.docs.is_empty() {
+        text.push('\n');
+        text.push_str(&docs(&op.docs));
+    }
+    if let Some(diagram) = &op.diagram {
+        if !op.is_current {
+            text.push_str("\nThe picture is of the last text that could be read.\n");
+        }
+        text.push('\n');
+        let image = images.then(|| image(&draw_op(diagram).compact_svg(), &diagram.name));
+        match image.flatten() {
+            Some(image) => text.push_str(&image),
+            None => text.push_str(&fenced("text", &text_op(diagram))),
+        }
+    }
+    text
+}
+
+/// An image that stands in the Markdown itself, if it is small enough.
+fn image(svg: &str, name: &str) -> Option<String> {
+    let data = BASE64_STANDARD.encode(svg);
+    (data.len() < LARGEST_IMAGE)
+        .then(|| format!("![{name}, before and after](data:image/svg+xml;base64,{data})\n"))
+}
+
+/// What is proved, a line for each rule; or what is wrong.
+pub(super) fn verdict(op: &OpCard) -> String {
+    if op.verdict.proved {
+        let rules = op.verdict.rules.iter().map(|rule| rule_text(rule) + "\n");
+        return rules.collect::<Vec<_>>().join("\n");
+    }
+    let mut lines = vec!["**not proved**".to_owned()];
+    lines.extend(op.wrong.iter().map(|wrong| format!("- {wrong}")));
+    lines.join("\n") + "\n"
+}
+
+fn rule_text(rule: &RuleVerdict) -> String {
+    let mut text = match &rule.rule {
+        Some(name) => format!("**proved**, `{name}`"),
+        None => "**proved**".to_owned(),
+    };
+    text.push_str(
+        match rule.cases {
+            1 => ", 1 case".to_owned(),
+            cases => format!(", {cases} cases"),
+        }
+        .as_str(),
+    );
+    let change = |name: &str, by: i64| match by {
+        0 => format!("{name} ±0"),
+        by => format!("{name} {by:+}"),
+    };
+    let changes = [
+        change("V", rule.vertices),
+        change("E", rule.edges),
+        change("F", rule.faces),
+    ];
+    text.push_str(&format!(" · {}", changes.join(" ")));
+    if rule.constant_time {
+        text.push_str(" · constant time");
+    } else {
+        text.push_str(&format!(" · grows with {}", rule.grows_with.join(", ")));
+    }
+    if !rule.keeps.is_empty() {
+        text.push_str(&format!(" · keeps {}", rule.keeps.join(", ")));
+    }
+    for (what, changes) in [("degrees", &rule.degrees), ("sides", &rule.sizes)] {
+        if !changes.is_empty() {
+            let changes = changes.iter().map(|(name, by)| format!("`{name}` {by}"));
+            let changes = changes.collect::<Vec<_>>().join(", ");
+            text.push_str(&format!(" · {what}: {changes}"));
+        }
+    }
+    text
+}
+
+/// A doc comment is Markdown already.
+fn docs(lines: &[String]) -> String {
+    let mut text = lines.join("\n");
+    text.push('\n');
+    text
+}
+
+/// An element and its pointers, before and after.
+fn element_text(element: &Element) -> String {
+    let outer = if element.is_outer { "outer " } else { "" };
+    let mut text = format!(
+        "**`{}`** — {outer}{}, {}\n",
+        element.name,
+        element.kind.word(),
+        element.fate.word()
+    );
+    if let Some(rule) = &element.rule {
+        text = format!("{}, in `{rule}`\n", text.trim_end());
+    }
+    let told = element
+        .pointers
+        .iter()
+        .filter(|pointer| !(pointer.before.is_empty() && pointer.after.is_empty()));
+    let shown = |value: &str| match value {
+        "" => "—".to_owned(),
+        "outside" => "*outside*".to_owned(),
+        value => format!("`{}`", value.replace('|', "\\|")),
+    };
+    let rows: Vec<_> = told
+        .map(|pointer| {
+            let after = if pointer.before == pointer.after {
+                "=".to_owned()
+            } else {
+                shown(&pointer.after)
+            };
+            format!(
+                "| {} | {} | {after} |\n",
+                pointer.name,
+                shown(&pointer.before)
+            )
+        })
+        .collect();
+    if !rows.is_empty() {
+        text.push_str("\n| | before | after |\n| --- | --- | --- |\n");
+        text.push_str(&rows.concat());
+    }
+    text
+}
+
+fn declared_text(head: &str, about: &[String]) -> String {
+    format!("{}\n{}", fenced("hedgerow", head), docs(about))
+}
+
+fn word_text(word: &Word) -> String {
+    if word.forms.is_empty() {
+        return format!("{}\n", word.meaning);
+    }
+    format!(
+        "{}\n{}\n",
+        fenced("hedgerow", &word.forms.join("\n")),
+        word.meaning
+    )
+}

@@ -1,0 +1,41 @@
+//! The language server: the Language Server Protocol, translated.
+//!
+//! [`Server`] takes messages and makes messages; [`serve`] carries them over standard input
+//! and output. Every answer is computed in [`analysis`](crate::analysis) as plain data, for
+//! whatever text an editor holds; here it only gets positions and the protocol's names. One
+//! loop owns the documents. Requests are answered in the order they come in, one that is
+//! cancelled before its turn is not; between messages, ops are proved one by one, and when
+//! all are, diagnostics are published.
+
+// What comes and goes.
+mod stdio;
+
+mod disk;
+
+mod server;
+
+mod lifecycle;
+
+mod requests;
+
+mod notifications;
+
+// What is known of the client and its texts.
+mod client;
+mod document;
+mod documents;
+mod files;
+mod position;
+mod uri;
+
+// The answers, a file for each kind.
+mod diagnostics;
+mod hints;
+mod hover;
+mod navigation;
+mod symbols;
+mod tokens;
+
+pub use position::Encoding;
+pub use server::Server;
+pub use stdio::serve;

@@ -1,0 +1,158 @@
+//! From a name to where it is declared and mentioned, and renaming it.
+
+use gen_lsp_types::*;
+
+use super::document::Document;
+use super::requests::{Answer, Refusal};
+use super::server::Server;
+use crate::analysis::names::{Mention, Role};
+use crate::analysis::{
+    definition, mentions_of_shared, occurrences, rename, renameable, shared, used_path,
+};
+use crate::diagnostic;
+
+impl Server {
+    /// `textDocument/definition`
+    pub(super) fn definition(&mut self, params: DefinitionParams) -> Answer<DefinitionRequest> {
+        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let snapshot = document.snapshot();
+        let found = match used_path(snapshot, offset) {
+            Some(path) => document.used_file(path),
+            None => definition(snapshot, offset).and_then(|span| document.location(span)),
+        };
+        Ok(found.map(|found| DefinitionResponse::Definition(found.into())))
+    }
+
+    /// `textDocument/references`
+    pub(super) fn references(&mut self, params: ReferenceParams) -> Answer<ReferencesRequest> {
+        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let declared = definition(document.snapshot(), offset);
+        let declared = declared.and_then(|span| document.location(span));
+        let all = params.context.include_declaration;
+        let mut found = Vec::new();
+        for (document, mentions) in self.mentions(document, offset) {
+            found.extend(
+                mentions
+                    .iter()
+                    .filter_map(|mention| document.location(mention.span)),
+            );
+        }
+        found.retain(|place| all || Some(place) != declared.as_ref());
+        Ok(Some(found))
+    }
+
+    /// All mentions of a name: in its document, and of an item also in the other documents
+    /// that are open.
+    fn mentions<'s>(
+        &'s self,
+        document: &'s Document,
+        offset: usize,
+    ) -> Vec<(&'s Document, Vec<Mention>)> {
+        let Some(shared) = shared(document.snapshot(), offset) else {
+            return vec![(document, occurrences(document.snapshot(), offset))];
+        };
+        let documents = self.documents.iter();
+        documents
+            .map(|document| (document, mentions_of_shared(document.snapshot(), &shared)))
+            .filter(|(_, mentions)| !mentions.is_empty())
+            .collect()
+    }
+
+    /// `textDocument/documentHighlight`
+    pub(super) fn highlight(
+        &mut self,
+        params: DocumentHighlightParams,
+    ) -> Answer<DocumentHighlightRequest> {
+        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let found = occurrences(document.snapshot(), offset);
+        let highlight = |mention: &Mention| DocumentHighlight {
+            range: document.range(mention.span),
+            kind: Some(match mention.role {
+                Role::Declared | Role::Listed(_) | Role::Written => DocumentHighlightKind::Write,
+                Role::Drawn(_) | Role::Returned | Role::Read => DocumentHighlightKind::Read,
+            }),
+        };
+        Ok(Some(found.iter().map(highlight).collect()))
+    }
+
+    /// `textDocument/prepareRename`
+    pub(super) fn prepare_rename(
+        &mut self,
+        params: PrepareRenameParams,
+    ) -> Answer<PrepareRenameRequest> {
+        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let snapshot = document.snapshot();
+        let mention = renameable(snapshot, offset).map_err(Refusal::failed)?;
+        let symbol = snapshot.names().symbol(mention.symbol);
+        let found = PrepareRenamePlaceholder {
+            range: document.range(mention.span),
+            placeholder: symbol.name.clone(),
+        };
+        Ok(Some(found.into()))
+    }
+
+    /// `textDocument/rename`
+    pub(super) fn rename(&mut self, params: RenameParams) -> Answer<RenameRequest> {
+        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let edits = rename(document.snapshot(), offset, &params.new_name);
+        let edits = edits.map_err(Refusal::failed)?;
+        if let Some(shared) = shared(document.snapshot(), offset)
+            && !self.files.is_open(&shared.file)
+        {
+            return Err(Refusal::failed(format!(
+                "`{}` is declared in `{}`: open that file to rename it everywhere",
+                shared.name, shared.file
+            )));
+        }
+        let mut changes = vec![(document, edits)];
+        for (other, mentions) in self.mentions(document, offset) {
+            if other.uri() != document.uri() {
+                let edit = |mention: &Mention| diagnostic::Edit {
+                    span: mention.span,
+                    text: params.new_name.trim().to_owned(),
+                };
+                changes.push((other, mentions.iter().map(edit).collect()));
+            }
+        }
+        Ok(Some(self.workspace_edit(&changes)))
+    }
+
+    /// Changes of documents, for their versions if the client heeds that.
+    pub(super) fn workspace_edit(
+        &self,
+        changes: &[(&Document, Vec<diagnostic::Edit>)],
+    ) -> WorkspaceEdit {
+        let edits = |document: &Document, edits: &[diagnostic::Edit]| -> Vec<TextEdit> {
+            let edits = edits.iter().map(|edit| TextEdit {
+                range: document.range(edit.span),
+                new_text: edit.text.clone(),
+            });
+            edits.collect()
+        };
+        if !self.client.takes_versioned_edits() {
+            let changes = changes
+                .iter()
+                .map(|(document, changed)| (document.uri().clone(), edits(document, changed)));
+            return WorkspaceEdit {
+                changes: Some(changes.collect()),
+                ..Default::default()
+            };
+        }
+        let changes = changes.iter().map(|(document, changed)| {
+            let edits = edits(document, changed).into_iter().map(Edit::from);
+            DocumentChange::from(TextDocumentEdit {
+                text_document: OptionalVersionedTextDocumentIdentifier {
+                    version: Some(document.version()),
+                    text_document_identifier: TextDocumentIdentifier {
+                        uri: document.uri().clone(),
+                    },
+                },
+                edits: edits.collect(),
+            })
+        });
+        WorkspaceEdit {
+            document_changes: Some(changes.collect()),
+            ..Default::default()
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! What the client lets the server know.
+
+use gen_lsp_types::*;
+use lsp_server::Notification as Notice;
+use serde_json::Value;
+
+use super::client::Settings;
+use super::document::Document;
+use super::files::name;
+use super::server::{Asked, Server};
+
+impl Server {
+    /// Takes in a notification; one that cannot be read, or that nobody knows, is let be.
+    pub(super) fn notice(&mut self, notice: Notice) {
+        use LspNotificationMethod as Method;
+        let params = notice.params;
+        match Method::from(notice.method.as_str()) {
+            Method::Initialized => self.initialized(),
+            Method::TextDocumentDidOpen => read(params, |params| self.opened(params)),
+            Method::TextDocumentDidChange => read(params, |params| self.changed(params)),
+            Method::TextDocumentDidClose => read(params, |params| self.closed(params)),
+            Method::WorkspaceDidChangeConfiguration => self.configuration_changed(&params),
+            Method::WorkspaceDidChangeWatchedFiles => read(params, |params| self.watched(params)),
+            _ => {}
+        }
+    }
+
+    /// Files that no client has open have changed on the disk.
+    fn watched(&mut self, params: DidChangeWatchedFilesParams) {
+        for change in params.changes {
+            self.documents.file_changed(&name(&change.uri));
+        }
+    }
+
+    /// Asks the client to say when a program changes on the disk.
+    fn watch_files(&mut self) {
+        if !self.client.watches_files() {
+            return;
+        }
+        let options = DidChangeWatchedFilesRegistrationOptions {
+            watchers: vec![FileSystemWatcher {
+                glob_pattern: GlobPattern::Pattern("**/*.hedge".into()),
+                kind: None,
+            }],
+        };
+        let registration = Registration {
+            id: "hedgerow-watch".into(),
+            method: "workspace/didChangeWatchedFiles".into(),
+            register_options: serde_json::to_value(options).ok(),
+        };
+        let registrations = vec![registration];
+        self.ask::<RegistrationRequest>(RegistrationParams { registrations }, Asked::Other);
+    }
+
+    fn initialized(&mut self) {
+        self.ask_for_settings();
+        self.watch_files();
+    }
+
+    fn opened(&mut self, params: DidOpenTextDocumentParams) {
+        let item = params.text_document;
+        let name = name(&item.uri);
+        self.files.hold(&item.uri, &item.text);
+        let document = Document::new(item, self.client.encoding, self.files.clone());
+        self.documents.open(document);
+        self.documents.file_changed(&name);
+    }
+
+    fn changed(&mut self, params: DidChangeTextDocumentParams) {
+        let VersionedTextDocumentIdentifier {
+            version,
+            text_document_identifier: TextDocumentIdentifier { uri },
+        } = params.text_document;
+        if let Some(document) = self.documents.get_mut(&uri) {
+            document.change(version, params.content_changes);
+            self.documents.file_changed(&name(&uri));
+        }
+    }
+
+    fn closed(&mut self, params: DidCloseTextDocumentParams) {
+        let uri = params.text_document.uri;
+        if self.documents.close(&uri).is_some() {
+            self.files.release(&uri);
+            self.documents.file_changed(&name(&uri));
+            // What was wrong with it is no longer shown.
+            self.tell::<PublishDiagnosticsNotification>(PublishDiagnosticsParams {
+                uri,
+                version: None,
+                diagnostics: Vec::new(),
+            });
+        }
+    }
+
+    /// Clients that can be asked send no settings, the others send all.
+    fn configuration_changed(&mut self, params: &Value) {
+        if self.client.has_configuration() {
+            self.ask_for_settings();
+        } else if let Some(settings) = params.get("settings").filter(|value| value.is_object()) {
+            self.client.settings = Settings::read(settings);
+        }
+    }
+
+    fn ask_for_settings(&mut self) {
+        if self.client.has_configuration() {
+            let items = vec![ConfigurationItem {
+                scope_uri: None,
+                section: Some("hedgerow".into()),
+            }];
+            self.ask::<ConfigurationRequest>(ConfigurationParams { items }, Asked::Settings);
+        }
+    }
+
+    pub(super) fn settings_arrived(&mut self, answer: &Value) {
+        let own = answer.get(0).unwrap_or(answer);
+        if own.is_object() {
+            self.client.settings = Settings::read(own);
+        }
+    }
+}
+
+fn read<P: serde::de::DeserializeOwned>(params: Value, take: impl FnOnce(P)) {
+    if let Ok(params) = serde_json::from_value(params) {
+        take(params);
+    }
+}

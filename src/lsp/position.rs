@@ -1,0 +1,157 @@
+//! From positions of the protocol to bytes, and back.
+//!
+//! A line ends with `\n`, `\r\n` or `\r` alone. A column counts UTF-8 bytes, UTF-16 units or
+//! characters, as agreed with the client. A position that is in no text is moved to the
+//! nearest one before it that is: to the end of its line, or the start of its character.
+
+use gen_lsp_types::{Position, PositionEncodingKind, Range};
+
+/// What a column counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Encoding {
+    /// Bytes.
+    Utf8,
+    /// UTF-16 units: what every client can do.
+    #[default]
+    Utf16,
+    /// Characters.
+    Utf32,
+}
+
+impl Encoding {
+    /// What is agreed with a client that offers these: bytes if it can.
+    pub(super) fn agreed(offered: &[PositionEncodingKind]) -> Self {
+        if offered.contains(&PositionEncodingKind::UTF8) {
+            Self::Utf8
+        } else if offered.contains(&PositionEncodingKind::UTF16) || offered.is_empty() {
+            Self::Utf16
+        } else if offered.contains(&PositionEncodingKind::UTF32) {
+            Self::Utf32
+        } else {
+            Self::Utf16
+        }
+    }
+
+    /// The protocol's word for it.
+    pub(super) fn kind(self) -> PositionEncodingKind {
+        match self {
+            Self::Utf8 => PositionEncodingKind::UTF8,
+            Self::Utf16 => PositionEncodingKind::UTF16,
+            Self::Utf32 => PositionEncodingKind::UTF32,
+        }
+    }
+
+    /// How many units a character counts.
+    fn units(self, character: char) -> usize {
+        match self {
+            Self::Utf8 => character.len_utf8(),
+            Self::Utf16 => character.len_utf16(),
+            Self::Utf32 => 1,
+        }
+    }
+}
+
+/// Where the lines of a text begin.
+#[derive(Clone, Debug)]
+pub(super) struct Lines {
+    starts: Vec<usize>,
+    encoding: Encoding,
+}
+
+impl Lines {
+    pub(super) fn new(text: &str, encoding: Encoding) -> Self {
+        let bytes = text.as_bytes();
+        let ends = bytes.iter().enumerate().filter(|&(at, &byte)| {
+            byte == b'\n' || byte == b'\r' && bytes.get(at + 1) != Some(&b'\n')
+        });
+        let starts = std::iter::once(0).chain(ends.map(|(at, _)| at + 1));
+        Self {
+            starts: starts.collect(),
+            encoding,
+        }
+    }
+
+    /// The byte at a position.
+    pub(super) fn offset(&self, text: &str, position: Position) -> usize {
+        let Some(&start) = self.starts.get(position.line as usize) else {
+            return text.len();
+        };
+        let next = self.starts.get(position.line as usize + 1);
+        let line = &text[start..next.copied().unwrap_or(text.len())];
+        let line = line.trim_end_matches(['\r', '\n']);
+        let wanted = position.character as usize;
+        if self.encoding == Encoding::Utf8 {
+            return start + line.floor_char_boundary(wanted);
+        }
+        let mut units = 0;
+        for (at, character) in line.char_indices() {
+            units += self.encoding.units(character);
+            if units > wanted {
+                return start + at;
+            }
+        }
+        start + line.len()
+    }
+
+    /// The position of a byte.
+    pub(super) fn position(&self, text: &str, offset: usize) -> Position {
+        let offset = text.floor_char_boundary(offset);
+        let line = self.starts.partition_point(|&start| start <= offset) - 1;
+        let start = self.starts[line];
+        let before = &text[start..offset];
+        let character = match self.encoding {
+            Encoding::Utf8 => before.len(),
+            encoding => before
+                .chars()
+                .map(|character| encoding.units(character))
+                .sum(),
+        };
+        Position {
+            line: narrow(line),
+            character: narrow(character),
+        }
+    }
+
+    /// The range of two bytes.
+    pub(super) fn range(&self, text: &str, range: std::ops::Range<usize>) -> Range {
+        Range {
+            start: self.position(text, range.start),
+            end: self.position(text, range.end),
+        }
+    }
+}
+
+/// The protocol counts in 32 bits; no text that is longer is taken in.
+pub(super) fn narrow(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_and_bytes_are_inverse_in_every_encoding() {
+        let text = "a𝄞b\r\né\rz\n\n";
+        for encoding in [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32] {
+            let lines = Lines::new(text, encoding);
+            for (offset, character) in text.char_indices() {
+                if text[..offset].ends_with('\r') && character == '\n' {
+                    continue; // inside a line end
+                }
+                let position = lines.position(text, offset);
+                assert_eq!(
+                    lines.offset(text, position),
+                    offset,
+                    "{encoding:?} {offset}"
+                );
+            }
+        }
+        let lines = Lines::new(text, Encoding::Utf16);
+        let at = |line, character| lines.offset(text, Position { line, character });
+        assert_eq!(at(0, 2), 1, "inside a pair of surrogates");
+        assert_eq!(at(0, 99), 6, "the end of the line, before its end mark");
+        assert_eq!(at(2, 0), 11);
+        assert_eq!(at(99, 0), text.len());
+    }
+}

@@ -1,0 +1,134 @@
+//! Which answer belongs to which request.
+
+use gen_lsp_types::*;
+use gen_lsp_types::{LspRequestMethod as Method, Request as Question, Uri};
+use lsp_server::{ErrorCode, Request, Response};
+use serde_json::Value;
+
+use super::document::Document;
+use super::server::{Server, Stage};
+
+/// Why a request gets no answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Refusal {
+    /// What kind of failure it is.
+    pub(super) code: i32,
+    /// Why, for a person.
+    pub(super) why: String,
+}
+
+impl Refusal {
+    /// The request makes no sense.
+    pub(super) fn invalid(why: impl Into<String>) -> Self {
+        Self {
+            code: ErrorCode::InvalidParams as i32,
+            why: why.into(),
+        }
+    }
+
+    /// The request makes sense, and there is a reason not to do it.
+    pub(super) fn failed(why: impl Into<String>) -> Self {
+        Self {
+            code: ErrorCode::RequestFailed as i32,
+            why: why.into(),
+        }
+    }
+}
+
+/// What a request is answered.
+pub(super) type Answer<Q> = Result<<Q as Question>::Result, Refusal>;
+
+impl Server {
+    /// Answers a request.
+    pub(super) fn answer(&mut self, request: Request) -> Response {
+        let method = request.method.clone();
+        match Method::from(method.as_str()) {
+            Method::Initialize => {
+                let answer = self.initialize(request.params);
+                Response::new_ok(request.id, answer)
+            }
+            Method::Shutdown => {
+                self.stage = Stage::ShutDown;
+                Response::new_ok(request.id, Value::Null)
+            }
+            Method::TextDocumentDiagnostic => {
+                self.reply::<DocumentDiagnosticRequest>(request, Self::pull)
+            }
+            Method::TextDocumentHover => self.reply::<HoverRequest>(request, Self::hover),
+            Method::TextDocumentDefinition => {
+                self.reply::<DefinitionRequest>(request, Self::definition)
+            }
+            Method::TextDocumentReferences => {
+                self.reply::<ReferencesRequest>(request, Self::references)
+            }
+            Method::TextDocumentDocumentHighlight => {
+                self.reply::<DocumentHighlightRequest>(request, Self::highlight)
+            }
+            Method::TextDocumentPrepareRename => {
+                self.reply::<PrepareRenameRequest>(request, Self::prepare_rename)
+            }
+            Method::TextDocumentRename => self.reply::<RenameRequest>(request, Self::rename),
+            Method::TextDocumentDocumentSymbol => {
+                self.reply::<DocumentSymbolRequest>(request, Self::document_symbols)
+            }
+            Method::WorkspaceSymbol => {
+                self.reply::<WorkspaceSymbolRequest>(request, Self::workspace_symbols)
+            }
+            Method::TextDocumentFoldingRange => {
+                self.reply::<FoldingRangeRequest>(request, Self::folding)
+            }
+            Method::TextDocumentSelectionRange => {
+                self.reply::<SelectionRangeRequest>(request, Self::selection)
+            }
+            Method::TextDocumentSemanticTokensFull => {
+                self.reply::<SemanticTokensRequest>(request, Self::tokens)
+            }
+            Method::TextDocumentSemanticTokensRange => {
+                self.reply::<SemanticTokensRangeRequest>(request, Self::tokens_of_range)
+            }
+            Method::TextDocumentInlayHint => self.reply::<InlayHintRequest>(request, Self::hints),
+            Method::TextDocumentDocumentLink => {
+                self.reply::<DocumentLinkRequest>(request, Self::links)
+            }
+            _ => Response::new_err(
+                request.id,
+                ErrorCode::MethodNotFound as i32,
+                format!("`{method}` is not known here"),
+            ),
+        }
+    }
+
+    fn reply<Q: Question>(
+        &mut self,
+        request: Request,
+        answer: fn(&mut Self, Q::Params) -> Answer<Q>,
+    ) -> Response {
+        let params = match serde_json::from_value(request.params) {
+            Ok(params) => params,
+            Err(error) => {
+                let why = format!("the parameters cannot be read: {error}");
+                let code = ErrorCode::InvalidParams as i32;
+                return Response::new_err(request.id, code, why);
+            }
+        };
+        match answer(self, params) {
+            Ok(result) => Response::new_ok(request.id, result),
+            Err(refusal) => Response::new_err(request.id, refusal.code, refusal.why),
+        }
+    }
+
+    /// An open document.
+    pub(super) fn document(&self, uri: &Uri) -> Result<&Document, Refusal> {
+        let known = self.documents.get(uri);
+        known.ok_or_else(|| Refusal::invalid(format!("`{}` is not open", uri.0)))
+    }
+
+    /// An open document and a byte in it.
+    pub(super) fn place(
+        &self,
+        at: &TextDocumentPositionParams,
+    ) -> Result<(&Document, usize), Refusal> {
+        let document = self.document(&at.text_document.uri)?;
+        Ok((document, document.offset(at.position)))
+    }
+}

@@ -1,0 +1,189 @@
+//! Messages in, messages out.
+
+use std::collections::VecDeque;
+
+use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
+use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
+use serde::Serialize;
+
+use super::client::Client;
+use super::documents::Documents;
+use super::files::Files;
+use crate::analysis::Reader;
+
+/// How far the conversation is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// Nothing has been said.
+    Silent,
+    /// Both sides know what the other can do.
+    Ready,
+    /// The client has no more questions.
+    ShutDown,
+    /// The process may end, with this exit code.
+    Gone(u8),
+}
+
+/// A question to the client that is not answered yet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Asked {
+    /// Its settings.
+    Settings,
+    /// Something of which only a failure matters, and not even that.
+    Other,
+}
+
+/// The language server, without streams: it takes messages and makes messages.
+#[derive(Debug)]
+pub struct Server {
+    pub(super) stage: Stage,
+    pub(super) client: Client,
+    pub(super) documents: Documents,
+    pub(super) files: Files,
+    waiting: VecDeque<Message>,
+    outgoing: Vec<Message>,
+    pub(super) asked: Vec<(RequestId, Asked)>,
+    next_id: i32,
+}
+
+impl Server {
+    /// A server to which nobody has spoken yet. The reader gives it the files that no client
+    /// has open.
+    pub fn new(reader: Box<dyn Reader>) -> Self {
+        Self {
+            files: Files::new(reader),
+            stage: Stage::Silent,
+            client: Client::default(),
+            documents: Documents::default(),
+            waiting: VecDeque::new(),
+            outgoing: Vec::new(),
+            asked: Vec::new(),
+            next_id: 0,
+        }
+    }
+
+    /// Takes in a message. It is answered by [`work`](Self::work) when its turn comes; only
+    /// a cancellation acts at once, on what is still waiting.
+    pub fn accept(&mut self, message: Message) {
+        match message {
+            Message::Notification(notice)
+                if notice.method == LspNotificationMethod::CancelRequest.as_str() =>
+            {
+                self.cancel(&notice);
+            }
+            message => self.waiting.push_back(message),
+        }
+    }
+
+    fn cancel(&mut self, notice: &Notification) {
+        let id = notice.params.get("id").cloned().unwrap_or_default();
+        let Ok(id) = serde_json::from_value::<RequestId>(id) else {
+            return;
+        };
+        let is_meant =
+            |message: &Message| matches!(message, Message::Request(request) if request.id == id);
+        let Some(at) = self.waiting.iter().position(is_meant) else {
+            return; // it is answered already
+        };
+        self.waiting.remove(at);
+        let code = ErrorCode::RequestCanceled as i32;
+        let answer = Response::new_err(id, code, "the request was cancelled".into());
+        self.outgoing.push(answer.into());
+    }
+
+    /// Does one piece of work: answers the next message, or, when none waits, proves an op
+    /// or publishes diagnostics. The answer is what to send; nothing at all if there is
+    /// nothing to do.
+    pub fn work(&mut self) -> Option<Vec<Message>> {
+        if !self.outgoing.is_empty() {
+            return Some(std::mem::take(&mut self.outgoing));
+        }
+        match self.waiting.pop_front() {
+            Some(Message::Request(request)) => self.request(request),
+            Some(Message::Notification(notice)) => self.notification(notice),
+            Some(Message::Response(response)) => self.response(response),
+            None if self.stage == Stage::Ready => {
+                if !self.publish_next() {
+                    return None;
+                }
+            }
+            None => return None,
+        }
+        Some(std::mem::take(&mut self.outgoing))
+    }
+
+    /// The exit code, once the client has said that the process may end.
+    pub fn exit_code(&self) -> Option<u8> {
+        match self.stage {
+            Stage::Gone(code) => Some(code),
+            _ => None,
+        }
+    }
+
+    /// The text of an open document, as the server holds it.
+    pub fn text(&self, uri: &str) -> Option<&str> {
+        Some(self.documents.get(&uri.into())?.text())
+    }
+
+    fn request(&mut self, request: Request) {
+        let method = LspRequestMethod::from(request.method.as_str());
+        let is_initialize = method == LspRequestMethod::Initialize;
+        let refused = match self.stage {
+            Stage::Silent if !is_initialize => Some((
+                ErrorCode::ServerNotInitialized,
+                "the first request must be `initialize`",
+            )),
+            Stage::Ready if is_initialize => {
+                Some((ErrorCode::InvalidRequest, "`initialize` comes only once"))
+            }
+            Stage::ShutDown | Stage::Gone(_) => {
+                Some((ErrorCode::InvalidRequest, "the server is shut down"))
+            }
+            _ => None,
+        };
+        let answer = match refused {
+            Some((code, why)) => Response::new_err(request.id, code as i32, why.into()),
+            None => self.answer(request),
+        };
+        self.outgoing.push(answer.into());
+    }
+
+    fn notification(&mut self, notice: Notification) {
+        let method = LspNotificationMethod::from(notice.method.as_str());
+        match (self.stage, method) {
+            (stage, LspNotificationMethod::Exit) => {
+                let was_asked = stage == Stage::ShutDown;
+                self.stage = Stage::Gone(u8::from(!was_asked));
+            }
+            (Stage::Ready, _) => self.notice(notice),
+            _ => {}
+        }
+    }
+
+    fn response(&mut self, response: Response) {
+        let at = self.asked.iter().position(|(id, _)| *id == response.id);
+        let Some(at) = at else { return };
+        let (_, asked) = self.asked.remove(at);
+        if let (Asked::Settings, Ok(value)) = (asked, response.response_result) {
+            self.settings_arrived(&value);
+        }
+    }
+
+    /// Sends a notification.
+    pub(super) fn tell<N: gen_lsp_types::Notification>(&mut self, params: N::Params) {
+        let notice = Notification::new(N::METHOD.as_str().to_owned(), params);
+        self.outgoing.push(notice.into());
+    }
+
+    /// Asks the client something.
+    pub(super) fn ask<R: gen_lsp_types::Request>(&mut self, params: R::Params, asked: Asked)
+    where
+        R::Params: Serialize,
+    {
+        self.next_id += 1;
+        let id = RequestId::from(format!("hedgerow-{}", self.next_id));
+        let request = Request::new(id.clone(), R::METHOD.as_str().to_owned(), params);
+        self.asked.push((id, asked));
+        self.outgoing.push(request.into());
+    }
+}

@@ -1,0 +1,103 @@
+//! The words of the language that are no keywords, for whoever completes or explains them.
+
+use crate::diagram::Type;
+
+use super::builtin::{Wanted, function_names, overloads};
+use super::field::{Entry, entries_of};
+use super::sequence::{WHOLE_MESH, fold_names, sequences_of};
+use super::words::a_type;
+
+/// One way to call a function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signature {
+    /// What it takes, in words: `vertex`, `real`.
+    pub takes: Vec<&'static str>,
+    /// What it gives.
+    pub gives: Option<Type>,
+}
+
+/// Something behind a dot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FieldWord {
+    /// The word.
+    pub name: &'static str,
+    /// Its type; `None` if it is a sequence.
+    pub ty: Option<Type>,
+    /// Whether it is stored with the element, and can be assigned to.
+    pub is_attribute: bool,
+}
+
+/// Whether a word is a function or an aggregate of the language.
+pub fn is_function(word: &str) -> bool {
+    function_words().any(|known| known == word)
+}
+
+/// The functions and aggregates of the language.
+pub fn function_words() -> impl Iterator<Item = &'static str> {
+    let twice = |word: &&str| overloads(word).is_empty();
+    function_names().chain(fold_names().filter(twice))
+}
+
+/// The ways to call a function of the language; none if there is no such function.
+pub fn signatures(function: &str) -> Vec<Signature> {
+    for (ty, count) in [(Type::Vec2, 2), (Type::Vec3, 3), (Type::Vec4, 4)] {
+        if function == ty.word() {
+            let takes = vec!["real"; count];
+            let gives = Some(ty);
+            return vec![Signature { takes, gives }];
+        }
+    }
+    let mut ways: Vec<_> = overloads(function)
+        .iter()
+        .map(|way| Signature {
+            takes: way.wanted.iter().map(|wanted| word(*wanted)).collect(),
+            gives: Some(way.result),
+        })
+        .collect();
+    if fold_names().any(|fold| fold == function) {
+        ways.push(Signature {
+            takes: vec!["value for x in sequence where condition"],
+            gives: None,
+        });
+    }
+    ways
+}
+
+fn word(wanted: Wanted) -> &'static str {
+    match wanted {
+        Wanted::Is(ty) => ty.word(),
+        Wanted::Point => "point",
+    }
+}
+
+/// What may stand behind the dot of a value of a type.
+pub fn fields(ty: Type) -> Vec<FieldWord> {
+    let values = entries_of(ty).into_iter().map(|entry| {
+        let Entry {
+            name,
+            ty,
+            is_attribute,
+        } = entry;
+        FieldWord {
+            name,
+            ty: Some(ty),
+            is_attribute,
+        }
+    });
+    let sequences = sequences_of(ty).iter().map(|name| FieldWord {
+        name,
+        ty: None,
+        is_attribute: false,
+    });
+    values.chain(sequences).collect()
+}
+
+/// The sequences of the whole mesh: `vertices`, `edges`, …
+pub fn sequence_words() -> impl Iterator<Item = &'static str> {
+    WHOLE_MESH.iter().map(|(word, _)| *word)
+}
+
+/// A type with its article.
+pub fn type_with_article(ty: Type) -> &'static str {
+    a_type(ty)
+}

@@ -1,0 +1,9 @@
+//! The language server: every answer, whole conversations, and what no editor should do.
+
+#[path = "../pages/mod.rs"]
+mod pages;
+
+mod answers;
+mod client;
+mod conversation;
+mod shown;
