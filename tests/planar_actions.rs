@@ -12,8 +12,7 @@ use glam::DVec3;
 use hedgerow::analysis::{Analysis, Nowhere, verdicts};
 use hedgerow::diagram::Type;
 use hedgerow::mesh::{
-    ElementKind, FaceId, Level, Mesh, Polygons, Value, VertexId, identical,
-    validate_level,
+    ElementKind, FaceId, Level, Mesh, Polygons, Value, VertexId, identical, validate_level,
 };
 use hedgerow::rewrite::Unwatched;
 use hedgerow::run::{Applied, apply, arguments, prepare, run};

@@ -24,8 +24,20 @@ pub struct Plan {
     pub places: Vec<Span>,
     /// Why it can refuse, by number.
     pub refusals: Vec<Refusal>,
-    /// Each alternative in four phases, to read.
+    /// Each alternative in four phases, to read; none of an op in steps.
     pub stages: Vec<Stage>,
+    /// Where it is an op in steps, which calls others, all or nothing.
+    pub steps: Option<Steps>,
+}
+
+/// What an op in steps needs besides its code.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Steps {
+    /// The operations that it calls, by number, each with the number of the refusal of its
+    /// own that stands for the first of theirs; the others follow.
+    pub calls: Vec<(u16, u16)>,
+    /// The number of the refusal for each way to fall below the level of its guard.
+    pub below: Vec<(&'static str, u16)>,
 }
 
 impl Plan {
