@@ -15,6 +15,7 @@ mod reference;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use hedgerow::analysis::Analysis;
@@ -648,7 +649,7 @@ fn accepted(
 ) {
     let op = proved.op();
     let run = catch_unwind(AssertUnwindSafe(|| {
-        let plan = compile(proved, sources).expect("a small op");
+        let plan = compile(proved, sources, &Arc::default()).expect("a small op");
         experience(op, Some(&plan), pool.trials(op, random))
     }));
     let Ok(experience) = run else {

@@ -49,6 +49,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "check",
             "compile",
             "resolve",
+            "run",
         ],
     ),
     (

@@ -1,10 +1,12 @@
 //! One operation, proved and compiled, or told why not.
 
+use std::sync::Arc;
+
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::Diagnostic;
 use crate::resolve::ResolvedOp;
-use crate::rewrite::Plan;
+use crate::rewrite::{Function, Plan};
 use crate::source::{Sources, Span};
 
 /// What came of one operation.
@@ -21,11 +23,17 @@ pub struct Examined {
 }
 
 impl Examined {
-    /// Proves and compiles an op, of which `told` is what has been said so far.
+    /// Proves and compiles an op, of which `told` is what has been said so far; `functions`
+    /// are those of its program.
     ///
     /// An op with an error inside is left alone: where a part could not be read, what is left
     /// is another operation.
-    pub fn of(op: &ResolvedOp, told: &[Diagnostic], sources: &Sources) -> Self {
+    pub fn of(
+        op: &ResolvedOp,
+        told: &[Diagnostic],
+        sources: &Sources,
+        functions: &Arc<[Function]>,
+    ) -> Self {
         let whole = op.diagram.as_ref().filter(|diagram| {
             let inside = |error: &Diagnostic| {
                 let place = error.span();
@@ -36,7 +44,7 @@ impl Examined {
         let mut found = Self::default();
         match whole.map(examine) {
             Some(Ok(proof)) => {
-                match compile(&proof, sources) {
+                match compile(&proof, sources, functions) {
                     Ok(plan) => found.plan = Some(plan),
                     Err(_) => found.diagnostics.push(too_large(op.span, &op.name)),
                 }

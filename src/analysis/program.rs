@@ -6,6 +6,7 @@ use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
 use crate::rewrite::Plan;
+use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
 
 /// What is known of one file, and of those it uses.
@@ -60,16 +61,19 @@ impl Analysis {
         let used = used.unwrap_or_default().iter();
         let seen = std::iter::once(file).chain(used.map(|&used| parts[used].file));
         let seen = seen.collect();
+        let (functions, too_large) = Functions::of(&program);
+        diagnostics.extend(too_large);
         let mut proved = Vec::new();
         let mut plans = Vec::new();
         let mut counterexamples = Vec::new();
         for op in &program.ops {
-            let examined = Examined::of(op, &diagnostics, sources);
+            let examined = Examined::of(op, &diagnostics, sources, &functions.code);
             diagnostics.extend(examined.diagnostics);
             counterexamples.extend(examined.counterexamples);
             proved.push(examined.proved);
             plans.push(examined.plan);
         }
+        diagnostics.extend(plan_steps(&program, &functions, &mut plans));
         diagnostics.sort_by_key(|diagnostic| {
             let Span { file, start, .. } = diagnostic.span();
             (file, start)

@@ -9,6 +9,7 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::files::{Parts, Reader, fetch, name_of};
 use super::names::Names;
@@ -16,6 +17,8 @@ use super::{Examined, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::resolve::{Program, resolve_all};
+use crate::rewrite::Function;
+use crate::run::Functions;
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
@@ -31,6 +34,7 @@ pub struct Snapshot {
     parsed: Parsed,
     used: Vec<(FileId, tree::File)>,
     program: Program,
+    functions: Arc<[Function]>,
     told: Vec<Diagnostic>,
     names: Names,
     surroundings: u64,
@@ -92,7 +96,9 @@ impl Snapshot {
                     .insert(op.name.clone(), readable);
             }
         }
+        let (functions, _) = Functions::of(&program);
         Self {
+            functions: functions.code,
             names: Names::of(&own.parsed.tree),
             surroundings: surroundings(&own.parsed.tree, &sources, file),
             examined: vec![OnceCell::new(); program.ops.len()],
@@ -226,7 +232,7 @@ impl Snapshot {
         {
             return moved(&known.examined, known.at, span);
         }
-        let examined = Rc::new(Examined::of(op, &self.told, &self.sources));
+        let examined = Rc::new(Examined::of(op, &self.told, &self.sources, &self.functions));
         let labels = examined.diagnostics.iter().flat_map(|told| &told.labels);
         let is_alone = labels.map(|label| label.span).all(|label| {
             label.file == span.file && span.start <= label.start && label.end <= span.end

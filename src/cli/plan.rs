@@ -5,8 +5,9 @@ use std::mem::discriminant;
 use super::arguments::PlanArguments;
 use super::failure::Failure;
 use super::output::{complain_of, say, table};
-use super::program;
-use crate::rewrite::{Cell, Plan, Row, Stage};
+use super::program::{self, Program};
+use crate::mesh::Level;
+use crate::rewrite::{Cell, Plan, Row, Stage, Steps};
 
 /// Shows an operation as pointer assignments, in four phases.
 pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
@@ -17,8 +18,25 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         complain_of(&program.analysis.diagnostics, &program.sources);
         return Err(Failure::NotProved);
     };
-    say(&show(plan));
+    match &plan.steps {
+        Some(steps) => say(&show_steps(plan, steps, &program)),
+        None => say(&show(plan)),
+    }
     Ok(())
+}
+
+/// What an op in steps calls, and when it refuses.
+fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
+    let ops = &program.analysis.program.ops;
+    let calls = steps.calls.iter();
+    let calls = calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str()));
+    let calls = calls.collect::<Vec<_>>().join(", ");
+    let end = match plan.level {
+        Level::Map => String::new(),
+        level => format!(", or the mesh is not of level {level} in the end"),
+    };
+    let name = &plan.name;
+    format!("{name} is done in steps: {calls}\nif one of them must be done and refuses{end}, all is undone")
 }
 
 /// The four phases of every rule.

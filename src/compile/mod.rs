@@ -14,6 +14,7 @@ mod reassign;
 mod registers;
 
 pub use expression::{
-    Scope, attribute, copy, each, element_kind, elements, lower, lower_into, width,
+    Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,
+    lower_into, width,
 };
 pub use operation::compile;

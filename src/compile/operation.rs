@@ -1,5 +1,7 @@
 //! An operation: its alternatives, tried in order.
 
+use std::sync::Arc;
+
 use super::collect::Collect;
 use super::reassign::{Onto, Reassign};
 use super::registers::Registers;
@@ -8,19 +10,25 @@ use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, Op, Property, Rule};
 use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
-    Assembler, Cell, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
+    Assembler, Cell, Code, Function, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
 };
 use crate::source::{Sources, Span};
 
 /// Compiles a proved operation.
 ///
-/// `sources` gives the words of its expressions for the table.
+/// `sources` gives the words of its expressions for the table; `functions` are those of the
+/// program, all of which know the same texts.
 ///
 /// # Errors
 /// [`TooLarge`] when the diagrams need more registers than there can be.
-pub fn compile(proved: &Proved, sources: &Sources) -> Result<Plan, TooLarge> {
+pub fn compile(
+    proved: &Proved,
+    sources: &Sources,
+    functions: &Arc<[Function]>,
+) -> Result<Plan, TooLarge> {
     let op = proved.op();
-    let mut output = Output::new(sources);
+    let texts = functions.last().map(|last| last.code.texts.as_slice());
+    let mut output = Output::new(sources, texts.unwrap_or_default());
     let widths: Vec<_> = op.params.iter().map(|param| width(param.ty)).collect();
     let params: Vec<_> = widths
         .iter()
@@ -41,10 +49,14 @@ pub fn compile(proved: &Proved, sources: &Sources) -> Result<Plan, TooLarge> {
         result: op.result.and_then(element_kind),
         level: level(op),
         keeps: kept_levels(proved),
-        code: output.asm.finish()?,
+        code: Code {
+            functions: Arc::clone(functions),
+            ..output.asm.finish()?
+        },
         places: output.places,
         refusals: output.refusals,
         stages,
+        steps: None,
     })
 }
 
@@ -157,9 +169,9 @@ pub(super) struct Output<'a> {
 }
 
 impl<'a> Output<'a> {
-    fn new(sources: &'a Sources) -> Self {
+    fn new(sources: &'a Sources, texts: &[String]) -> Self {
         Self {
-            asm: Assembler::new(),
+            asm: Assembler::knowing(texts),
             sources,
             places: Vec::new(),
             refusals: Vec::new(),

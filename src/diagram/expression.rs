@@ -85,6 +85,40 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl Expr {
+    /// Shows the expression and all its parts, in no particular order.
+    pub fn each<'e>(&'e self, look: &mut impl FnMut(&'e Expr)) {
+        let mut open = vec![self];
+        while let Some(expr) = open.pop() {
+            look(expr);
+            match &expr.kind {
+                ExprKind::Follow(_, inner)
+                | ExprKind::Read(_, inner)
+                | ExprKind::Component(_, inner)
+                | ExprKind::Unary(_, inner) => open.push(inner),
+                ExprKind::Vector(parts) => open.extend(parts.iter()),
+                ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
+                    open.extend([&**left, &**right]);
+                }
+                ExprKind::Call(_, args) | ExprKind::Invoke(_, args) => open.extend(args),
+                ExprKind::If(condition, then, otherwise) => {
+                    open.extend([&**condition, &**then, &**otherwise]);
+                }
+                ExprKind::Fold(fold) => {
+                    open.extend(fold.filter.iter().chain([&fold.body]));
+                    open.extend(fold.collection.base());
+                }
+                ExprKind::Bool(_)
+                | ExprKind::Int(_)
+                | ExprKind::Real(_)
+                | ExprKind::Text(_)
+                | ExprKind::Element(_)
+                | ExprKind::Local(_) => {}
+            }
+        }
+    }
+}
+
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
@@ -121,6 +155,11 @@ pub enum ExprKind {
     If(Box<Expr>, Box<Expr>, Box<Expr>),
     /// `mean(x for e in edges where c)`, `count(edges)`
     Fold(Box<Fold>),
+    /// A function of the program, by its number there, and an argument for each parameter.
+    Invoke(u32, Vec<Expr>),
+    /// `let x = …` in a block that is a value: the variable's number, what it is, and the
+    /// value of the block.
+    Let(u32, Box<Expr>, Box<Expr>),
 }
 
 /// A pointer of the mesh, as navigation.
@@ -346,6 +385,23 @@ pub enum Collection {
 }
 
 impl Collection {
+    /// The element that it lies around; `None` for one of the whole mesh.
+    pub fn base(&self) -> Option<&Expr> {
+        use Collection::*;
+        match self {
+            Vertices | Halfedges | Edges | Faces | Holes => None,
+            VertexHalfedges(base)
+            | VertexEdges(base)
+            | VertexFaces(base)
+            | VertexNeighbors(base)
+            | FaceHalfedges(base)
+            | FaceVertices(base)
+            | FaceEdges(base)
+            | EdgeVertices(base)
+            | EdgeFaces(base) => Some(base),
+        }
+    }
+
     /// The type of its elements.
     pub fn element(&self) -> Type {
         use Collection::*;

@@ -5,13 +5,13 @@ use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::op::{Returned, Signature};
-use super::program::{Statement, StatementKind};
+use super::op::Returned;
+use super::program::{Block, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::suggestion::suggest;
 use super::typing::typed;
-use super::words::{a_type, arguments};
+use super::words::a_type;
 
 /// `must split(e)` as a value.
 pub(super) struct Applied {
@@ -25,8 +25,9 @@ pub(super) struct Applied {
 }
 
 impl Applied {
-    /// The statement that stores the result, or stops the script at a refusal.
-    pub(super) fn into_variable(self, variable: u32) -> StatementKind {
+    /// The statement that stores the result and goes on with `then`, or stops the script at a
+    /// refusal.
+    pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
         let refused = Statement {
             kind: StatementKind::Assert {
                 condition: typed(Type::Bool, ExprKind::Bool(false), self.span),
@@ -38,8 +39,27 @@ impl Applied {
             op: self.op,
             args: self.args,
             variable: Some(variable),
-            then: Vec::new(),
+            then,
             otherwise: vec![refused],
+        }
+    }
+}
+
+/// `let m = split(e)` behind `if`.
+struct Asked {
+    op: usize,
+    args: Vec<Expr>,
+    variable: Option<u32>,
+}
+
+impl Asked {
+    fn choosing(self, [then, otherwise]: [Block; 2]) -> StatementKind {
+        StatementKind::IfApply {
+            op: self.op,
+            args: self.args,
+            variable: self.variable,
+            then,
+            otherwise,
         }
     }
 }
@@ -141,6 +161,29 @@ impl Scripting<'_> {
         condition: &tree::Expr,
         [then, otherwise]: [Option<&tree::Block>; 2],
     ) -> Option<StatementKind> {
+        let asked = self.asked(binding, condition);
+        let then = then.map(|block| self.block(block)).unwrap_or_default();
+        self.typing.scopes.leave();
+        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
+        Some(asked?.choosing([then, otherwise]))
+    }
+
+    /// The same at the end of a function, where the blocks may end with its value.
+    pub(super) fn if_applied_at_end(
+        &mut self,
+        binding: Option<&Ident>,
+        condition: &tree::Expr,
+        [then, otherwise]: [&tree::Block; 2],
+    ) -> Option<StatementKind> {
+        let asked = self.asked(binding, condition);
+        let then = self.body(then);
+        self.typing.scopes.leave();
+        let otherwise = self.body(otherwise);
+        Some(asked?.choosing([then, otherwise]))
+    }
+
+    /// The call of an op behind `if`, and its variable in a scope that stays open.
+    fn asked(&mut self, binding: Option<&Ident>, condition: &tree::Expr) -> Option<Asked> {
         let applied = match &condition.kind {
             tree::ExprKind::Call { function, args } => {
                 self.application(function, args, condition.span)
@@ -173,17 +216,8 @@ impl Scripting<'_> {
                 binding: Binding::Head,
             })
         });
-        let then = then.map(|block| self.block(block)).unwrap_or_default();
-        self.typing.scopes.leave();
-        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
         let (op, args) = applied?;
-        Some(StatementKind::IfApply {
-            op,
-            args,
-            variable,
-            then,
-            otherwise,
-        })
+        Some(Asked { op, args, variable })
     }
 
     /// An op and its arguments, those left out as well.
@@ -206,69 +240,14 @@ impl Scripting<'_> {
         self.typing
             .declared
             .expect_one(function, self.typing.report)?;
-        let mut values: Vec<Option<Expr>> = Vec::new();
-        for (place, arg) in args.iter().enumerate() {
-            let value = match op.params.get(place).map(|param| (param, param.ty)) {
-                Some((param, Some(ty))) => {
-                    let whose = format!("`{}` of `{}`", param.name, op.name);
-                    self.typing.expression_as(arg, ty, &whose)
-                }
-                // Of unknown type, or one too many.
-                Some((_, None)) | None => self.typing.expression(arg),
-            };
-            values.push(value);
-        }
-        self.right_op_count(op, args.len(), span)?;
-        for param in &op.params[args.len()..] {
-            if param.default.is_none() {
-                self.typing.report.fail();
-            }
-            values.push(param.default.clone());
-        }
-        let values = values.into_iter().collect::<Option<_>>()?;
+        let values = self.typing.arguments(&op.name, &op.params, args, span)?;
         Some((number, values))
-    }
-
-    /// Complains about a wrong number of arguments.
-    fn right_op_count(&mut self, op: &Signature, given: usize, span: Span) -> Option<()> {
-        let most = op.params.len();
-        // A parameter before one without a default cannot be left out either.
-        let required = op.params.iter().rposition(|param| !param.optional);
-        let least = required.map_or(0, |place| place + 1);
-        if (least..=most).contains(&given) {
-            return Some(());
-        }
-        let wanted = match least {
-            least if least == most => arguments(most),
-            least => format!("{least} to {}", arguments(most)),
-        };
-        let verb = if given == 1 { "is" } else { "are" };
-        let given = match given {
-            0 => "none".to_owned(),
-            given => given.to_string(),
-        };
-        let message = format!("`{}` takes {wanted}, but {given} {verb} given", op.name);
-        let params: Vec<String> = op
-            .params
-            .iter()
-            .map(|param| match param.ty {
-                Some(ty) => format!("{}: {}", param.name, ty.word()),
-                None => param.name.clone(),
-            })
-            .collect();
-        let error = Diagnostic::error("wrong-count", message, span).note(format!(
-            "it is `{}({})`",
-            op.name,
-            params.join(", ")
-        ));
-        self.typing.report.add(error);
-        None
     }
 
     fn unknown_op(&mut self, function: &Ident) {
         let declared = self.typing.declared;
         let word = function.text.as_str();
-        if declared.may_be_function(word) {
+        if declared.lacks_files() {
             // What declares it has been refused already.
             self.typing.report.fail();
             return;

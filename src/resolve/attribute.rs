@@ -119,6 +119,7 @@ fn attribute(
             declared,
             scopes,
             report: &mut report,
+            may_change: false,
         };
         match ty {
             Some(ty) => typing.whole_as(default, ty, &format!("`{}`", attr.name.text)),

@@ -4,6 +4,7 @@
 //! have items of one name; only to call it is an error then.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Access, Type};
@@ -14,6 +15,7 @@ use super::attribute::{Head, head};
 use super::builtin::function_names;
 use super::file::Unit;
 use super::report::{Report, not_yet};
+use super::routine::FunctionSignature;
 use super::sequence::fold_names;
 use super::words::a_type;
 
@@ -33,12 +35,15 @@ pub(super) struct Named {
 pub(super) enum What {
     /// An operation.
     Op,
+    /// A function.
+    Function,
 }
 
 impl What {
     fn a_word(self) -> &'static str {
         match self {
             What::Op => "an op",
+            What::Function => "a function",
         }
     }
 }
@@ -51,7 +56,8 @@ pub(super) struct Declared {
     /// What else a used file has under such a name.
     others: HashMap<String, Span>,
     scripts: HashMap<String, Span>,
-    functions: HashSet<String>,
+    /// The functions that are known so far, by name.
+    functions: HashMap<String, Rc<FunctionSignature>>,
     /// The attributes that can be seen.
     attributes: Vec<Head>,
     /// The names of those that could not be understood.
@@ -64,6 +70,7 @@ pub(super) struct Declared {
 #[derive(Debug, Default)]
 struct Numbers {
     ops: usize,
+    functions: usize,
     attributes: u32,
     /// The attributes that are not private: each has its name alone, in all files.
     public: Vec<Head>,
@@ -110,9 +117,13 @@ impl Declared {
                 }
                 Item::Script(script) => diagnostics.extend(self.declare_script(&script.name)),
                 Item::Fn(function) => {
-                    self.functions.insert(function.name.text.clone());
-                    let what = "functions (`fn`) are not supported yet";
-                    diagnostics.push(not_yet(what, function.name.span));
+                    let named = Named {
+                        what: What::Function,
+                        number: numbers.functions,
+                        span: function.name.span,
+                    };
+                    numbers.functions += 1;
+                    diagnostics.extend(self.declare_called(&function.name, named));
                 }
                 Item::Attr(attr) => {
                     self.declare_attribute(attr, numbers, diagnostics);
@@ -199,7 +210,6 @@ impl Declared {
                 Some(_) => drop(self.others.insert(name.clone(), named.span)),
             }
         }
-        self.functions.extend(used.functions.iter().cloned());
         for head in used.attributes.iter().filter(|head| !head.private) {
             match own.attributes.iter().find(|mine| mine.is_named_as(head)) {
                 // Two that are public have been told apart already.
@@ -222,6 +232,20 @@ impl Declared {
         (named.what == What::Op).then_some(named.number)
     }
 
+    /// The function of this name, as far as it is known.
+    pub(super) fn function(&self, name: &str) -> Option<&Rc<FunctionSignature>> {
+        self.functions.get(name)
+    }
+
+    /// Takes in what is known of a function by now, if it can be named here.
+    pub(super) fn learn(&mut self, signature: &Rc<FunctionSignature>) {
+        let named = self.called(&signature.name);
+        if named.is_some_and(|named| named.span == signature.span) {
+            let name = signature.name.clone();
+            self.functions.insert(name, Rc::clone(signature));
+        }
+    }
+
     /// Complains about a name that could mean two things.
     pub(super) fn expect_one(&self, name: &Ident, report: &mut Report) -> Option<()> {
         let (Some(first), Some(other)) = (self.called(&name.text), self.others.get(&name.text))
@@ -236,15 +260,20 @@ impl Declared {
         None
     }
 
-    /// Whether the op whose name stands here has the name, and not an earlier one.
-    pub(super) fn is_op_of_its_name(&self, name: &Ident) -> bool {
+    /// Whether the op or function whose name stands here has the name, and not an earlier one.
+    pub(super) fn has_its_name(&self, name: &Ident) -> bool {
         self.called(&name.text)
-            .is_some_and(|named| named.what == What::Op && named.span == name.span)
+            .is_some_and(|named| named.span == name.span)
     }
 
     /// Whether the script whose name stands here has the name, and not an earlier one.
     pub(super) fn is_script_of_its_name(&self, name: &Ident) -> bool {
         self.scripts.get(&name.text) == Some(&name.span)
+    }
+
+    /// The names of all that can be called.
+    pub(super) fn called_names(&self) -> impl Iterator<Item = &str> {
+        self.called.keys().map(String::as_str)
     }
 
     /// The names of the ops.
@@ -263,12 +292,12 @@ impl Declared {
 
     /// Whether the name is that of something to call.
     pub(super) fn is_called(&self, name: &str) -> bool {
-        self.called(name).is_some() || self.functions.contains(name) || is_of_the_language(name)
+        self.called(name).is_some() || is_of_the_language(name)
     }
 
-    /// Whether a function or op of this name may stand where it cannot be seen.
-    pub(super) fn may_be_function(&self, name: &str) -> bool {
-        self.lacks || self.functions.contains(name)
+    /// Whether what is called may stand where it cannot be seen.
+    pub(super) fn lacks_files(&self) -> bool {
+        self.lacks
     }
 
     /// Whether an attribute of this name has been refused, or may stand where it cannot be

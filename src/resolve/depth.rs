@@ -24,10 +24,32 @@ pub(super) fn shallow_block(block: &Block, report: &mut Report) -> bool {
     shallow(Node::Block(block), report)
 }
 
+/// A part of a block.
 #[derive(Clone, Copy)]
-enum Node<'a> {
+pub(super) enum Node<'a> {
+    /// An expression.
     Expr(&'a Expr),
+    /// A block.
     Block(&'a Block),
+}
+
+/// Shows a block and all its parts, however deep, in no particular order.
+pub(super) fn each_node<'a>(block: &'a Block, mut look: impl FnMut(Node<'a>)) {
+    let mut open = vec![Node::Block(block)];
+    while let Some(node) = open.pop() {
+        look(node);
+        match node {
+            Node::Expr(expr) => {
+                open.extend(left_side(expr).map(Node::Expr));
+                push_others(expr, |inner| open.push(inner));
+            }
+            Node::Block(block) => {
+                for action in &block.statements {
+                    push_parts(action, |inner| open.push(inner));
+                }
+            }
+        }
+    }
 }
 
 fn shallow(root: Node, report: &mut Report) -> bool {

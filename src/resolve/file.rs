@@ -1,14 +1,16 @@
-//! A whole file: first the names of its items, then the ops, then the scripts.
+//! The files of a program: first the names of all items, then the items.
 
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{self, Item};
 
 use super::attribute::attributes;
 use super::declared::Declared;
+use super::functions::Functions;
 use super::op::resolve_op;
 use super::program::Program;
 use super::report::Report;
 use super::script::resolve_script;
+use super::steps::resolve_steps;
 
 /// A program, and what is wrong with it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,15 +46,21 @@ pub fn resolve(tree: &tree::File) -> Resolved {
 }
 
 /// The same for the files of a program, the first of which is the program itself.
+///
+/// Functions come before what calls them: first those that call no op, then the ops, which
+/// may ask them, then the functions that call ops, then the steps of ops, then the scripts.
 pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut diagnostics = Vec::new();
     let declared = Declared::of_all(units, &mut diagnostics);
+    let attributes = attributes(units, &declared, &mut diagnostics);
+    let mut functions = Functions::of(units, declared);
     let mut program = Program {
-        attributes: attributes(units, &declared, &mut diagnostics),
+        attributes,
         ..Program::default()
     };
     let mut signatures = Vec::new();
-    for (unit, declared) in units.iter().zip(&declared) {
+    functions.resolve(&signatures, |deeds| !deeds.calls_ops);
+    for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
             if let Item::Op(op) = item {
                 let mut report = Report::default();
@@ -64,7 +72,24 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             }
         }
     }
-    for (unit, declared) in units.iter().zip(&declared) {
+    functions.resolve(&signatures, |deeds| deeds.calls_ops);
+    let mut number = 0;
+    for (unit, declared) in units.iter().zip(&functions.declared) {
+        for item in &unit.tree.items {
+            let Item::Op(op) = item else {
+                continue;
+            };
+            if let Some(steps) = &op.steps {
+                let mut report = Report::default();
+                let signature = &signatures[number];
+                program.ops[number].steps =
+                    resolve_steps(op, steps, signature, &signatures, declared, &mut report);
+                diagnostics.extend(report.into_diagnostics());
+            }
+            number += 1;
+        }
+    }
+    for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
             if let Item::Script(script) = item {
                 let mut report = Report::default();
@@ -74,6 +99,8 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             }
         }
     }
+    diagnostics.extend(functions.take_diagnostics());
+    program.functions = functions.into_resolved();
     diagnostics.sort_by_key(Diagnostic::span);
     Resolved {
         program,

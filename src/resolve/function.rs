@@ -65,6 +65,9 @@ impl Typing<'_> {
         if word == "count" || (fold_names().any(|known| known == word) && args.len() == 1) {
             return self.count(function, args, span);
         }
+        if let Some(value) = self.invoked(function, args, span) {
+            return value;
+        }
         let known = overloads(word);
         if known.is_empty() {
             self.unknown_function(function, span);
@@ -168,14 +171,22 @@ impl Typing<'_> {
             self.op_in_expression(word, span);
             return;
         }
-        if self.declared.may_be_function(word) {
+        if self.declared.called(word).is_some() {
+            let message = format!("`{word}` cannot be called in the default of a function");
+            let error = Diagnostic::error("unknown-function", message, function.span);
+            self.report.add(error);
+            return;
+        }
+        if self.declared.lacks_files() {
             // What declares it has been refused already.
             self.report.fail();
             return;
         }
         let message = format!("there is no function `{word}`");
         let error = Diagnostic::error("unknown-function", message, function.span);
-        let candidates = function_names().chain(fold_names());
+        let declared = self.declared;
+        let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
+        candidates.extend(declared.called_names());
         self.report
             .add(suggest(error, word, function.span, candidates));
     }

@@ -44,13 +44,21 @@ mod sequence;
 mod typing;
 mod vocabulary;
 
+mod effects;
+mod functions;
+mod invoke;
+mod returns;
+mod routine;
+
 mod application;
 mod script;
 mod statement;
+mod steps;
 
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
-    Block, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind, Variable,
+    Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
+    Steps, Variable,
 };
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,

@@ -15,6 +15,7 @@ use super::parameter::{Owner, Parameter, parameters};
 use super::program;
 use super::report::{Report, not_yet};
 use super::rule::{Context, resolve_rule};
+use super::steps::steps_signature;
 use super::suggestion::suggest;
 use super::words::quoted;
 
@@ -47,10 +48,13 @@ pub(super) fn resolve_op(
     attributes: &Arc<[Attribute]>,
     report: &mut Report,
 ) -> (Signature, program::Op) {
-    if !declared.is_op_of_its_name(&op.name) {
+    if !declared.has_its_name(&op.name) {
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);
+    if let Some(steps) = &op.steps {
+        return steps_signature(op, steps, params, report);
+    }
     let keeps = properties(&op.keeps, report);
     rule_names(&op.rules, report);
     if op.rules.is_empty() {
@@ -102,6 +106,7 @@ pub(super) fn resolve_op(
         params: public,
         result: result_type,
         diagram,
+        steps: None,
     };
     let signature = Signature {
         name: op.name.text.clone(),
@@ -112,7 +117,7 @@ pub(super) fn resolve_op(
 }
 
 /// The properties that `keeps` claims; `map` is what the checker always proves.
-fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
+pub(super) fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
     let mut properties = Vec::new();
     for word in keeps {
         let known = |property: &Property| property.word() == word.text;

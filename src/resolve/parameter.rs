@@ -47,6 +47,8 @@ pub(super) enum Owner {
     Op,
     /// A script: values; a default may name earlier parameters.
     Script,
+    /// A function: elements and values; a default names nothing.
+    Function,
 }
 
 const TYPES: [Type; 13] = [
@@ -97,7 +99,7 @@ pub(super) fn parameters(
         let default = param.default.as_ref().and_then(|default| {
             let ty = ty?;
             let earlier = match owner {
-                Owner::Op => &[],
+                Owner::Op | Owner::Function => &[],
                 Owner::Script => understood.as_slice(),
             };
             default_value(default, (name, ty), earlier, declared, report)
@@ -116,6 +118,7 @@ pub(super) fn parameters(
 /// Whether an item may have a parameter of this type.
 fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> bool {
     let (fits, message) = match owner {
+        Owner::Function => return true,
         Owner::Op => (
             ty != Type::Text,
             "a parameter of an op is an element, a bool, a number, a vector or a matrix".to_owned(),
@@ -161,6 +164,7 @@ fn default_value(
         declared,
         scopes,
         report,
+        may_change: false,
     };
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }

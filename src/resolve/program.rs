@@ -13,6 +13,8 @@ pub struct Program {
     /// The operations; one that could not be resolved keeps its place, so that
     /// calls of it are understood.
     pub ops: Vec<Op>,
+    /// The functions; one that could not be resolved keeps its place as well.
+    pub functions: Vec<Function>,
     /// The scripts that could be resolved.
     pub scripts: Vec<Script>,
 }
@@ -29,8 +31,50 @@ pub struct Op {
     pub params: Vec<Param>,
     /// The type of its result; `None` also if it could not be found out.
     pub result: Option<Type>,
-    /// Its diagrams; `None` if they could not be resolved (a diagnostic says why).
+    /// Its diagrams; `None` if they could not be resolved (a diagnostic says why), or if it is
+    /// an op in steps.
     pub diagram: Option<diagram::Op>,
+    /// What it does instead, if it is an op in steps that could be resolved.
+    pub steps: Option<Steps>,
+}
+
+/// An op that calls others, all or nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// What is asked before, in order.
+    pub requires: Vec<diagram::Require>,
+    /// The level of the meshes it is for, and that it keeps.
+    pub level: diagram::Level,
+    /// What it does. Parameters are its first variables.
+    pub body: Body,
+}
+
+/// A function, or what is known of one that could not be resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// Its name.
+    pub name: String,
+    /// Where its name stands.
+    pub span: Span,
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// Its parameters: variables 0, 1, … of the function.
+    pub params: Vec<Param>,
+    /// The type of its value, if it gives one.
+    pub result: Option<Type>,
+    /// What it does; `None` if that could not be resolved (a diagnostic says why).
+    pub body: Option<Body>,
+}
+
+/// What a function does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// All its variables, parameters first.
+    pub variables: Vec<Variable>,
+    /// Its statements. Every way through them ends with a `Return`, if it gives a value.
+    pub block: Block,
 }
 
 /// A script.
@@ -134,8 +178,15 @@ pub enum StatementKind {
     Break,
     /// `continue`, with the innermost loop
     Continue,
-    /// `return`
-    Return,
+    /// `return`, `return x`: of the function or script
+    Return(Option<Expr>),
+    /// The call of a function as a statement, with an argument for each parameter. Its value,
+    /// of this type, is dropped.
+    Call {
+        function: u32,
+        args: Vec<Expr>,
+        result: Option<Type>,
+    },
 }
 
 /// A piece of what `print` prints; the pieces are joined by one space.

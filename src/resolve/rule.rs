@@ -50,6 +50,7 @@ pub(super) fn resolve_rule(
         declared: context.declared,
         scopes,
         report,
+        may_change: false,
     };
     let op = &context.op.name.text;
     let requires = requires(&rule.conditions, op, &mut typing);

@@ -9,6 +9,7 @@ use super::op::Signature;
 use super::parameter::{Owner, Parameter, local, parameters};
 use super::program::{Block, Script, Statement, StatementKind};
 use super::report::{Report, not_yet};
+use super::returns::Returns;
 use super::scopes::{Binding, Local, Scopes};
 use super::typing::{Place, Typing};
 
@@ -21,6 +22,8 @@ pub(super) struct Scripting<'a> {
     pub(super) loops: u32,
     /// Whether an `update` is open here.
     pub(super) updating: bool,
+    /// What `return` gives.
+    pub(super) returns: Returns,
 }
 
 /// The head of `for` or `update`, and what it repeats.
@@ -64,10 +67,12 @@ pub(super) fn resolve_script(
             declared,
             scopes,
             report,
+            may_change: false,
         },
         ops,
         loops: 0,
         updating: false,
+        returns: Returns::nothing(),
     };
     let body = scripting.block(&script.body);
     let scopes = scripting.typing.scopes;
@@ -89,13 +94,13 @@ impl Scripting<'_> {
     pub(super) fn block(&mut self, block: &tree::Block) -> Block {
         self.typing.scopes.enter();
         let mut statements = Block::new();
-        self.actions(block, &mut statements);
+        self.actions(&block.statements, &mut statements);
         self.typing.scopes.leave();
         statements
     }
 
-    fn actions(&mut self, block: &tree::Block, statements: &mut Block) {
-        for action in &block.statements {
+    pub(super) fn actions(&mut self, actions: &[Action], statements: &mut Block) {
+        for action in actions {
             match &action.kind {
                 // A block in a block is nothing but a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
@@ -124,6 +129,7 @@ impl Scripting<'_> {
                 })
             }
             ActionKind::While { condition, body } => {
+                self.typing.may_change = true;
                 let condition = self.typing.expression_as(condition, Type::Bool, "`while`");
                 let body = self.repeated(body);
                 Some(StatementKind::While {
@@ -194,7 +200,7 @@ impl Scripting<'_> {
                     reason: reason.unwrap_or_else(|| "the assertion does not hold".to_owned()),
                 })
             }
-            ActionKind::Return(value) => self.exit(value.as_ref()),
+            ActionKind::Return(value) => self.exit(value.as_ref(), action.span),
             ActionKind::Break => self.of_a_loop("break", StatementKind::Break, action.span),
             ActionKind::Continue => {
                 self.of_a_loop("continue", StatementKind::Continue, action.span)

@@ -41,6 +41,7 @@ impl Scripting<'_> {
                 (applied.as_ref().map(|a| a.result), Err(applied))
             }
             None => {
+                self.typing.may_change = !self.updating;
                 let value = match wanted {
                     Some(ty) => {
                         let whose = format!("`{}`", name.text);
@@ -66,7 +67,7 @@ impl Scripting<'_> {
         });
         match value {
             Ok(value) => value.map(|value| StatementKind::Set { variable, value }),
-            Err(applied) => applied.map(|applied| applied.into_variable(variable)),
+            Err(applied) => applied.map(|applied| applied.into_variable(variable, Vec::new())),
         }
     }
 
@@ -111,8 +112,9 @@ impl Scripting<'_> {
         if let Some(applied) = self.applied_value(value) {
             let applied = applied?;
             let fits = self.result_fits(&applied, local.ty, name, value.span);
-            return fits.then(|| applied.into_variable(variable));
+            return fits.then(|| applied.into_variable(variable, Vec::new()));
         }
+        self.typing.may_change = !self.updating;
         let value = match local.ty {
             Some(ty) => self.typing.expression_as(value, ty, &format!("`{word}`"))?,
             None => self.typing.expression(value)?,
@@ -169,6 +171,7 @@ impl Scripting<'_> {
         if binding.is_some() || self.is_op_call(condition) {
             return self.if_applied(binding, condition, [Some(then), otherwise]);
         }
+        self.typing.may_change = !self.updating;
         let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
         let then = self.block(then);
         let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
@@ -195,17 +198,6 @@ impl Scripting<'_> {
         Some(StatementKind::Print(pieces))
     }
 
-    /// `return`
-    pub(super) fn exit(&mut self, value: Option<&tree::Expr>) -> Option<StatementKind> {
-        if let Some(value) = value {
-            let message = "a script returns nothing";
-            let error = Diagnostic::error("script-returns", message, value.span);
-            self.typing.report.add(error);
-            return None;
-        }
-        Some(StatementKind::Return)
-    }
-
     /// `break`, `continue`
     pub(super) fn of_a_loop(
         &mut self,
@@ -227,6 +219,11 @@ impl Scripting<'_> {
     pub(super) fn alone(&mut self, expr: &tree::Expr) -> Option<StatementKind> {
         match &expr.kind {
             tree::ExprKind::Call { function, args } if function.text == "print" => self.print(args),
+            tree::ExprKind::Call { function, args }
+                if self.typing.declared.function(&function.text).is_some() =>
+            {
+                self.called_alone(function, args, expr.span)
+            }
             tree::ExprKind::Call { function, args }
                 if !self.typing.declared.is_called(&function.text)
                     || self.typing.declared.op(&function.text).is_some() =>
@@ -252,10 +249,7 @@ impl Scripting<'_> {
             }
             _ => {
                 let value: Expr = self.typing.expression(expr)?;
-                let message = "this value is not used";
-                let error = Diagnostic::error("unused-value", message, expr.span)
-                    .saying(format!("this is {}", a_type(value.ty)));
-                self.typing.report.add(error);
+                self.unused(value.ty, expr.span);
                 None
             }
         }

@@ -12,8 +12,9 @@ use crate::syntax::tree;
 use super::declared::Declared;
 use super::depth::{left_side, shallow_expr};
 use super::names::Names;
-use super::report::{Report, not_yet};
-use super::scopes::Scopes;
+use super::parameter::type_named;
+use super::report::Report;
+use super::scopes::{Binding, Local, Scopes};
 use super::words::{a_type, subject};
 
 /// Where an expression stands, which decides what it may see.
@@ -34,6 +35,9 @@ pub(super) struct Typing<'a> {
     /// The variables; in a rule, the op's parameters first.
     pub(super) scopes: Scopes,
     pub(super) report: &'a mut Report,
+    /// Whether the function that is called next may change the mesh; it stands as a whole
+    /// value then.
+    pub(super) may_change: bool,
 }
 
 /// A typed expression.
@@ -73,6 +77,8 @@ impl Typing<'_> {
     /// An expression as part of one whose depth is known. The left side of a chain is
     /// walked in a loop, since it may be long.
     pub(super) fn expression(&mut self, expr: &tree::Expr) -> Option<Expr> {
+        // Of a larger value, a call is only a part.
+        self.may_change &= matches!(expr.kind, tree::ExprKind::Call { .. });
         let mut chain = Vec::new();
         let mut inner = expr;
         while let Some(left) = left_side(inner) {
@@ -202,41 +208,90 @@ impl Typing<'_> {
 
     /// The value of a block that stands in an expression.
     fn block_value(&mut self, block: &tree::Block) -> Option<Expr> {
-        match block.statements.as_slice() {
-            [
-                tree::Action {
-                    kind: tree::ActionKind::Expr(value),
-                    ..
-                },
-            ] => self.expression(value),
+        let Some((last, others)) = block.statements.split_last() else {
+            self.no_value_at(block.span);
+            return None;
+        };
+        self.scopes.enter();
+        let named: Vec<_> = others.iter().map(|action| self.named(action)).collect();
+        let value = self.value_of(last);
+        self.scopes.leave();
+        let named: Vec<(u32, Expr)> = named.into_iter().collect::<Option<_>>()?;
+        let around = |body: Expr, (variable, value): (u32, Expr)| {
+            let (ty, span) = (body.ty, body.span);
+            let kind = ExprKind::Let(variable, Box::new(value), Box::new(body));
+            typed(ty, kind, span)
+        };
+        Some(named.into_iter().rev().fold(value?, around))
+    }
+
+    /// The value of a block's last statement.
+    fn value_of(&mut self, action: &tree::Action) -> Option<Expr> {
+        match &action.kind {
+            tree::ActionKind::Expr(value) => self.expression(value),
             // A nested `if` with a value reads as a statement to the parser.
-            [
-                tree::Action {
-                    kind:
-                        tree::ActionKind::If {
-                            binding: None,
-                            condition,
-                            then,
-                            otherwise: Some(otherwise),
-                        },
-                    span,
-                },
-            ] => self.choice(condition, [then, otherwise], *span),
-            [
-                tree::Action {
-                    kind: tree::ActionKind::Broken,
-                    ..
-                },
-            ] => {
+            tree::ActionKind::If {
+                binding: None,
+                condition,
+                then,
+                otherwise: Some(otherwise),
+            } => self.choice(condition, [then, otherwise], action.span),
+            tree::ActionKind::Broken => {
                 self.report.fail();
                 None
             }
             _ => {
-                let what = "a block in an expression holds one value; statements in it are not \
-                            supported yet";
-                self.report.add(not_yet(what, block.span));
+                self.no_value_at(action.span);
                 None
             }
         }
+    }
+
+    /// `let x = …` in a block that is a value.
+    fn named(&mut self, action: &tree::Action) -> Option<(u32, Expr)> {
+        let tree::ActionKind::Let {
+            mutable: false,
+            name,
+            ty,
+            value,
+        } = &action.kind
+        else {
+            let message = "before the value of a block there may be `let`, and nothing else";
+            let error = Diagnostic::error("not-a-value", message, action.span);
+            self.report
+                .add(error.note("a function (`fn`) can hold any statements"));
+            return None;
+        };
+        if matches!(self.place, Place::Default) {
+            let message = "in a default, a block holds one value";
+            self.report
+                .add(Diagnostic::error("not-a-value", message, action.span));
+            return None;
+        }
+        let wanted = match ty {
+            Some(word) => Some(type_named(word, self.report)?),
+            None => None,
+        };
+        let value = match wanted {
+            Some(ty) => self.expression_as(value, ty, &format!("`{}`", name.text)),
+            None => self.expression(value),
+        };
+        let keyword = Span {
+            end: action.span.start.saturating_add(3).min(name.span.start),
+            ..action.span
+        };
+        let variable = self.scopes.declare(Local {
+            name: name.text.clone(),
+            span: name.span,
+            ty: wanted.or(value.as_ref().map(|value| value.ty)),
+            binding: Binding::Let(keyword),
+        });
+        Some((variable, value?))
+    }
+
+    fn no_value_at(&mut self, span: Span) {
+        let message = "this block is a value, so a value stands at its end";
+        self.report
+            .add(Diagnostic::error("not-a-value", message, span));
     }
 }

@@ -8,6 +8,7 @@
 
 use std::collections::HashMap;
 use std::fmt;
+use std::sync::Arc;
 
 use super::{Code, Inst, Label, Reg, Traps};
 
@@ -48,6 +49,15 @@ impl Assembler {
     /// An empty code.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty code that knows some texts by their places in a list.
+    pub fn knowing(texts: &[String]) -> Self {
+        let mut asm = Self::default();
+        for text in texts {
+            asm.text(text);
+        }
+        asm
     }
 
     /// A register.
@@ -191,6 +201,7 @@ impl Assembler {
             buffers: self.buffers,
             traps: traps.collect(),
             texts: self.texts,
+            functions: Arc::default(),
         })
     }
 }

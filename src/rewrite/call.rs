@@ -1,6 +1,6 @@
 //! One run of a code: what it may use, and what became of it.
 
-use super::{Code, Phase, Plan, Refusal, Site, Trap};
+use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
 
 /// What became of a run that did not trap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,13 +17,22 @@ pub enum Outcome {
     },
 }
 
+/// How deep functions may call each other.
+pub(super) const MOST_CALLS: usize = 1000;
+
 /// One run of a code.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Call<'c> {
     pub(super) code: &'c Code,
     refusals: &'c [Refusal],
+    pub(super) functions: &'c [Function],
+    pub(super) texts: &'c [String],
     /// The number of the operation.
     pub(super) op: Option<u16>,
+    /// If it is one in steps, what it has besides.
+    pub(super) steps: Option<&'c Steps>,
+    /// The number of the function.
+    function: Option<u16>,
     /// Where its window begins, and its buffers.
     pub(super) base: usize,
     pub(super) buffers: usize,
@@ -31,11 +40,25 @@ pub(super) struct Call<'c> {
 }
 
 impl<'c> Call<'c> {
-    pub(super) fn top(code: &'c Code, refusals: &'c [Refusal]) -> Self {
+    /// The code of a script.
+    pub(super) fn top(code: &'c Code) -> Self {
+        Self::first(code, &[], None)
+    }
+
+    /// An operation that nobody calls.
+    pub(super) fn of(plan: &'c Plan) -> Self {
+        Self::first(&plan.code, &plan.refusals, plan.steps.as_ref())
+    }
+
+    fn first(code: &'c Code, refusals: &'c [Refusal], steps: Option<&'c Steps>) -> Self {
         Self {
             code,
             refusals,
+            functions: &code.functions,
+            texts: &code.texts,
             op: None,
+            steps,
+            function: None,
             base: 0,
             buffers: 0,
             depth: 0,
@@ -48,10 +71,25 @@ impl<'c> Call<'c> {
         Call {
             code: &plan.code,
             refusals: &plan.refusals,
+            functions: &plan.code.functions,
+            texts: &plan.code.texts,
             op: Some(op),
+            steps: plan.steps.as_ref(),
+            function: None,
             base: self.base + usize::from(self.code.registers),
             buffers: self.buffers + usize::from(self.code.buffers),
             depth: self.depth + 1,
+        }
+    }
+
+    /// The call of a function from this one.
+    pub(super) fn entering(&self, number: u16, function: &'c Function) -> Call<'c> {
+        Call {
+            code: &function.code,
+            function: Some(number),
+            base: self.base + usize::from(self.code.registers),
+            buffers: self.buffers + usize::from(self.code.buffers),
+            ..*self
         }
     }
 
@@ -65,12 +103,33 @@ impl<'c> Call<'c> {
     }
 }
 
+/// Where a function was called, to go on there.
+#[derive(Debug)]
+pub(super) struct Frame<'c> {
+    pub(super) call: Call<'c>,
+    /// The instruction behind the call.
+    pub(super) at: usize,
+    /// Where the value goes.
+    pub(super) to: Reg,
+    /// Whether the caller still needs ids.
+    pub(super) holds: bool,
+}
+
 impl Trap {
+    /// The trap seen from all running functions, the innermost first.
+    #[cold]
+    pub(super) fn through_all(self, call: &Call<'_>, at: usize, returns: &[Frame<'_>]) -> Self {
+        let inner = self.through(call, at);
+        let outer = returns.iter().rev();
+        outer.fold(inner, |trap, one| trap.through(&one.call, one.at - 1))
+    }
+
     /// The trap seen from a call: the instruction at `at` did it.
     #[cold]
     pub(super) fn through(mut self, call: &Call<'_>, at: usize) -> Self {
         self.trace.push(Site {
             op: call.op,
+            function: call.function,
             place: call.code.place(at),
         });
         self

@@ -5,6 +5,9 @@
 //! consecutive slots, a matrix its columns one after the other. Each instruction fixes the types of its registers, so the code is
 //! typed though the slots are not. Jumps name instructions by index.
 
+use std::sync::Arc;
+
+use super::Function;
 use super::wide::{Lanes, Matrix};
 use crate::mesh::ElementKind;
 
@@ -116,9 +119,30 @@ pub struct Code {
     pub traps: Traps,
     /// The constant texts, by number; no two are equal.
     pub texts: Vec<String>,
+    /// The functions that it may call, by number.
+    pub functions: Arc<[Function]>,
 }
 
 impl Code {
+    /// The code itself, and that of the functions that it calls, directly or through others.
+    pub fn with_called(&self) -> Vec<&Code> {
+        let mut found = vec![self];
+        let mut seen = vec![false; self.functions.len()];
+        let mut looked_at = 0;
+        while let Some(code) = found.get(looked_at).copied() {
+            looked_at += 1;
+            for inst in &code.insts {
+                if let Inst::Call { function, .. } = inst
+                    && let Some(seen) = seen.get_mut(usize::from(*function))
+                    && !std::mem::replace(seen, true)
+                {
+                    found.push(&self.functions[usize::from(*function)].code);
+                }
+            }
+        }
+        found
+    }
+
     /// The number of the place in the source of an instruction that can trap.
     pub fn place(&self, inst: usize) -> Option<u32> {
         let at = u32::try_from(inst).ok()?;
@@ -742,7 +766,22 @@ pub enum Inst {
     /// Lets erased slots be used again: nothing can see them any more.
     Recycle,
 
-    // Calls, progress and output (scripts).
+    // Calls.
+    /// Calls a function: arguments in consecutive slots from `args`; its value goes to `to`.
+    /// If `holds`, the caller still needs ids, so that none is given out again meanwhile.
+    Call {
+        function: u16,
+        args: Reg,
+        to: Reg,
+        holds: bool,
+    },
+    /// The function is done; its value stands in so many slots from `from`.
+    Give {
+        from: Reg,
+        width: u16,
+    },
+
+    // Operations, progress and output (scripts).
     /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
     /// bool; the result, if applied, goes to `result`.
     Apply {

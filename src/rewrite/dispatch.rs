@@ -9,10 +9,11 @@ use glam::DVec3;
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::attribute;
+use super::call::{Frame, MOST_CALLS};
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::wide;
-use super::window::Window;
-use super::{Call, Inst, Machine, Message, Outcome, Trap, Watch};
+use super::window::{Window, reserve};
+use super::{Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId};
 
 /// The value, or out of the loop with the message.
@@ -29,13 +30,13 @@ impl Machine<'_> {
     pub(super) fn execute(
         &mut self,
         mesh: &mut Mesh,
-        call: &Call<'_>,
+        mut call: super::Call<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         use Inst::*;
-        let code = call.code;
-        let insts = code.insts.as_slice();
-        self.clear_buffers(call);
+        let mut insts = call.code.insts.as_slice();
+        let mut returns: Vec<Frame> = Vec::new();
+        self.clear_buffers(&call);
         let mut at = 0;
         let mut noted = None;
         let Some(mut w) = Window::at(&mut self.stack, call.base) else {
@@ -57,7 +58,10 @@ impl Machine<'_> {
         }
         let message = loop {
             let Some(&inst) = insts.get(at) else {
-                return Ok(Outcome::Applied { result: None });
+                if returns.is_empty() {
+                    return Ok(Outcome::Applied { result: None });
+                }
+                break Message::Malformed;
             };
             at += 1;
             match inst {
@@ -521,18 +525,74 @@ impl Machine<'_> {
                     value,
                 } => or_trap!(access::store_all(mesh, field, buffer!(buffer), w.id(value))),
                 Erase { kind, element } => or_trap!(access::erase(mesh, kind, w.id(element))),
-                Recycle => mesh.recycle(),
+                Recycle => {
+                    if self.holding == 0 {
+                        mesh.recycle();
+                    }
+                }
 
-                // Calls, progress and output.
+                // Calls.
+                Call {
+                    function,
+                    args,
+                    to,
+                    holds,
+                } => {
+                    let Some(called) = call.functions.get(usize::from(function)) else {
+                        break Message::Malformed;
+                    };
+                    if returns.len() >= MOST_CALLS {
+                        break Message::TooDeep;
+                    }
+                    if self.progress.tick(watch).is_break() {
+                        break Message::Interrupted;
+                    }
+                    let inner = call.entering(function, called);
+                    self.pass(call.base, args, inner.base, called.params);
+                    self.clear_buffers(&inner);
+                    self.holding += u32::from(holds);
+                    returns.push(Frame {
+                        call,
+                        at,
+                        to,
+                        holds,
+                    });
+                    call = inner;
+                    (insts, at) = (called.code.insts.as_slice(), 0);
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                }
+                Give { from, width } => {
+                    let Some(back) = returns.pop() else {
+                        return Ok(Outcome::Applied { result: None });
+                    };
+                    self.pass(
+                        call.base,
+                        from,
+                        back.call.base + usize::from(back.to.0),
+                        width,
+                    );
+                    self.holding -= u32::from(back.holds);
+                    call = back.call;
+                    (insts, at) = (call.code.insts.as_slice(), back.at);
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                }
+
+                // Operations, progress and output.
                 Apply {
                     op,
                     args,
                     applied,
                     result,
                 } => {
-                    let outcome = match self.call(mesh, call, [op, args.0], watch) {
+                    let outcome = match self.call(mesh, &call, [op, args.0], watch) {
                         Ok(outcome) => outcome,
-                        Err(trap) => return Err(trap.through(call, at - 1)),
+                        Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
                     };
                     match Window::at(&mut self.stack, call.base) {
                         Some(window) => w = window,
@@ -548,7 +608,13 @@ impl Machine<'_> {
                         Outcome::Refused { .. } => w.set_truth(applied, false),
                     }
                 }
-                Refused { op } => break self.must_not_refuse(op),
+                Refused { op } => match call.steps {
+                    Some(steps) => {
+                        let reason = steps.refusal_of(op, self.last_reason);
+                        return Ok(Outcome::Refused { reason });
+                    }
+                    None => break self.must_not_refuse(op),
+                },
                 Turn { depth, done, total } => {
                     let (done, total) = (w.int(done), w.int(total));
                     if self.progress.turn(watch, depth, done, total).is_break() {
@@ -560,11 +626,11 @@ impl Machine<'_> {
                         break Message::Interrupted;
                     }
                 }
-                PrintText { text } => match code.texts.get(text as usize) {
+                PrintText { text } => match call.texts.get(text as usize) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },
-                PrintTextOf { from } => match code.texts.get(w.id(from) as usize) {
+                PrintTextOf { from } => match call.texts.get(w.id(from) as usize) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },
@@ -588,15 +654,24 @@ impl Machine<'_> {
                     self.line.clear();
                 }
                 Fail { text } => {
-                    let text = code.texts.get(text as usize).cloned();
+                    let text = call.texts.get(text as usize).cloned();
                     break text.map_or(Message::Malformed, Message::Said);
                 }
             }
         };
-        Err(Trap::new(message).through(call, at - 1))
+        Err(Trap::new(message).through_all(&call, at.saturating_sub(1), &returns))
     }
 
-    fn clear_buffers(&mut self, call: &Call<'_>) {
+    /// Copies slots from a register of one window to another window, for which there is room
+    /// then.
+    fn pass(&mut self, base: usize, from: Reg, to: usize, width: u16) {
+        reserve(&mut self.stack, to);
+        let start = base + usize::from(from.0);
+        let end = self.stack.len().min(start + usize::from(width));
+        self.stack.copy_within(start.min(end)..end, to);
+    }
+
+    fn clear_buffers(&mut self, call: &super::Call<'_>) {
         let end = call.buffers + usize::from(call.code.buffers);
         if self.buffers.len() < end {
             self.buffers.resize_with(end, Vec::new);

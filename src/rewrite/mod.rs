@@ -5,7 +5,9 @@
 //! writes it; a [`Machine`] runs it on a mesh; native code can be made from it later.
 
 mod code;
+mod function;
 mod plan;
+mod steps;
 
 mod assembler;
 
@@ -30,9 +32,11 @@ pub use call::Outcome;
 pub use code::{
     Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk,
 };
+pub use function::Function;
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
 pub use print::{ElementText, RealText, VectorText, WideText};
+pub use steps::{BELOW, Steps};
 pub use trap::{Message, Site, Trap};
 pub use watch::{Unwatched, Watch};
 pub use wide::{Lanes, Matrix};

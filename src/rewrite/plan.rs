@@ -1,6 +1,6 @@
 //! A compiled operation: its code, and the same as a table to read.
 
-use super::Code;
+use super::{Code, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
 
@@ -28,16 +28,6 @@ pub struct Plan {
     pub stages: Vec<Stage>,
     /// Where it is an op in steps, which calls others, all or nothing.
     pub steps: Option<Steps>,
-}
-
-/// What an op in steps needs besides its code.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Steps {
-    /// The operations that it calls, by number, each with the number of the refusal of its
-    /// own that stands for the first of theirs; the others follow.
-    pub calls: Vec<(u16, u16)>,
-    /// The number of the refusal for each way to fall below the level of its guard.
-    pub below: Vec<(&'static str, u16)>,
 }
 
 impl Plan {

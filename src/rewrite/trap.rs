@@ -21,6 +21,8 @@ pub struct Trap {
 pub struct Site {
     /// The number of the operation that ran; `None` for the code run at the top.
     pub op: Option<u16>,
+    /// The number of the function that ran, in that code; `None` for the code itself.
+    pub function: Option<u16>,
     /// The place of the instruction, if it has one.
     pub place: Option<u32>,
 }

@@ -1,10 +1,18 @@
 //! Calls of operations in the code of a script.
 
 use super::lower::Lowering;
-use crate::compile::width;
+use crate::compile::{arguments, function_number};
 use crate::diagram::Expr;
 use crate::rewrite::{Inst, Reg};
 use crate::source::Span;
+
+/// The call of a function.
+pub(super) struct FunctionCall<'e> {
+    pub(super) function: u32,
+    pub(super) args: &'e [Expr],
+    pub(super) to: Reg,
+    pub(super) holds: bool,
+}
 
 impl Lowering<'_> {
     /// A call; gives the registers of whether it was applied, and of its result.
@@ -14,16 +22,7 @@ impl Lowering<'_> {
         }
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
-        let widths = args.iter().map(|arg| width(arg.ty));
-        let all = widths.clone().fold(0, u16::saturating_add);
-        let slots = self.asm.block(all);
-        let mut offset = 0;
-        for (arg, width) in args.iter().zip(widths) {
-            // A block too wide to be had is no block; the code is not used then.
-            let to = Reg(slots.0.saturating_add(offset));
-            self.value_into(arg, to);
-            offset = offset.saturating_add(width);
-        }
+        let slots = self.arguments(args);
         let inst = Inst::Apply {
             op: number(op),
             args: slots,
@@ -33,6 +32,27 @@ impl Lowering<'_> {
         self.trap_at(span, inst);
         self.asm.release(mark);
         (applied, result)
+    }
+
+    fn arguments(&mut self, args: &[Expr]) -> Reg {
+        args.iter().for_each(|arg| self.note_functions(arg));
+        arguments(&mut self.asm, &mut self.names, args)
+    }
+
+    /// A call of a function, whose value goes to a register. If it `holds`, ids are still
+    /// needed that somebody else has.
+    pub(super) fn call(&mut self, call: FunctionCall, span: Span) {
+        let mark = self.asm.mark();
+        self.note_function(call.function);
+        let args = self.arguments(call.args);
+        let inst = Inst::Call {
+            function: function_number(call.function),
+            args,
+            to: call.to,
+            holds: call.holds,
+        };
+        self.trap_at(span, inst);
+        self.asm.release(mark);
     }
 
     /// The script ends here if the operation just called has refused.

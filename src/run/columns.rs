@@ -37,7 +37,8 @@ impl Columns {
         code: impl IntoIterator<Item = &'c Code>,
     ) -> Result<Self, Diagnostic> {
         let mut used = vec![false; attributes.len()];
-        for inst in code.into_iter().flat_map(|code| &code.insts) {
+        let all = code.into_iter().flat_map(Code::with_called);
+        for inst in all.flat_map(|code| &code.insts) {
             if let Inst::LoadAttribute { attribute, .. }
             | Inst::StoreAttribute { attribute, .. }
             | Inst::HoldAttribute { attribute, .. } = inst

@@ -8,7 +8,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::diagram::{Collection, Expr, ExprKind};
+use crate::diagram::{Expr, ExprKind};
 use crate::resolve::{Print, Statement, StatementKind, Variable};
 
 /// The numbers of variables that hold elements.
@@ -110,7 +110,7 @@ impl Liveness<'_> {
                 body,
             } => {
                 let live = self.at_head(filter.as_ref(), body, exits);
-                self.reading(base(collection), without(live, *variable))
+                self.reading(collection.base(), without(live, *variable))
             }
             StatementKind::If {
                 condition,
@@ -148,7 +148,8 @@ impl Liveness<'_> {
             }
             StatementKind::Break => exits.broken.clone(),
             StatementKind::Continue => exits.continued.clone(),
-            StatementKind::Return => Live::new(),
+            StatementKind::Return(value) => self.reading(value, Live::new()),
+            StatementKind::Call { args, .. } => self.reading(args, exits.next.clone()),
         }
     }
 
@@ -176,7 +177,9 @@ impl Liveness<'_> {
                 self.read(left, live);
                 self.read(right, live);
             }
-            ExprKind::Call(_, args) => args.iter().for_each(|arg| self.read(arg, live)),
+            ExprKind::Call(_, args) | ExprKind::Invoke(_, args) => {
+                args.iter().for_each(|arg| self.read(arg, live))
+            }
             ExprKind::If(condition, then, otherwise) => {
                 self.read(condition, live);
                 self.read(then, live);
@@ -186,9 +189,14 @@ impl Liveness<'_> {
                 // Its own variable means nothing outside.
                 let inner = self.reading(fold.filter.iter().chain([&fold.body]), Live::new());
                 live.extend(without(inner, fold.variable));
-                if let Some(base) = base(&fold.collection) {
+                if let Some(base) = fold.collection.base() {
                     self.read(base, live);
                 }
+            }
+            ExprKind::Let(variable, value, body) => {
+                let inner = self.reading([&**body], Live::new());
+                live.extend(without(inner, *variable));
+                self.read(value, live);
             }
             ExprKind::Bool(_)
             | ExprKind::Int(_)
@@ -209,30 +217,15 @@ fn without(mut live: Live, variable: u32) -> Live {
     live
 }
 
-/// The element a collection lies around.
-fn base(collection: &Collection) -> Option<&Expr> {
-    match collection {
-        Collection::Vertices
-        | Collection::Halfedges
-        | Collection::Edges
-        | Collection::Faces
-        | Collection::Holes => None,
-        Collection::VertexHalfedges(base)
-        | Collection::VertexEdges(base)
-        | Collection::VertexFaces(base)
-        | Collection::VertexNeighbors(base)
-        | Collection::FaceHalfedges(base)
-        | Collection::FaceVertices(base)
-        | Collection::FaceEdges(base)
-        | Collection::EdgeVertices(base)
-        | Collection::EdgeFaces(base) => Some(base),
-    }
-}
-
 /// Whether a statement may call an operation.
 pub(super) fn calls(statement: &Statement) -> bool {
     match &statement.kind {
-        StatementKind::Apply { .. } | StatementKind::IfApply { .. } => true,
+        StatementKind::Apply { .. }
+        | StatementKind::IfApply { .. }
+        | StatementKind::Call { .. } => true,
+        StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {
+            matches!(value.kind, ExprKind::Invoke(..))
+        }
         StatementKind::Repeat { body, .. }
         | StatementKind::While { body, .. }
         | StatementKind::For { body, .. }
@@ -240,13 +233,12 @@ pub(super) fn calls(statement: &Statement) -> bool {
         StatementKind::If {
             then, otherwise, ..
         } => then.iter().chain(otherwise).any(calls),
-        StatementKind::Set { .. }
-        | StatementKind::Write { .. }
+        StatementKind::Write { .. }
         | StatementKind::Print(_)
         | StatementKind::Assert { .. }
         | StatementKind::Break
         | StatementKind::Continue
-        | StatementKind::Return => false,
+        | StatementKind::Return(None) => false,
     }
 }
 
@@ -328,7 +320,7 @@ mod tests {
     #[test]
     fn leaving_a_loop_leaves_what_it_would_have_read() {
         let leave = repeat(vec![statement(StatementKind::Break), read(0)]);
-        let stop = [statement(StatementKind::Return), read(1)];
+        let stop = [statement(StatementKind::Return(None)), read(1)];
         assert!(before_each(&[leave])[0].is_empty());
         assert_eq!(before_each(&stop), [vec![], vec![1]]);
         let exits = Exits {

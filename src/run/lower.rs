@@ -1,9 +1,10 @@
 //! The statements of a script to register code.
 
+use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
-use crate::diagram::{Access, Expr, NameId, Type};
-use crate::resolve::{Print, Script, Statement, StatementKind};
+use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
+use crate::resolve::{Print, Statement, StatementKind, Variable};
 use crate::rewrite::{Assembler, Inst, Label, Reg};
 use crate::source::Span;
 
@@ -18,8 +19,31 @@ pub(super) struct Lowering<'p> {
     pub(super) held: Option<u16>,
     /// The operations that are called, each with its first call.
     pub(super) called: Vec<(usize, Span)>,
+    /// The functions that are called.
+    pub(super) functions: Vec<usize>,
     /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
+    ending: Ending,
+}
+
+/// What `return` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// The script ends.
+    OfScript,
+    /// The function gives its value to its caller.
+    OfFunction,
+    /// The operation has been applied, and returns an element.
+    OfSteps,
+}
+
+/// Statements with their variables.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Routine<'p> {
+    pub(super) params: &'p [Param],
+    /// All variables, parameters first.
+    pub(super) variables: &'p [Variable],
+    pub(super) block: &'p [Statement],
 }
 
 /// Where a loop goes on, and where it ends.
@@ -60,29 +84,14 @@ impl Scope for Names {
 }
 
 impl<'p> Lowering<'p> {
-    /// Gives every variable its registers: the parameters first, then for each of them a
-    /// bool that says whether it is given, then the others.
-    pub(super) fn new(script: &'p Script) -> Self {
-        let mut asm = Assembler::new();
-        let mut names = Names::default();
-        let (params, others) = script.variables.split_at(script.params.len());
-        let params = params.iter().map(|param| asm.block(width(param.ty)));
-        names.registers.extend(params);
-        let given: Vec<Reg> = script.params.iter().map(|_| asm.reg()).collect();
-        let others = others.iter().map(|other| asm.block(width(other.ty)));
-        names.registers.extend(others);
-        let mut lowering = Self {
-            asm,
-            names,
-            liveness: Liveness {
-                variables: &script.variables,
-            },
-            loops: Vec::new(),
-            held: None,
-            called: Vec::new(),
-            assertions: Vec::new(),
-        };
-        for (variable, (param, condition)) in (0..).zip(script.params.iter().zip(given)) {
+    /// Begins the code of a script: the parameters first, then for each of them a bool that
+    /// says whether it is given, then the other variables.
+    pub(super) fn of_script(routine: Routine<'p>, texts: &[String]) -> Self {
+        let mut lowering = Self::with_parameters(routine, texts);
+        let given = routine.params.iter().map(|_| lowering.asm.reg());
+        let given: Vec<Reg> = given.collect();
+        lowering.other_variables(routine);
+        for (variable, (param, condition)) in (0..).zip(routine.params.iter().zip(given)) {
             if let Some(default) = &param.default {
                 let to = lowering.asm.label();
                 lowering.asm.emit(Inst::JumpIf { condition, to });
@@ -93,9 +102,62 @@ impl<'p> Lowering<'p> {
         lowering
     }
 
+    /// Begins the code of a function: the parameters first, then the other variables.
+    pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
+        let mut lowering = Self::with_parameters(routine, texts);
+        lowering.other_variables(routine);
+        lowering.ending = Ending::OfFunction;
+        lowering
+    }
+
+    /// Begins the code of an operation in steps: the parameters first, then the other
+    /// variables.
+    pub(super) fn of_steps(routine: Routine<'p>, texts: &[String]) -> Self {
+        let mut lowering = Self::with_parameters(routine, texts);
+        lowering.other_variables(routine);
+        lowering.ending = Ending::OfSteps;
+        lowering
+    }
+
+    fn with_parameters(routine: Routine<'p>, texts: &[String]) -> Self {
+        let mut lowering = Self {
+            asm: Assembler::knowing(texts),
+            names: Names::default(),
+            liveness: Liveness {
+                variables: routine.variables,
+            },
+            loops: Vec::new(),
+            held: None,
+            called: Vec::new(),
+            functions: Vec::new(),
+            assertions: Vec::new(),
+            ending: Ending::OfScript,
+        };
+        for param in routine.params {
+            let reg = lowering.asm.block(width(param.ty));
+            lowering.names.registers.push(reg);
+        }
+        lowering
+    }
+
+    fn other_variables(&mut self, routine: Routine<'p>) {
+        for other in routine.variables.iter().skip(routine.params.len()) {
+            let reg = self.asm.block(width(other.ty));
+            self.names.registers.push(reg);
+        }
+    }
+
+    /// The end of a function that is come to without a `return`.
+    pub(super) fn end(&mut self) {
+        self.asm.emit(Inst::Give {
+            from: Reg(0),
+            width: 0,
+        });
+    }
+
     /// The whole script.
-    pub(super) fn body(&mut self, script: &Script) {
-        self.block(&script.body, Some(&Exits::default()));
+    pub(super) fn body(&mut self, routine: Routine<'p>) {
+        self.block(routine.block, Some(&Exits::default()));
     }
 
     /// A block; without its exits inside of a loop over elements, where no id may be
@@ -122,7 +184,35 @@ impl<'p> Lowering<'p> {
         let mark = self.asm.mark();
         let span = statement.span;
         match &statement.kind {
-            StatementKind::Set { variable, value } => self.set(*variable, value),
+            StatementKind::Set { variable, value } => match &value.kind {
+                ExprKind::Invoke(function, args) => {
+                    let to = self.asm.block(width(value.ty));
+                    let call = FunctionCall {
+                        function: *function,
+                        args,
+                        to,
+                        holds: self.needs_ids(exits, Some(*variable)),
+                    };
+                    self.call(call, value.span);
+                    let from = to;
+                    let to = self.names.local(*variable);
+                    copy(&mut self.asm, value.ty, to, from);
+                }
+                _ => self.set(*variable, value),
+            },
+            StatementKind::Call {
+                function,
+                args,
+                result,
+            } => {
+                let call = FunctionCall {
+                    function: *function,
+                    args,
+                    to: self.asm.block(result.map_or(0, width)),
+                    holds: self.needs_ids(exits, None),
+                };
+                self.call(call, span);
+            }
             StatementKind::Write {
                 target,
                 attribute,
@@ -167,12 +257,7 @@ impl<'p> Lowering<'p> {
             StatementKind::Assert { condition, reason } => self.assert(condition, reason, span),
             StatementKind::Break => self.jump(|around| around.end),
             StatementKind::Continue => self.jump(|around| around.again),
-            StatementKind::Return => {
-                if let Some(buffer) = self.held {
-                    self.asm.emit(Inst::ReleaseHeld { buffer });
-                }
-                self.asm.emit(Inst::Return { result: None });
-            }
+            StatementKind::Return(value) => self.leave(value.as_ref(), exits),
         }
         self.asm.release(mark);
     }
@@ -189,11 +274,71 @@ impl<'p> Lowering<'p> {
         Some(exits.of_body(head))
     }
 
+    /// Whether somebody still needs ids when a statement with these exits has been run, but
+    /// for a variable that it sets.
+    fn needs_ids(&self, exits: Option<&Exits>, set: Option<u32>) -> bool {
+        let needed = |exits: &Exits| exits.next.iter().any(|needed| Some(*needed) != set);
+        exits.is_none_or(needed)
+    }
+
+    /// `return`, `return x`
+    fn leave(&mut self, value: Option<&Expr>, exits: Option<&Exits>) {
+        let given = value.map(|value| match &value.kind {
+            ExprKind::Invoke(function, args) => {
+                let to = self.asm.block(width(value.ty));
+                let call = FunctionCall {
+                    function: *function,
+                    args,
+                    to,
+                    // Within a loop over elements its ids are needed, though they are not
+                    // used again: another one may be running further out.
+                    holds: exits.is_none(),
+                };
+                self.call(call, value.span);
+                (to, width(value.ty))
+            }
+            _ => (self.value(value), width(value.ty)),
+        });
+        if let Some(buffer) = self.held {
+            self.asm.emit(Inst::ReleaseHeld { buffer });
+        }
+        let (from, width) = given.unwrap_or((Reg(0), 0));
+        self.asm.emit(match self.ending {
+            Ending::OfFunction => Inst::Give { from, width },
+            Ending::OfScript => Inst::Return { result: None },
+            Ending::OfSteps => Inst::Return {
+                result: given.map(|_| from),
+            },
+        });
+    }
+
+    /// Notes the functions that an expression calls.
+    pub(super) fn note_functions(&mut self, value: &Expr) {
+        let mut found = Vec::new();
+        value.each(&mut |part| {
+            if let ExprKind::Invoke(function, _) = part.kind {
+                found.push(function);
+            }
+        });
+        found
+            .into_iter()
+            .for_each(|function| self.note_function(function));
+    }
+
+    pub(super) fn note_function(&mut self, function: u32) {
+        let function = function as usize;
+        if !self.functions.contains(&function) {
+            self.functions.push(function);
+        }
+    }
+
     pub(super) fn value(&mut self, value: &Expr) -> Reg {
+        self.note_functions(value);
         lower(&mut self.asm, &mut self.names, value)
     }
 
     pub(super) fn value_into(&mut self, value: &Expr, to: Reg) {
+        self.note_functions(value);
         lower_into(&mut self.asm, &mut self.names, value, to);
     }
 

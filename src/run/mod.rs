@@ -16,9 +16,11 @@
 
 mod call;
 mod columns;
+mod function;
 mod live;
 mod lower;
 mod prepare;
+mod steps;
 mod visit;
 
 mod apply;
@@ -27,5 +29,7 @@ mod report;
 
 pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
+pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
+pub use steps::plan_steps;

@@ -3,7 +3,9 @@
 use super::Argument;
 use super::argument::example;
 use super::columns::Columns;
+use super::function::{Functions, routine, with_functions};
 use super::lower::Lowering;
+use super::steps::with_steps;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::Mesh;
@@ -17,6 +19,7 @@ pub struct Prepared<'p> {
     pub(super) script: &'p Script,
     pub(super) plans: &'p [Option<Plan>],
     pub(super) code: Code,
+    pub(super) functions: Functions,
     pub(super) columns: Columns,
     /// Where in the source the code can trap, by number.
     pub(super) places: Vec<Span>,
@@ -46,10 +49,22 @@ pub fn prepare<'p>(
             Span::default(),
         )]);
     };
-    let mut lowering = Lowering::new(script);
-    lowering.body(script);
+    let (functions, too_large) = Functions::of(program);
+    if !too_large.is_empty() {
+        return Err(too_large);
+    }
+    let mut lowering = Lowering::of_script(routine(script), functions.texts());
+    lowering.body(routine(script));
+    let reached = functions.reached(&lowering.functions);
+    if let Some(missing) = functions.first_missing(&reached) {
+        return Err(vec![not_understood(program, missing)]);
+    }
     let mut called = lowering.called;
+    for &function in &reached {
+        called.extend(&functions.applies[function]);
+    }
     called.sort_by_key(|&(op, _)| op);
+    called.dedup_by_key(|&mut (op, _)| op);
     let unproved = called
         .iter()
         .filter(|&&(op, _)| plans.get(op).is_none_or(Option::is_none));
@@ -68,14 +83,17 @@ pub fn prepare<'p>(
             Err(_) => Err(TooLarge),
         });
     let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
-    let called_code = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
-    let all_code = called_code.map(|plan| &plan.code).chain([&code]);
+    let code = with_functions(code, &functions);
+    let called_plans = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
+    let called_plans = with_steps(plans, called_plans);
+    let all_code = called_plans.iter().map(|plan| &plan.code).chain([&code]);
     let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
     Ok(Prepared {
         script,
         plans,
         columns,
         code,
+        functions,
         places: lowering.names.places,
         assertions: lowering.assertions,
         calls: called.iter().map(|&(_, call)| call).collect(),
@@ -94,6 +112,15 @@ fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
         }
         None => Diagnostic::error(code, "there is no such operation", call),
     }
+}
+
+fn not_understood(program: &Program, function: usize) -> Diagnostic {
+    let span = program
+        .functions
+        .get(function)
+        .map(|function| function.span);
+    let message = "this function has an error, so it cannot be called";
+    Diagnostic::error("unproved-op", message, span.unwrap_or_default())
 }
 
 fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {

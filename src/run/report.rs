@@ -134,6 +134,9 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
     }
 }
 
+/// How many calls are shown that led to a failure.
+const MOST_CALLERS: usize = 8;
+
 /// The diagnostic of a trap: it points at the innermost place that is known.
 pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     let known: Vec<(&Site, Span)> = trap
@@ -146,8 +149,15 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         None => (prepared.script.span, known.as_slice()),
     };
     let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
+    let mut told = vec![first];
     for (_, span) in calls {
-        diagnostic = diagnostic.label(*span, "called here");
+        if told.len() <= MOST_CALLERS && !told.contains(span) {
+            told.push(*span);
+            diagnostic = diagnostic.label(*span, "called here");
+        }
+    }
+    if calls.len() > MOST_CALLERS {
+        diagnostic = diagnostic.note(format!("{} calls led here", calls.len()));
     }
     let unknown = |site: &&Site| site.op.is_some() && span(prepared, site).is_none();
     match trap
@@ -170,9 +180,13 @@ fn name<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p str> {
 }
 
 fn span(prepared: &Prepared, site: &Site) -> Option<Span> {
-    let places = match site.op {
-        Some(_) => &plan(prepared, site)?.places,
-        None => &prepared.places,
+    let places = match (site.function, site.op) {
+        (Some(function), _) => {
+            let functions = &prepared.functions.code;
+            &functions.get(usize::from(function))?.places
+        }
+        (None, Some(_)) => &plan(prepared, site)?.places,
+        (None, None) => &prepared.places,
     };
     places.get(site.place? as usize).copied()
 }
@@ -195,16 +209,25 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::BelowLevel { .. } => "below-level",
         Message::Unproved => "unproved-op",
         Message::Interrupted => "interrupted",
-        Message::WildPointer(_) | Message::OutOfRange | Message::TooDeep | Message::Malformed => {
-            "machine-error"
-        }
+        Message::TooDeep => "calls-too-deep",
+        Message::WildPointer(_) | Message::OutOfRange | Message::Malformed => "machine-error",
     }
 }
 
 fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
-    let place = match trap.trace.as_slice() {
-        [Site { op: None, place }] => *place,
-        _ => None,
+    let Some(Site {
+        op,
+        function,
+        place: Some(place),
+    }) = trap.trace.first()
+    else {
+        return false;
     };
-    place.is_some_and(|place| prepared.assertions.binary_search(&place).is_ok())
+    let assertions = match (function, op) {
+        (Some(function), _) => prepared.functions.assertions.get(usize::from(*function)),
+        (None, None) => Some(&prepared.assertions),
+        // An op asserts nothing.
+        (None, Some(_)) => None,
+    };
+    assertions.is_some_and(|assertions| assertions.binary_search(place).is_ok())
 }

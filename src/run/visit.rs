@@ -159,6 +159,9 @@ impl Lowering<'_> {
         if let Some(of) = elements(collection) {
             return self.asm.emit(Inst::BufferLiving { of, buffer });
         }
+        if let Some(base) = collection.base() {
+            self.note_functions(base);
+        }
         let mark = self.asm.mark();
         let push = &mut |asm: &mut Assembler, _: &mut dyn Scope, from: Reg, _: Label| {
             asm.emit(Inst::BufferPush { buffer, from });

@@ -94,3 +94,8 @@ fn attributes() {
 fn scripts() {
     check("scripts.md");
 }
+
+#[test]
+fn functions() {
+    check("functions.md");
+}

@@ -77,6 +77,7 @@ fn calls_are_counted() {
 fn calls_trap_with_a_trace() {
     let outer = Site {
         op: None,
+        function: None,
         place: Some(3),
     };
     let trap = trap_in(None);
@@ -91,6 +92,7 @@ fn calls_trap_with_a_trace() {
     assert_eq!(trap.to_string(), "so it is");
     let inner = Site {
         op: Some(0),
+        function: None,
         place: Some(8),
     };
     assert_eq!(trap.trace, [inner, outer]);

@@ -163,7 +163,14 @@ fn dead_and_wild_arguments_trap() {
         let trap = machine.apply(&mut mesh, &flip, &[id]).unwrap_err();
         assert_eq!(trap.to_string(), message);
         let place = Some(7);
-        assert_eq!(trap.trace, [Site { op: None, place }]);
+        assert_eq!(
+            trap.trace,
+            [Site {
+                op: None,
+                function: None,
+                place
+            }]
+        );
     }
     assert_eq!(before, format!("{mesh:?}"));
 }

@@ -4,6 +4,7 @@ mod arguments;
 mod attributes;
 mod expressions;
 mod failures;
+mod functions;
 mod loops;
 mod matrices;
 mod remesh;

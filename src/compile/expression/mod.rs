@@ -17,4 +17,4 @@ mod value;
 
 pub use collection::{each, elements};
 pub use scope::{Scope, element_kind, width};
-pub use value::{attribute, copy, lower, lower_into};
+pub use value::{arguments, attribute, copy, function_number, lower, lower_into};

@@ -106,8 +106,47 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             asm.bind(end);
         }
         ExprKind::Fold(it) => fold(asm, scope, it, expr, to),
+        ExprKind::Invoke(function, args) => {
+            let place = scope.place(expr.span);
+            let args = arguments(asm, scope, args);
+            // Ids may be held in registers that nobody can name.
+            let inst = Inst::Call {
+                function: function_number(*function),
+                args,
+                to,
+                holds: true,
+            };
+            asm.trap_at(place, inst);
+        }
+        ExprKind::Let(variable, value, body) => {
+            let from = lower(asm, scope, value);
+            let kept = asm.block(width(value.ty));
+            copy(asm, value.ty, kept, from);
+            scope.declare(*variable, kept);
+            lower_into(asm, scope, body, to);
+        }
     }
     asm.release(mark);
+}
+
+/// Appends the code of arguments; their values stand in consecutive slots from a register on.
+pub fn arguments(asm: &mut Assembler, scope: &mut dyn Scope, args: &[Expr]) -> Reg {
+    let widths = args.iter().map(|arg| width(arg.ty));
+    let all = widths.clone().fold(0, u16::saturating_add);
+    let slots = asm.block(all);
+    let mut offset = 0;
+    for (arg, width) in args.iter().zip(widths) {
+        // A block too wide to be had is no block; the code is not used then.
+        let to = Reg(slots.0.saturating_add(offset));
+        lower_into(asm, scope, arg, to);
+        offset = offset.saturating_add(width);
+    }
+    slots
+}
+
+/// The number by which code calls a function. One too large names none, and traps.
+pub fn function_number(function: u32) -> u16 {
+    u16::try_from(function).unwrap_or(u16::MAX)
 }
 
 /// Copies a value of a type.

@@ -1,0 +1,130 @@
+//! What functions do besides computing a value, found out before any of them is understood.
+//!
+//! An op may ask a function, but only one that changes nothing, prints nothing and looks at
+//! nothing but what it is given. What a function does, it does itself or through those that it
+//! calls; both is read off the tree.
+
+use crate::source::Span;
+use crate::syntax::tree::{self, ActionKind, Block, ExprKind, Item};
+
+use super::declared::{Declared, What};
+use super::depth::{Node, each_node};
+use super::file::Unit;
+use super::sequence::WHOLE_MESH;
+
+/// What a function does, each with a place that does it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Effects {
+    /// It calls an op, or sets attributes.
+    pub(super) changes: Option<Span>,
+    /// It prints.
+    pub(super) prints: Option<Span>,
+    /// It looks at the whole mesh.
+    pub(super) looks: Option<Span>,
+}
+
+impl Effects {
+    fn take_in(&mut self, other: Effects) -> bool {
+        let before = *self;
+        self.changes = self.changes.or(other.changes);
+        self.prints = self.prints.or(other.prints);
+        self.looks = self.looks.or(other.looks);
+        *self != before
+    }
+}
+
+/// What is known of a function from its tree.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Deeds {
+    pub(super) effects: Effects,
+    /// The functions that it calls, by number.
+    pub(super) calls: Vec<usize>,
+    /// Whether it calls an op, itself or through others.
+    pub(super) calls_ops: bool,
+}
+
+/// The deeds of all functions of a program, by number.
+pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<Deeds> {
+    let mut all = Vec::new();
+    for (unit, declared) in units.iter().zip(declared) {
+        for item in &unit.tree.items {
+            if let Item::Fn(function) = item {
+                all.push(own_deeds(&function.body, declared));
+            }
+        }
+    }
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for at in 0..all.len() {
+            let mut deeds = std::mem::take(&mut all[at]);
+            for called in deeds.calls.iter().filter_map(|&called| all.get(called)) {
+                changed |= deeds.effects.take_in(called.effects);
+                changed |= called.calls_ops && !deeds.calls_ops;
+                deeds.calls_ops |= called.calls_ops;
+            }
+            all[at] = deeds;
+        }
+    }
+    all
+}
+
+fn own_deeds(body: &Block, declared: &Declared) -> Deeds {
+    let mut deeds = Deeds::default();
+    each_node(body, |node| match node {
+        Node::Expr(expr) => deeds.of_expr(expr, declared),
+        Node::Block(block) => {
+            for action in &block.statements {
+                deeds.of_action(&action.kind, action.span);
+            }
+        }
+    });
+    deeds
+}
+
+impl Deeds {
+    fn of_expr(&mut self, expr: &tree::Expr, declared: &Declared) {
+        match &expr.kind {
+            ExprKind::Call { function, args } => {
+                match declared.called(&function.text).map(|n| (n.what, n.number)) {
+                    Some((What::Op, _)) => {
+                        self.calls_ops = true;
+                        self.effects.changes.get_or_insert(expr.span);
+                    }
+                    Some((What::Function, number)) => self.calls.push(number),
+                    None if function.text == "print" => {
+                        self.effects.prints.get_or_insert(expr.span);
+                    }
+                    None => args.iter().for_each(|arg| self.of_sequence(arg)),
+                }
+            }
+            ExprKind::Aggregate { sequence, .. } => self.of_sequence(sequence),
+            _ => {}
+        }
+    }
+
+    fn of_action(&mut self, action: &ActionKind, span: Span) {
+        match action {
+            ActionKind::Assign { target, .. } if matches!(target.kind, ExprKind::Field(..)) => {
+                self.effects.changes.get_or_insert(span);
+            }
+            ActionKind::For { sequence, .. }
+            | ActionKind::Update { sequence, .. }
+            | ActionKind::Drain { sequence, .. } => self.of_sequence(sequence),
+            ActionKind::Print(_) => {
+                self.effects.prints.get_or_insert(span);
+            }
+            _ => {}
+        }
+    }
+
+    fn of_sequence(&mut self, sequence: &tree::Expr) {
+        let ExprKind::Name(name) = &sequence.kind else {
+            return;
+        };
+        let word = name.ident.text.as_str();
+        if name.index.is_none() && WHOLE_MESH.iter().any(|(known, _)| *known == word) {
+            self.effects.looks.get_or_insert(sequence.span);
+        }
+    }
+}

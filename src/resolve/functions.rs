@@ -1,0 +1,171 @@
+//! All functions of a program: in which order they are understood.
+//!
+//! The type of a function's value need not be written; then its body is resolved before those
+//! of the functions that call it. Functions that call each other in a circle, and do not say
+//! what they give, give nothing.
+
+use std::rc::Rc;
+
+use crate::diagnostic::Diagnostic;
+use crate::syntax::tree::{self, Item};
+
+use super::declared::Declared;
+use super::effects::{Deeds, deeds};
+use super::file::Unit;
+use super::op::Signature;
+use super::program::Function;
+use super::report::Report;
+use super::routine::{FunctionSignature, Value, resolve_function, written_signature};
+
+/// The functions of a program, by number.
+pub(super) struct Functions<'t> {
+    /// What can be named in each file. It learns of functions as they are understood.
+    pub(super) declared: Vec<Declared>,
+    items: Vec<Pending<'t>>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// A function on its way.
+struct Pending<'t> {
+    tree: &'t tree::Fn,
+    /// The file, by its place.
+    home: usize,
+    deeds: Deeds,
+    signature: Rc<FunctionSignature>,
+    report: Option<Report>,
+    resolved: Option<Function>,
+}
+
+impl<'t> Functions<'t> {
+    /// Reads the signatures, as far as they are written.
+    pub(super) fn of(units: &[Unit<'t>], mut declared: Vec<Declared>) -> Self {
+        let mut deeds = deeds(units, &declared).into_iter();
+        let mut items = Vec::new();
+        for (home, unit) in units.iter().enumerate() {
+            for item in &unit.tree.items {
+                let Item::Fn(tree) = item else {
+                    continue;
+                };
+                let deeds = deeds.next().unwrap_or_default();
+                let mut report = Report::default();
+                let signature =
+                    written_signature(tree, deeds.effects, &declared[home], &mut report);
+                items.push(Pending {
+                    tree,
+                    home,
+                    deeds,
+                    signature: Rc::new(signature),
+                    report: Some(report),
+                    resolved: None,
+                });
+            }
+        }
+        for item in &items {
+            declared
+                .iter_mut()
+                .for_each(|file| file.learn(&item.signature));
+        }
+        Self {
+            declared,
+            items,
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// Resolves the bodies of those that are wanted, each after those whose value it has to
+    /// know.
+    pub(super) fn resolve(&mut self, ops: &[Signature], wanted: impl Fn(&Deeds) -> bool) {
+        let mut left: Vec<usize> = (0..self.items.len())
+            .filter(|&at| wanted(&self.items[at].deeds))
+            .collect();
+        while !left.is_empty() {
+            let mut ready = left.clone();
+            ready.retain(|&at| !self.waits(at));
+            // Nothing is ready: some call each other in a circle.
+            let cycles = ready.is_empty();
+            if cycles {
+                ready = left
+                    .iter()
+                    .copied()
+                    .filter(|&at| self.in_a_circle(at))
+                    .collect();
+                for &at in &ready {
+                    self.give(at, Value::Nothing);
+                }
+            }
+            for &at in &ready {
+                self.resolve_one(at, ops, cycles);
+            }
+            left.retain(|at| !ready.contains(at));
+        }
+    }
+
+    /// Whether the value of a function depends on itself.
+    fn in_a_circle(&self, at: usize) -> bool {
+        let mut seen = vec![false; self.items.len()];
+        let mut open = vec![at];
+        while let Some(next) = open.pop() {
+            for &called in &self.items[next].deeds.calls {
+                if called == at {
+                    return true;
+                }
+                let is_open = self.items[called].signature.result == Value::Open;
+                if is_open && !std::mem::replace(&mut seen[called], true) {
+                    open.push(called);
+                }
+            }
+        }
+        false
+    }
+
+    /// Whether a function calls one whose value is not known yet.
+    fn waits(&self, at: usize) -> bool {
+        let mut calls = self.items[at].deeds.calls.iter();
+        calls.any(|&called| self.items[called].signature.result == Value::Open)
+    }
+
+    fn resolve_one(&mut self, at: usize, ops: &[Signature], cycles: bool) {
+        let item = &mut self.items[at];
+        let mut report = item.report.take().unwrap_or_default();
+        let open = item.tree.result.is_none();
+        let (value, resolved) = resolve_function(
+            item.tree,
+            &item.signature,
+            ops,
+            cycles && open,
+            &self.declared[item.home],
+            &mut report,
+        );
+        item.resolved = Some(resolved);
+        self.diagnostics.extend(report.into_diagnostics());
+        self.give(at, value);
+    }
+
+    /// Now it is known what a function gives.
+    fn give(&mut self, at: usize, value: Value) {
+        let item = &mut self.items[at];
+        if item.signature.result != Value::Open {
+            return;
+        }
+        item.signature = Rc::new(FunctionSignature {
+            result: value,
+            ..FunctionSignature::clone(&item.signature)
+        });
+        let signature = Rc::clone(&item.signature);
+        self.declared
+            .iter_mut()
+            .for_each(|file| file.learn(&signature));
+    }
+
+    pub(super) fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.diagnostics)
+    }
+
+    /// All functions, once each of them has been resolved.
+    pub(super) fn into_resolved(self) -> Vec<Function> {
+        self.items
+            .into_iter()
+            .filter_map(|item| item.resolved)
+            .collect()
+    }
+}

@@ -1,0 +1,241 @@
+//! Calls of functions of the program.
+
+use std::rc::Rc;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::declared::What;
+use super::effects::Effects;
+use super::parameter::Parameter;
+use super::program::StatementKind;
+use super::routine::{FunctionSignature, Value};
+use super::script::Scripting;
+use super::typing::{Place, Typing, typed};
+use super::words::{a_type, arguments};
+
+/// The call of a function.
+struct Invocation {
+    number: u32,
+    signature: Rc<FunctionSignature>,
+    args: Vec<Expr>,
+}
+
+impl Typing<'_> {
+    /// The value of a function of the program, if the name means one.
+    pub(super) fn invoked(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<Option<Expr>> {
+        self.declared.function(&function.text)?;
+        Some(self.invoked_value(function, args, span))
+    }
+
+    fn invoked_value(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> Option<Expr> {
+        let invocation = self.invocation(function, args, span)?;
+        let name = &invocation.signature.name;
+        match invocation.signature.result {
+            Value::Of(ty) => {
+                let kind = ExprKind::Invoke(invocation.number, invocation.args);
+                Some(typed(ty, kind, span))
+            }
+            Value::Nothing => {
+                let message = format!("`{name}` gives no value");
+                let error = Diagnostic::error("returns-nothing", message, span)
+                    .label(invocation.signature.span, "it is declared here");
+                let Effects {
+                    changes, prints, ..
+                } = invocation.signature.effects;
+                self.report.add(match changes.or(prints) {
+                    Some(_) => error,
+                    None => error.note(
+                        "functions that call each other in a circle say what they give, behind \
+                         the parameters",
+                    ),
+                });
+                None
+            }
+            Value::Open | Value::Unknown => {
+                self.report.fail();
+                None
+            }
+        }
+    }
+
+    fn invocation(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<Invocation> {
+        let may_change = std::mem::take(&mut self.may_change);
+        self.declared.expect_one(function, self.report)?;
+        let named = self.declared.called(&function.text)?;
+        debug_assert_eq!(named.what, What::Function);
+        let signature = Rc::clone(self.declared.function(&function.text)?);
+        let allowed = self.expect_allowed(&signature, may_change, function.span);
+        let args = self.arguments(&signature.name, &signature.params, args, span);
+        allowed?;
+        Some(Invocation {
+            number: named.number as u32,
+            signature,
+            args: args?,
+        })
+    }
+
+    /// The arguments of a call, those left out as well.
+    pub(super) fn arguments(
+        &mut self,
+        name: &str,
+        params: &[Parameter],
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<Vec<Expr>> {
+        let mut values: Vec<Option<Expr>> = Vec::new();
+        for (place, arg) in args.iter().enumerate() {
+            let value = match params.get(place).map(|param| (param, param.ty)) {
+                Some((param, Some(ty))) => {
+                    let whose = format!("`{}` of `{name}`", param.name);
+                    self.expression_as(arg, ty, &whose)
+                }
+                // Of unknown type, or one too many.
+                Some((_, None)) | None => self.expression(arg),
+            };
+            values.push(value);
+        }
+        self.right_argument_count(name, params, args.len(), span)?;
+        for param in &params[args.len()..] {
+            if param.default.is_none() {
+                self.report.fail();
+            }
+            values.push(param.default.clone());
+        }
+        values.into_iter().collect()
+    }
+
+    /// Complains about a wrong number of arguments.
+    fn right_argument_count(
+        &mut self,
+        name: &str,
+        params: &[Parameter],
+        given: usize,
+        span: Span,
+    ) -> Option<()> {
+        let most = params.len();
+        // A parameter before one without a default cannot be left out either.
+        let required = params.iter().rposition(|param| !param.optional);
+        let least = required.map_or(0, |place| place + 1);
+        if (least..=most).contains(&given) {
+            return Some(());
+        }
+        let wanted = match least {
+            least if least == most => arguments(most),
+            least => format!("{least} to {}", arguments(most)),
+        };
+        let verb = if given == 1 { "is" } else { "are" };
+        let given = match given {
+            0 => "none".to_owned(),
+            given => given.to_string(),
+        };
+        let message = format!("`{name}` takes {wanted}, but {given} {verb} given");
+        let params: Vec<String> = params
+            .iter()
+            .map(|param| match param.ty {
+                Some(ty) => format!("{}: {}", param.name, ty.word()),
+                None => param.name.clone(),
+            })
+            .collect();
+        let error = Diagnostic::error("wrong-count", message, span)
+            .note(format!("it is `{name}({})`", params.join(", ")));
+        self.report.add(error);
+        None
+    }
+
+    /// Complains about a function that does here what it must not.
+    fn expect_allowed(
+        &mut self,
+        signature: &FunctionSignature,
+        may_change: bool,
+        span: Span,
+    ) -> Option<()> {
+        let (name, effects) = (&signature.name, &signature.effects);
+        let error = |code, what: &str| {
+            let message = format!("`{name}` {what}, so it cannot be called here");
+            Diagnostic::error(code, message, span)
+        };
+        let error = match self.place {
+            Place::Script => {
+                let Some(place) = effects.changes.filter(|_| !may_change) else {
+                    return Some(());
+                };
+                error("changes-mesh", "changes the mesh")
+                    .label(place, "it is changed here")
+                    .note(
+                        "such a call stands as a statement, or is the whole value of `let`, \
+                         `=`, `if` or `return`",
+                    )
+            }
+            Place::Rule(_) | Place::Default => {
+                if let Some(place) = effects.changes {
+                    error("changes-mesh", "changes the mesh").label(place, "it is changed here")
+                } else if let Some(place) = effects.prints {
+                    error("changes-mesh", "prints").label(place, "here")
+                } else if let Some(place) = effects.looks {
+                    error("whole-mesh", "looks at the whole mesh").label(place, "here")
+                } else {
+                    return Some(());
+                }
+            }
+        };
+        self.report.add(error);
+        None
+    }
+}
+
+impl Scripting<'_> {
+    /// The call of a function as a statement.
+    pub(super) fn called_alone(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<StatementKind> {
+        self.typing.may_change = true;
+        let invocation = self.typing.invocation(function, args, span)?;
+        let Invocation {
+            number,
+            signature,
+            args,
+        } = invocation;
+        let result = match signature.result {
+            Value::Of(ty) => Some(ty),
+            Value::Nothing => None,
+            Value::Open | Value::Unknown => {
+                self.typing.report.fail();
+                return None;
+            }
+        };
+        let effects = signature.effects;
+        if let Some(ty) = result.filter(|_| effects.changes.or(effects.prints).is_none()) {
+            self.unused(ty, span);
+            return None;
+        }
+        Some(StatementKind::Call {
+            function: number,
+            args,
+            result,
+        })
+    }
+
+    /// Complains about a value that nobody wants.
+    pub(super) fn unused(&mut self, ty: Type, span: Span) {
+        let message = "this value is not used";
+        let error = Diagnostic::error("unused-value", message, span)
+            .saying(format!("this is {}", a_type(ty)));
+        self.typing.report.add(error);
+    }
+}

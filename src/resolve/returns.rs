@@ -1,0 +1,263 @@
+//! What a function gives back: `return`, and the value at its end.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Action, ActionKind};
+
+use super::program::{Block, Statement, StatementKind};
+use super::routine::{FunctionSignature, Value};
+use super::scopes::{Binding, Local};
+use super::script::Scripting;
+use super::typing::to_real;
+use super::words::a_type;
+
+/// What the statements at hand may return.
+#[derive(Clone, Debug)]
+pub(super) struct Returns {
+    /// The name of the function; `None` in a script.
+    function: Option<String>,
+    value: Value,
+    /// The first `return`, which decides where no type is written.
+    first: Option<Span>,
+    /// Whether the type must be written for a value to be returned.
+    cycles: bool,
+}
+
+impl Returns {
+    /// Nothing: the statements of a script.
+    pub(super) fn nothing() -> Self {
+        Self {
+            function: None,
+            value: Value::Nothing,
+            first: None,
+            cycles: false,
+        }
+    }
+
+    /// What a function says.
+    pub(super) fn of_function(signature: &FunctionSignature, cycles: bool) -> Self {
+        Self {
+            function: Some(signature.name.clone()),
+            value: match signature.result {
+                Value::Open if cycles => Value::Nothing,
+                value => value,
+            },
+            first: None,
+            cycles,
+        }
+    }
+
+    /// What the function gives, now that all of it has been seen.
+    pub(super) fn value(&self) -> Value {
+        match self.value {
+            Value::Open => Value::Nothing,
+            value => value,
+        }
+    }
+}
+
+impl Scripting<'_> {
+    /// The body of a function: a value at its end is what it gives.
+    pub(super) fn body(&mut self, block: &tree::Block) -> Block {
+        self.typing.scopes.enter();
+        let mut statements = Block::new();
+        if let Some((last, others)) = block.statements.split_last() {
+            self.actions(others, &mut statements);
+            self.last(last, &mut statements);
+        }
+        self.typing.scopes.leave();
+        statements
+    }
+
+    /// The statement at the end of a function.
+    fn last(&mut self, action: &Action, statements: &mut Block) {
+        let span = action.span;
+        let kind = match &action.kind {
+            ActionKind::Expr(value) if self.is_value(value) => self.exit(Some(value), span),
+            ActionKind::If {
+                binding: None,
+                condition,
+                then,
+                otherwise: Some(otherwise),
+            } if !self.is_op_call(condition) => {
+                self.typing.may_change = true;
+                let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
+                let then = self.body(then);
+                let otherwise = self.body(otherwise);
+                condition.map(|condition| StatementKind::If {
+                    condition,
+                    then,
+                    otherwise,
+                })
+            }
+            ActionKind::If {
+                binding,
+                condition,
+                then,
+                otherwise: Some(otherwise),
+            } => self.if_applied_at_end(binding.as_ref(), condition, [then, otherwise]),
+            ActionKind::Block(block) => return statements.extend(self.body(block)),
+            _ => return self.actions(std::slice::from_ref(action), statements),
+        };
+        statements.extend(kind.map(|kind| Statement { kind, span }));
+    }
+
+    /// Whether an expression at the end of a function is its value, and no statement.
+    fn is_value(&self, value: &tree::Expr) -> bool {
+        match &value.kind {
+            tree::ExprKind::Call { function, .. } if function.text == "print" => false,
+            tree::ExprKind::Call { function, .. } => {
+                match self.typing.declared.function(&function.text) {
+                    Some(called) => {
+                        matches!(called.result, Value::Of(_))
+                            && self.returns.value != Value::Nothing
+                    }
+                    None => {
+                        !self.is_op_call(value) && self.typing.declared.is_called(&function.text)
+                    }
+                }
+            }
+            tree::ExprKind::Must(_) => matches!(self.returns.value, Value::Of(_)),
+            _ => true,
+        }
+    }
+
+    /// `return`, `return x`
+    pub(super) fn exit(&mut self, value: Option<&tree::Expr>, span: Span) -> Option<StatementKind> {
+        let Some(name) = self.returns.function.clone() else {
+            return match value {
+                None => Some(StatementKind::Return(None)),
+                Some(value) => {
+                    let message = "a script returns nothing";
+                    let error = Diagnostic::error("script-returns", message, value.span);
+                    self.typing.report.add(error);
+                    None
+                }
+            };
+        };
+        let Some(value) = value else {
+            return self.exit_without(&name, span);
+        };
+        if let Some(applied) = self.applied_value(value) {
+            let applied = applied?;
+            let result = applied.result;
+            let variable = self.typing.scopes.declare(Local {
+                name: "the result".to_owned(),
+                span: value.span,
+                ty: Some(result),
+                binding: Binding::Head,
+            });
+            let local = Expr {
+                ty: result,
+                kind: ExprKind::Local(variable),
+                span: value.span,
+            };
+            let local = self.fitting(value, local, &name)?;
+            let returned = Statement {
+                kind: StatementKind::Return(Some(local)),
+                span,
+            };
+            return Some(applied.into_variable(variable, vec![returned]));
+        }
+        self.typing.may_change = !self.updating;
+        let typed = self.typing.expression(value)?;
+        let typed = self.fitting(value, typed, &name)?;
+        Some(StatementKind::Return(Some(typed)))
+    }
+
+    fn exit_without(&mut self, name: &str, span: Span) -> Option<StatementKind> {
+        match self.returns.value {
+            Value::Of(ty) => {
+                let message = format!("`{name}` gives {}, so `return` wants a value", a_type(ty));
+                let error = Diagnostic::error("missing-return", message, span);
+                let error = match self.returns.first {
+                    Some(first) => error.label(first, "it gives a value here"),
+                    None => error,
+                };
+                self.typing.report.add(error);
+                None
+            }
+            _ => {
+                self.returns.value = Value::Nothing;
+                self.returns.first.get_or_insert(span);
+                Some(StatementKind::Return(None))
+            }
+        }
+    }
+
+    /// A value as the function gives it.
+    fn fitting(&mut self, written: &tree::Expr, value: Expr, name: &str) -> Option<Expr> {
+        let first = *self.returns.first.get_or_insert(written.span);
+        match self.returns.value {
+            Value::Of(Type::Real) if value.ty == Type::Int => Some(to_real(value)),
+            Value::Of(ty) if ty == value.ty => Some(value),
+            Value::Of(ty) => {
+                let message = format!(
+                    "`{name}` gives {}, but this is {}",
+                    a_type(ty),
+                    a_type(value.ty)
+                );
+                let error = Diagnostic::error("type-mismatch", message, written.span);
+                self.typing.report.add(match first == written.span {
+                    true => error,
+                    false => error.label(first, format!("this is {}", a_type(ty))),
+                });
+                None
+            }
+            Value::Open => {
+                self.returns.value = Value::Of(value.ty);
+                Some(value)
+            }
+            Value::Nothing => {
+                let message = match self.returns.cycles {
+                    true => format!("`{name}` calls itself, so the type of its value is written"),
+                    false => format!("`{name}` gives nothing elsewhere"),
+                };
+                let error = Diagnostic::error("needs-result-type", message, written.span);
+                let error = error.note(format!(
+                    "behind the parameters: `fn {name}(…) -> {}`",
+                    value.ty.word()
+                ));
+                self.typing.report.add(error);
+                None
+            }
+            Value::Unknown => {
+                self.typing.report.fail();
+                None
+            }
+        }
+    }
+}
+
+/// Whether no way leads to the end of a block.
+pub(super) fn ends(block: &[Statement]) -> bool {
+    block.last().is_some_and(|last| match &last.kind {
+        StatementKind::Return(_) => true,
+        StatementKind::Assert { condition, .. } => condition.kind == ExprKind::Bool(false),
+        StatementKind::While { condition, body } => {
+            condition.kind == ExprKind::Bool(true) && !breaks(body)
+        }
+        StatementKind::If {
+            then, otherwise, ..
+        }
+        | StatementKind::IfApply {
+            then, otherwise, ..
+        } => ends(then) && ends(otherwise),
+        _ => false,
+    })
+}
+
+/// Whether a block leaves the loop around it.
+fn breaks(block: &[Statement]) -> bool {
+    block.iter().any(|statement| match &statement.kind {
+        StatementKind::Break => true,
+        StatementKind::If {
+            then, otherwise, ..
+        }
+        | StatementKind::IfApply {
+            then, otherwise, ..
+        } => breaks(then) || breaks(otherwise),
+        _ => false,
+    })
+}

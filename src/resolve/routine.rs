@@ -1,0 +1,158 @@
+//! A function: its signature, and its body.
+
+use std::rc::Rc;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Require, Type};
+use crate::source::Span;
+use crate::syntax::tree;
+
+use super::condition::requires;
+use super::declared::Declared;
+use super::depth::shallow_block;
+use super::effects::Effects;
+use super::op::Signature;
+use super::parameter::{Owner, Parameter, local, parameters, type_named};
+use super::program::{Body, Function};
+use super::report::Report;
+use super::returns::{Returns, ends};
+use super::scopes::Scopes;
+use super::script::Scripting;
+use super::typing::{Place, Typing};
+
+/// What a call of a function needs to know.
+#[derive(Clone, Debug)]
+pub(super) struct FunctionSignature {
+    /// Its name.
+    pub(super) name: String,
+    /// Where its name stands.
+    pub(super) span: Span,
+    /// Its parameters.
+    pub(super) params: Vec<Parameter>,
+    /// The type of its value.
+    pub(super) result: Value,
+    /// What it does besides.
+    pub(super) effects: Effects,
+}
+
+/// The type of what a function gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Value {
+    /// Nothing.
+    Nothing,
+    /// A value.
+    Of(Type),
+    /// Something; its body has yet to say what.
+    Open,
+    /// It could not be found out.
+    Unknown,
+}
+
+/// The signature of a function, as far as it is written.
+pub(super) fn written_signature(
+    function: &tree::Fn,
+    effects: Effects,
+    declared: &Declared,
+    report: &mut Report,
+) -> FunctionSignature {
+    if !declared.has_its_name(&function.name) {
+        report.fail();
+    }
+    let params = parameters(&function.params, Owner::Function, declared, report);
+    let result = match &function.result {
+        Some(word) => type_named(word, report).map_or(Value::Unknown, Value::Of),
+        None => Value::Open,
+    };
+    FunctionSignature {
+        name: function.name.text.clone(),
+        span: function.name.span,
+        params,
+        result,
+        effects,
+    }
+}
+
+/// Resolves the body of a function, and with it the type of its value, if that is not written.
+/// One that is not written and that `cycles`, because the body needs it, is nothing.
+pub(super) fn resolve_function(
+    function: &tree::Fn,
+    signature: &Rc<FunctionSignature>,
+    ops: &[Signature],
+    cycles: bool,
+    declared: &Declared,
+    report: &mut Report,
+) -> (Value, Function) {
+    let written = (&[][..], &function.body);
+    let (value, _, body) = resolve_body(written, signature, ops, cycles, declared, report);
+    let resolved = Function {
+        name: signature.name.clone(),
+        span: signature.span,
+        docs: function.docs.clone(),
+        params: signature.params.iter().map(Parameter::param).collect(),
+        result: match value {
+            Value::Of(ty) => Some(ty),
+            Value::Nothing | Value::Open | Value::Unknown => None,
+        },
+        body,
+    };
+    (value, resolved)
+}
+
+/// Resolves the statements of a function, or of what is like one, and what is asked before.
+pub(super) fn resolve_body(
+    (asked, written): (&[tree::Condition], &tree::Block),
+    signature: &FunctionSignature,
+    ops: &[Signature],
+    cycles: bool,
+    declared: &Declared,
+    report: &mut Report,
+) -> (Value, Vec<Require>, Option<Body>) {
+    if !shallow_block(written, report) {
+        return (signature.result, Vec::new(), None);
+    }
+    let mut scopes = Scopes::default();
+    scopes.enter();
+    for param in &signature.params {
+        scopes.declare(local(param));
+    }
+    let mut scripting = Scripting {
+        typing: Typing {
+            place: Place::Script,
+            declared,
+            scopes,
+            report,
+            may_change: false,
+        },
+        ops,
+        loops: 0,
+        updating: false,
+        returns: Returns::of_function(signature, cycles),
+    };
+    let requires = requires(asked, &signature.name, &mut scripting.typing);
+    let block = scripting.body(written);
+    let value = scripting.returns.value();
+    let scopes = scripting.typing.scopes;
+    if let Value::Of(ty) = value
+        && !report.failed()
+        && !ends(&block)
+    {
+        let end = Span {
+            start: written.span.end.saturating_sub(1),
+            ..written.span
+        };
+        let message = format!("`{}` may come to its end without a value", signature.name);
+        let error = Diagnostic::error("missing-return", message, end).note(format!(
+            "every way through it has to end with `return` and a value of type `{}`, or with \
+             the value itself",
+            ty.word()
+        ));
+        report.add(error);
+    }
+    if report.failed() {
+        return (value, requires, None);
+    }
+    let body = scopes
+        .into_variables()
+        .map(|variables| Body { variables, block });
+    (value, requires, body)
+}
