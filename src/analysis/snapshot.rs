@@ -87,6 +87,12 @@ impl Snapshot {
         told.extend(diagnostics.iter().cloned());
         told.retain(|told| told.span().file == file);
         let program = resolved.program;
+        let (functions, too_large) = Functions::of(&program);
+        told.extend(
+            too_large
+                .into_iter()
+                .filter(|told| told.span().file == file),
+        );
         for op in program.ops.iter().filter(|op| op.span.file == file) {
             if let Some(diagram) = &op.diagram {
                 let readable = Rc::new(diagram.clone());
@@ -107,6 +113,7 @@ impl Snapshot {
             parsed: own.parsed,
             used: used.collect(),
             program,
+            functions: functions.code,
             told,
             memory,
         }
