@@ -70,8 +70,8 @@ impl Board {
         };
         let texts = [(parameter.name.clone(), at.to_string())];
         let arguments = arguments(program, number, &texts).unwrap();
-        let plan = self.analysis.plans[number].as_ref().unwrap();
-        let applied = apply(program, number, plan, mesh, &arguments).unwrap();
+        let plans = &self.analysis.plans;
+        let applied = apply(program, number, plans, mesh, &arguments).unwrap();
         mesh.recycle();
         applied
     }

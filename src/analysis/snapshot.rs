@@ -102,9 +102,7 @@ impl Snapshot {
                     .insert(op.name.clone(), readable);
             }
         }
-        let (functions, _) = Functions::of(&program);
         Self {
-            functions: functions.code,
             names: Names::of(&own.parsed.tree),
             surroundings: surroundings(&own.parsed.tree, &sources, file),
             examined: vec![OnceCell::new(); program.ops.len()],

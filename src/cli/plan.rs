@@ -36,7 +36,9 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
         level => format!(", or the mesh is not of level {level} in the end"),
     };
     let name = &plan.name;
-    format!("{name} is done in steps: {calls}\nif one of them must be done and refuses{end}, all is undone")
+    format!(
+        "{name} is done in steps: {calls}\nif one of them must be done and refuses{end}, all is undone"
+    )
 }
 
 /// The four phases of every rule.
