@@ -14,7 +14,7 @@ use super::suggestion::suggest;
 use super::typing::{Place, Typing, typed};
 
 /// The constants of the language.
-const CONSTANTS: [&str; 1] = ["pi"];
+const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("infinity", f64::INFINITY)];
 
 /// The type of the element that a name stands for.
 pub(super) fn element_type(kind: Kind) -> Option<Type> {
@@ -52,8 +52,8 @@ impl Typing<'_> {
             };
             return Some(typed(ty, ExprKind::Local(number), span));
         }
-        if word == "pi" {
-            return Some(typed(Type::Real, ExprKind::Real(PI), span));
+        if let Some((_, value)) = CONSTANTS.iter().find(|(known, _)| *known == word) {
+            return Some(typed(Type::Real, ExprKind::Real(*value), span));
         }
         self.unknown_name(word, span);
         None
@@ -105,7 +105,11 @@ impl Typing<'_> {
             Place::Rule(names) => names.words().collect(),
             Place::Default | Place::Script => Vec::new(),
         };
-        let candidates = self.scopes.names().chain(drawn).chain(CONSTANTS);
+        let candidates = self
+            .scopes
+            .names()
+            .chain(drawn)
+            .chain(CONSTANTS.map(|(known, _)| known));
         let error = suggest(error, word, span, candidates);
         self.report.add(error);
     }

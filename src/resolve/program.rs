@@ -147,6 +147,15 @@ pub enum StatementKind {
         filter: Option<Expr>,
         body: Block,
     },
+    /// `drain x in xs by key while c { … }`: the element with the least key first, and keys
+    /// kept current. The condition, too, may name the element.
+    Drain {
+        variable: u32,
+        collection: Collection,
+        key: Expr,
+        condition: Option<Expr>,
+        body: Block,
+    },
     /// `if c { … } else { … }`
     If {
         condition: Expr,

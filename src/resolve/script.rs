@@ -8,7 +8,7 @@ use super::depth::shallow_block;
 use super::op::Signature;
 use super::parameter::{Owner, Parameter, local, parameters};
 use super::program::{Block, Script, Statement, StatementKind};
-use super::report::{Report, not_yet};
+use super::report::Report;
 use super::returns::Returns;
 use super::scopes::{Binding, Local, Scopes};
 use super::typing::{Place, Typing};
@@ -178,11 +178,13 @@ impl Scripting<'_> {
                     body: visited.body,
                 })
             }
-            ActionKind::Drain { variable, .. } => {
-                let what = "`drain` is not supported yet";
-                self.typing.report.add(not_yet(what, variable.span));
-                None
-            }
+            ActionKind::Drain {
+                variable,
+                sequence,
+                key,
+                condition,
+                body,
+            } => self.drain(variable, sequence, (key, condition.as_ref()), body),
             ActionKind::If {
                 binding,
                 condition,
@@ -219,6 +221,40 @@ impl Scripting<'_> {
         let body = self.block(body);
         self.loops -= 1;
         body
+    }
+
+    /// `drain x in xs by key while c { … }`
+    fn drain(
+        &mut self,
+        variable: &Ident,
+        sequence: &tree::Expr,
+        (key, condition): (&tree::Expr, Option<&tree::Expr>),
+        body: &tree::Block,
+    ) -> Option<StatementKind> {
+        let collection = self.typing.sequence(sequence);
+        self.typing.scopes.enter();
+        let variable = self.typing.scopes.declare(Local {
+            name: variable.text.clone(),
+            span: variable.span,
+            ty: collection.as_ref().map(Collection::element),
+            binding: Binding::Head,
+        });
+        let key = self.typing.expression_as(key, Type::Real, "`by`");
+        let condition =
+            condition.map(|condition| self.typing.expression_as(condition, Type::Bool, "`while`"));
+        let body = self.repeated(body);
+        self.typing.scopes.leave();
+        let condition = match condition {
+            Some(condition) => Some(condition?),
+            None => None,
+        };
+        Some(StatementKind::Drain {
+            variable,
+            collection: collection?,
+            key: key?,
+            condition,
+            body,
+        })
     }
 
     fn visit(&mut self, visit: Visit) -> Option<Visited> {

@@ -11,7 +11,18 @@ use super::{Message, Reg};
 use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 
 /// In the place of an attribute's number: what is kept back is a position.
-pub(super) const HELD_POSITION: u64 = u64::MAX;
+const POSITION: u32 = u32::MAX;
+
+/// What begins a value that is kept back: how many slots it takes, and of which attribute.
+fn header(attribute: u32, width: u16) -> u64 {
+    u64::from(width) << 32 | u64::from(attribute)
+}
+
+/// Keeps a position back: a header, the vertex, the slots.
+pub(super) fn hold_position(vertex: VertexId, position: DVec3, held: &mut Vec<u64>) {
+    held.extend([header(POSITION, 3), u64::from(vertex.0)]);
+    held.extend(position.to_array().map(f64::to_bits));
+}
 
 /// Where an attribute lies in the mesh.
 #[inline]
@@ -120,7 +131,7 @@ fn put(
     Ok(())
 }
 
-/// Keeps the value of an attribute, by its number, of a living element back: the number,
+/// Keeps the value of an attribute, by its number, of a living element back: a header,
 /// the element, the slots.
 pub(super) fn hold(
     mesh: &Mesh,
@@ -132,10 +143,40 @@ pub(super) fn hold(
 ) -> Result<(), Message> {
     index(mesh, column, id)?;
     let data = mesh.column(column).ok_or(Message::Malformed)?.data();
-    held.extend([u64::from(attribute), u64::from(id)]);
-    let slots = 0..width(data);
+    let width = width(data);
+    held.extend([header(attribute.into(), width), u64::from(id)]);
+    let slots = 0..width;
     held.extend(slots.map(|part| w.bits(Reg(value.0.wrapping_add(part)))));
     Ok(())
+}
+
+/// What is kept back, in order: a column, or none for a position; the element; the slots.
+pub(super) struct Held<'h> {
+    columns: &'h [Option<ColumnId>],
+    rest: &'h [u64],
+}
+
+impl<'h> Held<'h> {
+    pub(super) fn new(columns: &'h [Option<ColumnId>], rest: &'h [u64]) -> Self {
+        Self { columns, rest }
+    }
+}
+
+impl<'h> Iterator for Held<'h> {
+    type Item = (Option<ColumnId>, u32, &'h [u64]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let [header, id, values @ ..] = self.rest else {
+            return None;
+        };
+        let target = match *header as u32 {
+            POSITION => None,
+            number => Some(column(self.columns, number as u16).ok()?),
+        };
+        let (slots, rest) = values.split_at_checked((header >> 32) as usize)?;
+        self.rest = rest;
+        Some((target, *id as u32, slots))
+    }
 }
 
 /// Writes what is kept back, in order.
@@ -145,31 +186,20 @@ pub(super) fn release(
     held: &mut Vec<u64>,
 ) -> Result<(), Message> {
     let mut rest = held.as_slice();
-    while let [attribute, id, values @ ..] = rest {
-        let id = *id as u32;
-        let width = match *attribute {
-            HELD_POSITION => {
-                if let [x, y, z, ..] = values
-                    && mesh.vertex_alive(VertexId(id))
-                {
-                    let position = [x, y, z].map(|part| f64::from_bits(*part));
-                    mesh.set_position(VertexId(id), DVec3::from_array(position));
-                }
-                3
+    while !rest.is_empty() {
+        let mut all = Held::new(columns, rest);
+        let (target, id, slots) = all.next().ok_or(Message::Malformed)?;
+        rest = all.rest;
+        match (target, slots) {
+            (None, [x, y, z]) if mesh.vertex_alive(VertexId(id)) => {
+                let position = [x, y, z].map(|part| f64::from_bits(*part));
+                mesh.set_position(VertexId(id), DVec3::from_array(position));
             }
-            number => {
-                let column = columns.get(number as usize).copied().flatten();
-                let column = column.ok_or(Message::Malformed)?;
-                let data = mesh.column(column).ok_or(Message::Malformed)?.data();
-                let width = width(data);
-                let slots = values.get(..usize::from(width)).ok_or(Message::Malformed)?;
-                if mesh.is_alive(column.kind, id) {
-                    put(mesh, column, id as usize, |part| slots[usize::from(part)])?;
-                }
-                usize::from(width)
+            (Some(column), slots) if mesh.is_alive(column.kind, id) => {
+                put(mesh, column, id as usize, |part| slots[usize::from(part)])?;
             }
-        };
-        rest = values.get(width..).unwrap_or_default();
+            _ => {}
+        }
     }
     held.clear();
     Ok(())

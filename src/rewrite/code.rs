@@ -124,6 +124,14 @@ pub struct Code {
 }
 
 impl Code {
+    /// Whether a drain may run in it.
+    pub(super) fn drains(&self) -> bool {
+        let opens = |inst: &Inst| matches!(inst, Inst::DrainOpen { .. });
+        let functions = self.functions.iter().map(|function| &function.code);
+        let all = functions.chain([self]);
+        all.flat_map(|code| &code.insts).any(opens)
+    }
+
     /// The code itself, and that of the functions that it calls, directly or through others.
     pub fn with_called(&self) -> Vec<&Code> {
         let mut found = vec![self];
@@ -766,6 +774,33 @@ pub enum Inst {
     /// Lets erased slots be used again: nothing can see them any more.
     Recycle,
 
+    // Drains: loops over elements in the order of keys that are kept current. All but the
+    // first concern the innermost that runs.
+    /// Begins a drain: of all such elements, or of those in a buffer.
+    DrainOpen {
+        of: Elements,
+        members: Option<u16>,
+    },
+    /// What all keys depend on has changed.
+    DrainAllStale,
+    /// The next element whose key is to be computed; jumps if there is none.
+    DrainStale {
+        to: Reg,
+        otherwise: Label,
+    },
+    /// Its key, a real. Traps if it is not a number.
+    DrainKey {
+        key: Reg,
+    },
+    /// The element with the least key; jumps if there is none.
+    DrainLeast {
+        to: Reg,
+        otherwise: Label,
+    },
+    /// That element leaves the queue.
+    DrainTake,
+    DrainClose,
+
     // Calls.
     /// Calls a function: arguments in consecutive slots from `args`; its value goes to `to`.
     /// If `holds`, the caller still needs ids, so that none is given out again meanwhile.
@@ -849,9 +884,10 @@ impl Inst {
             | Inst::JumpUnequal { to, .. }
             | Inst::JumpEqual { to, .. } => Some(to),
             Inst::JumpUnlessLiving { to, .. } => Some(to),
-            Inst::NextLiving { otherwise, .. } | Inst::BufferNext { otherwise, .. } => {
-                Some(otherwise)
-            }
+            Inst::NextLiving { otherwise, .. }
+            | Inst::BufferNext { otherwise, .. }
+            | Inst::DrainStale { otherwise, .. }
+            | Inst::DrainLeast { otherwise, .. } => Some(otherwise),
             Inst::ExpectEqual { otherwise, .. }
             | Inst::ExpectDistinct { otherwise, .. }
             | Inst::Expect { otherwise, .. }

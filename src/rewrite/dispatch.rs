@@ -10,6 +10,7 @@ use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
+use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::wide;
 use super::window::{Window, reserve};
@@ -27,7 +28,8 @@ macro_rules! or_trap {
 }
 
 impl Machine<'_> {
-    pub(super) fn execute(
+    /// Runs code from a call on. Only if it is `OBSERVED`, drains may run in it.
+    pub(super) fn execute<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
         mut call: super::Call<'_>,
@@ -50,6 +52,18 @@ impl Machine<'_> {
                 }
             };
         }
+        macro_rules! create {
+            ($kind:expr, $to:expr) => {{
+                let id = or_trap!(access::add(mesh, $kind));
+                w.set_id($to, id);
+                if let Some(created) = &mut self.created {
+                    created.push(($kind, id));
+                }
+                if OBSERVED {
+                    self.drains.born($kind, id);
+                }
+            }};
+        }
         macro_rules! refuse {
             ($refusal:expr, $otherwise:expr) => {{
                 call.note(&mut noted, $refusal);
@@ -64,6 +78,15 @@ impl Machine<'_> {
                 break Message::Malformed;
             };
             at += 1;
+            if OBSERVED && !self.drains.is_empty() {
+                let scene = Scene {
+                    mesh,
+                    w: &w,
+                    buffers: self.buffers.get(call.buffers..).unwrap_or_default(),
+                    columns: &self.columns,
+                };
+                self.drains.observe(&inst, &scene);
+            }
             match inst {
                 // Values.
                 Const { to, bits } => w.set_bits(to, bits),
@@ -434,34 +457,10 @@ impl Machine<'_> {
                 }
 
                 // Writes.
-                NewVertex { to } => {
-                    let id = or_trap!(access::add(mesh, ElementKind::Vertex));
-                    w.set_id(to, id);
-                    self.created
-                        .iter_mut()
-                        .for_each(|all| all.push((ElementKind::Vertex, id)));
-                }
-                NewHalfedge { to } => {
-                    let id = or_trap!(access::add(mesh, ElementKind::Halfedge));
-                    w.set_id(to, id);
-                    self.created
-                        .iter_mut()
-                        .for_each(|all| all.push((ElementKind::Halfedge, id)));
-                }
-                NewEdge { to } => {
-                    let id = or_trap!(access::add(mesh, ElementKind::Edge));
-                    w.set_id(to, id);
-                    self.created
-                        .iter_mut()
-                        .for_each(|all| all.push((ElementKind::Edge, id)));
-                }
-                NewFace { to } => {
-                    let id = or_trap!(access::add(mesh, ElementKind::Face));
-                    w.set_id(to, id);
-                    self.created
-                        .iter_mut()
-                        .for_each(|all| all.push((ElementKind::Face, id)));
-                }
+                NewVertex { to } => create!(ElementKind::Vertex, to),
+                NewHalfedge { to } => create!(ElementKind::Halfedge, to),
+                NewEdge { to } => create!(ElementKind::Edge, to),
+                NewFace { to } => create!(ElementKind::Face, to),
                 Store {
                     field,
                     halfedge,
@@ -486,9 +485,7 @@ impl Machine<'_> {
                 } => {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
-                    let [x, y, z] = position.to_array().map(f64::to_bits);
-                    let held = buffer!(buffer);
-                    held.extend([attribute::HELD_POSITION, u64::from(v.0), x, y, z]);
+                    attribute::hold_position(v, position, buffer!(buffer));
                 }
                 StoreAttribute {
                     attribute,
@@ -530,6 +527,27 @@ impl Machine<'_> {
                         mesh.recycle();
                     }
                 }
+
+                // Drains.
+                DrainOpen { of, members } => {
+                    let members = match members {
+                        Some(buffer) => Some(buffer!(buffer).as_slice()),
+                        None => None,
+                    };
+                    self.drains.open(mesh, of, members);
+                }
+                DrainAllStale => self.drains.make_all_stale(mesh),
+                DrainStale { to, otherwise } => match self.drains.next_stale(mesh) {
+                    Some(id) => w.set_id(to, id),
+                    None => at = otherwise.0 as usize,
+                },
+                DrainKey { key } => or_trap!(self.drains.set_key(w.real(key))),
+                DrainLeast { to, otherwise } => match self.drains.least() {
+                    Some(id) => w.set_id(to, id),
+                    None => at = otherwise.0 as usize,
+                },
+                DrainTake => self.drains.take(),
+                DrainClose => self.drains.close(),
 
                 // Calls.
                 Call {
@@ -590,7 +608,7 @@ impl Machine<'_> {
                     applied,
                     result,
                 } => {
-                    let outcome = match self.call(mesh, &call, [op, args.0], watch) {
+                    let outcome = match self.call::<OBSERVED>(mesh, &call, [op, args.0], watch) {
                         Ok(outcome) => outcome,
                         Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
                     };

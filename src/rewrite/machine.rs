@@ -6,6 +6,7 @@
 //! which is the duty of whoever makes the code; a script that traps has done what it did
 //! so far.
 
+use super::drain::Drains;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
@@ -25,6 +26,7 @@ pub struct Machine<'p> {
     pub(super) buffers: Vec<Vec<u64>>,
     /// What guards look at.
     pub(super) preview: Preview,
+    pub(super) drains: Drains,
     pub(super) progress: Progress,
     /// The line that is being printed.
     pub(super) line: String,
@@ -63,6 +65,7 @@ impl<'p> Machine<'p> {
             stack: Vec::new(),
             buffers: Vec::new(),
             preview: Preview::default(),
+            drains: Drains::default(),
             progress: Progress::default(),
             line: String::new(),
             counts: plans.iter().map(count).collect(),
@@ -116,17 +119,21 @@ impl<'p> Machine<'p> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(args);
-        self.execute(mesh, Call::top(code), watch)
+        match code.drains() {
+            true => self.execute::<true>(mesh, Call::top(code), watch),
+            false => self.execute::<false>(mesh, Call::top(code), watch),
+        }
     }
 
     /// Applies an operation with the arguments in slots. It is not counted.
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
         self.start(args);
-        self.carry_out(mesh, plan, Call::of(plan), &mut Unwatched)
+        self.carry_out::<false>(mesh, plan, Call::of(plan), &mut Unwatched)
     }
 
     fn start(&mut self, args: &[u64]) {
         self.line.clear();
+        self.drains.clear();
         self.last_reason = None;
         self.holding = 0;
         if let Some(created) = &mut self.created {
@@ -140,7 +147,7 @@ impl<'p> Machine<'p> {
 
     /// Calls an operation from running code, and counts what becomes of it.
     #[inline]
-    pub(super) fn call(
+    pub(super) fn call<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
         caller: &Call<'_>,
@@ -168,7 +175,7 @@ impl<'p> Machine<'p> {
             .fold(0, |sum, &one| sum.saturating_add(one));
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
-        let outcome = self.carry_out(mesh, plan, call, watch)?;
+        let outcome = self.carry_out::<OBSERVED>(mesh, plan, call, watch)?;
         if let Outcome::Refused { reason } = outcome {
             self.last_reason = reason;
         }

@@ -20,8 +20,12 @@ mod window;
 mod access;
 mod arithmetic;
 mod attribute;
+mod drain;
+mod observe;
 mod preview;
 mod print;
+mod queue;
+mod readers;
 mod wide;
 
 mod trap;

@@ -59,7 +59,7 @@ impl Steps {
 
 impl Machine<'_> {
     /// Runs the code of an operation; if it is one in steps, all of it or nothing.
-    pub(super) fn carry_out(
+    pub(super) fn carry_out<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
         plan: &Plan,
@@ -67,13 +67,13 @@ impl Machine<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         match &plan.steps {
-            None => self.execute(mesh, call, watch),
-            Some(steps) => self.take(mesh, (plan, steps), call, watch),
+            None => self.execute::<OBSERVED>(mesh, call, watch),
+            Some(steps) => self.take::<OBSERVED>(mesh, (plan, steps), call, watch),
         }
     }
 
     #[cold]
-    fn take(
+    fn take<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
         (plan, steps): (&Plan, &Steps),
@@ -83,7 +83,10 @@ impl Machine<'_> {
         let (level, holding) = (self.level, self.holding);
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
-        let mut outcome = self.execute(mesh, call, watch);
+        let mut outcome = match OBSERVED || call.code.drains() {
+            true => self.execute::<true>(mesh, call, watch),
+            false => self.execute::<false>(mesh, call, watch),
+        };
         if let Ok(Outcome::Applied { .. }) = outcome
             && let Err(below) = validate_level_near(mesh, plan.level, &mesh.written_since(&mark))
         {

@@ -40,6 +40,8 @@ pub enum Message {
     IntOverflow,
     /// A position would get a component that is no number.
     NotFinite,
+    /// The key of a drained element is not a number.
+    KeyNotANumber,
     /// All ids of a kind are in use.
     NoRoom(ElementKind),
     /// A pointer would be set to what is no element.
@@ -82,6 +84,7 @@ impl fmt::Display for Message {
             Message::DivisionByZero => f.write_str("division by zero"),
             Message::IntOverflow => f.write_str("the number is too large for an int"),
             Message::NotFinite => f.write_str("the new position is not finite"),
+            Message::KeyNotANumber => f.write_str("the key of an element is not a number"),
             Message::NoRoom(kind) => write!(f, "there is no room for another {kind}"),
             Message::WildPointer(kind) => write!(f, "a pointer would lead to no {kind}"),
             Message::OutOfRange => f.write_str("the index is out of range"),

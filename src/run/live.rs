@@ -65,15 +65,10 @@ impl Liveness<'_> {
     }
 
     /// What is live at the head of a loop with this body: where it may go round again.
-    /// Its condition, if it has one, is evaluated there.
-    pub(super) fn at_head(
-        &self,
-        condition: Option<&Expr>,
-        body: &[Statement],
-        exits: &Exits,
-    ) -> Live {
+    /// Its conditions, if it has any, are evaluated there.
+    pub(super) fn at_head(&self, conditions: &[&Expr], body: &[Statement], exits: &Exits) -> Live {
         let read = self.before_block(body, &Exits::default());
-        self.reading(condition, union(read, &exits.next))
+        self.reading(conditions.iter().copied(), union(read, &exits.next))
     }
 
     fn before_block(&self, block: &[Statement], exits: &Exits) -> Live {
@@ -94,9 +89,9 @@ impl Liveness<'_> {
                 self.reading([target, value], exits.next.clone())
             }
             StatementKind::Repeat { count, body } => {
-                self.reading([count], self.at_head(None, body, exits))
+                self.reading([count], self.at_head(&[], body, exits))
             }
-            StatementKind::While { condition, body } => self.at_head(Some(condition), body, exits),
+            StatementKind::While { condition, body } => self.at_head(&[condition], body, exits),
             StatementKind::For {
                 variable,
                 collection,
@@ -109,7 +104,19 @@ impl Liveness<'_> {
                 filter,
                 body,
             } => {
-                let live = self.at_head(filter.as_ref(), body, exits);
+                let filter: Vec<&Expr> = filter.iter().collect();
+                let live = self.at_head(&filter, body, exits);
+                self.reading(collection.base(), without(live, *variable))
+            }
+            StatementKind::Drain {
+                variable,
+                collection,
+                key,
+                condition,
+                body,
+            } => {
+                let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
+                let live = self.at_head(&asked, body, exits);
                 self.reading(collection.base(), without(live, *variable))
             }
             StatementKind::If {
@@ -229,6 +236,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
         StatementKind::Repeat { body, .. }
         | StatementKind::While { body, .. }
         | StatementKind::For { body, .. }
+        | StatementKind::Drain { body, .. }
         | StatementKind::Update { body, .. } => body.iter().any(calls),
         StatementKind::If {
             then, otherwise, ..

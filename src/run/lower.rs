@@ -15,6 +15,8 @@ pub(super) struct Lowering<'p> {
     liveness: Liveness<'p>,
     /// The loops around the statement, the innermost last.
     pub(super) loops: Vec<Loop>,
+    /// How many drains run around the statement.
+    pub(super) drains: u32,
     /// Where the running `update` keeps its writes back.
     pub(super) held: Option<u16>,
     /// The operations that are called, each with its first call.
@@ -127,6 +129,7 @@ impl<'p> Lowering<'p> {
                 variables: routine.variables,
             },
             loops: Vec::new(),
+            drains: 0,
             held: None,
             called: Vec::new(),
             functions: Vec::new(),
@@ -224,6 +227,7 @@ impl<'p> Lowering<'p> {
             }
             StatementKind::For { .. } => self.visit(statement),
             StatementKind::Update { .. } => self.update(statement),
+            StatementKind::Drain { .. } => self.drain(statement, exits),
             StatementKind::If {
                 condition,
                 then,
@@ -265,12 +269,12 @@ impl<'p> Lowering<'p> {
     /// The exits of the body of a loop that has these exits.
     pub(super) fn exits_of_body(
         &self,
-        condition: Option<&Expr>,
+        conditions: &[&Expr],
         body: &[Statement],
         exits: Option<&Exits>,
     ) -> Option<Exits> {
         let exits = exits?;
-        let head = self.liveness.at_head(condition, body, exits);
+        let head = self.liveness.at_head(conditions, body, exits);
         Some(exits.of_body(head))
     }
 
@@ -302,6 +306,7 @@ impl<'p> Lowering<'p> {
         if let Some(buffer) = self.held {
             self.asm.emit(Inst::ReleaseHeld { buffer });
         }
+        self.close_drains();
         let (from, width) = given.unwrap_or((Reg(0), 0));
         self.asm.emit(match self.ending {
             Ending::OfFunction => Inst::Give { from, width },

@@ -16,6 +16,7 @@
 
 mod call;
 mod columns;
+mod drain;
 mod function;
 mod live;
 mod lower;

@@ -199,6 +199,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::DivisionByZero => "division-by-zero",
         Message::IntOverflow => "int-overflow",
         Message::NotFinite => "not-finite",
+        Message::KeyNotANumber => "key-not-a-number",
         Message::NoRoom(_) => "no-room",
         Message::Endless => "broken-mesh",
         Message::Said(_) => match asserted(prepared, trap) {

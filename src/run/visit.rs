@@ -36,7 +36,7 @@ impl Lowering<'_> {
             to: end,
         });
         self.turn(span, done, total);
-        let exits = self.exits_of_body(None, body, exits);
+        let exits = self.exits_of_body(&[], body, exits);
         self.turns(Loop { again, end }, body, exits.as_ref());
         self.asm.bind(again);
         self.asm.emit(Inst::AddInt {
@@ -77,7 +77,7 @@ impl Lowering<'_> {
             left: done,
             right: one,
         });
-        let exits = self.exits_of_body(Some(condition), body, exits);
+        let exits = self.exits_of_body(&[condition], body, exits);
         self.turns(Loop { again, end }, body, exits.as_ref());
         self.asm.emit(Inst::Jump { to: again });
         self.asm.bind(end);
@@ -154,7 +154,7 @@ impl Lowering<'_> {
     }
 
     /// Puts the elements that a loop visits into a buffer.
-    fn list(&mut self, collection: &Collection, buffer: u16, span: Span) {
+    pub(super) fn list(&mut self, collection: &Collection, buffer: u16, span: Span) {
         self.asm.emit(Inst::BufferClear { buffer });
         if let Some(of) = elements(collection) {
             return self.asm.emit(Inst::BufferLiving { of, buffer });
@@ -170,12 +170,12 @@ impl Lowering<'_> {
         self.asm.release(mark);
     }
 
-    fn turn(&mut self, span: Span, done: Reg, total: Reg) {
+    pub(super) fn turn(&mut self, span: Span, done: Reg, total: Reg) {
         let depth = u16::try_from(self.loops.len()).unwrap_or(u16::MAX);
         self.trap_at(span, Inst::Turn { depth, done, total });
     }
 
-    fn turns(&mut self, around: Loop, body: &[Statement], exits: Option<&Exits>) {
+    pub(super) fn turns(&mut self, around: Loop, body: &[Statement], exits: Option<&Exits>) {
         self.loops.push(around);
         self.block(body, exits);
         self.loops.pop();
@@ -183,7 +183,7 @@ impl Lowering<'_> {
 }
 
 /// What the elements must still be when their turn comes.
-fn kind(collection: &Collection) -> Elements {
+pub(super) fn kind(collection: &Collection) -> Elements {
     match (collection, collection.element()) {
         (Collection::Holes, _) => Elements::Holes,
         (_, Type::Vertex) => Elements::Vertices,

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod attributes;
+mod drain;
 mod expressions;
 mod failures;
 mod functions;

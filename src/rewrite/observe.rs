@@ -1,0 +1,304 @@
+//! What an instruction reads and writes, for drains to know which keys may have changed.
+//!
+//! This is asked before an instruction is taken, and only while a drain runs. Reads are noted
+//! while a key is computed; more may be noted than is read. Every instruction is listed, so
+//! that a new one is not forgotten.
+
+use super::attribute::{self, Held};
+use super::drain::{Drains, place};
+use super::readers::Place;
+use super::window::Window;
+use super::{ElementField, HalfedgeField, Inst, Walk};
+use crate::mesh::{
+    ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId,
+};
+
+/// What an instruction is about to work on.
+pub(super) struct Scene<'a, 'w> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) w: &'a Window<'w>,
+    /// The buffers of the running call.
+    pub(super) buffers: &'a [Vec<u64>],
+    pub(super) columns: &'a [Option<ColumnId>],
+}
+
+impl ElementField {
+    fn kind(self) -> ElementKind {
+        match self {
+            ElementField::Vertex => ElementKind::Vertex,
+            ElementField::Edge => ElementKind::Edge,
+            ElementField::Face => ElementKind::Face,
+        }
+    }
+}
+
+impl Drains {
+    /// Notes what an instruction reads or writes.
+    pub(super) fn observe(&mut self, inst: &Inst, scene: &Scene) {
+        self.observe_write(inst, scene);
+        if self.is_reading() {
+            self.observe_read(inst, scene);
+        }
+    }
+
+    fn observe_write(&mut self, inst: &Inst, scene: &Scene) {
+        let (mesh, w) = (scene.mesh, scene.w);
+        match *inst {
+            Inst::Store {
+                field,
+                halfedge,
+                value,
+            } => self.pointer_set(mesh, field, w.id(halfedge), w.id(value)),
+            Inst::StoreAll {
+                field,
+                buffer,
+                value,
+            } => {
+                for &halfedge in scene.buffers.get(usize::from(buffer)).into_iter().flatten() {
+                    self.pointer_set(mesh, field, halfedge as u32, w.id(value));
+                }
+            }
+            Inst::StoreHalfedge { of, element, .. } => {
+                self.touch_element(mesh, of.kind(), w.id(element));
+            }
+            Inst::StoreHole { face, hole }
+                if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
+            {
+                self.turned(w.id(face));
+            }
+            Inst::StorePosition { vertex, .. } => self.touch(Place::Vertex(w.id(vertex))),
+            Inst::StoreAttribute {
+                attribute, element, ..
+            } => {
+                if let Ok(column) = attribute::column(scene.columns, attribute) {
+                    self.touch_element(mesh, column.kind, w.id(element));
+                }
+            }
+            Inst::ReleaseHeld { buffer } => {
+                let held = scene.buffers.get(usize::from(buffer));
+                let held = held.map_or(&[][..], Vec::as_slice);
+                for (target, id, _) in Held::new(scene.columns, held) {
+                    let kind = target.map_or(ElementKind::Vertex, |column| column.kind);
+                    self.touch_element(mesh, kind, id);
+                }
+            }
+            Inst::Erase { kind, element } => self.erased(mesh, kind, w.id(element)),
+            // What is created is told when it has its number.
+            _ => {}
+        }
+    }
+
+    /// A pointer of a halfedge is about to be set, perhaps to what it is.
+    fn pointer_set(&mut self, mesh: &Mesh, field: HalfedgeField, halfedge: u32, value: u32) {
+        if super::access::load(mesh, field, halfedge) != Ok(value) {
+            self.touch_element(mesh, ElementKind::Halfedge, halfedge);
+        }
+    }
+
+    fn touch_element(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
+        if let Some(place) = place(mesh, kind, id) {
+            self.touch(place);
+        }
+    }
+
+    fn read_element(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
+        if let Some(place) = place(mesh, kind, id) {
+            self.read(place);
+        }
+    }
+
+    fn read_halfedge(&mut self, mesh: &Mesh, id: u32) {
+        self.read_element(mesh, ElementKind::Halfedge, id);
+    }
+
+    /// A halfedge and where it starts.
+    fn read_start<'m>(&mut self, mesh: &'m Mesh, id: HalfedgeId) -> Option<&'m HalfedgeRecord> {
+        self.read_halfedge(mesh, id.0);
+        let record = mesh.get_halfedge(id)?;
+        self.read(Place::Vertex(record.vertex.0));
+        Some(record)
+    }
+
+    /// A vertex with its spokes, their ends and the kinds of the loops around it; these loops.
+    fn read_star(&mut self, mesh: &Mesh, id: u32) -> Vec<u32> {
+        self.read(Place::Vertex(id));
+        let mut loops = Vec::new();
+        for spoke in mesh.spokes(VertexId(id)) {
+            let Some(record) = mesh.get_halfedge(spoke) else {
+                continue;
+            };
+            self.read_halfedge(mesh, spoke.0);
+            self.read(Place::Face(record.face.0));
+            loops.push(record.face.0);
+            for near in [record.twin, record.prev, record.next] {
+                self.read_start(mesh, near);
+            }
+        }
+        loops
+    }
+
+    /// A loop with its corners.
+    fn read_loop(&mut self, mesh: &Mesh, id: u32) {
+        self.read(Place::Face(id));
+        for half in mesh.face_halfedges(FaceId(id)) {
+            self.read_start(mesh, half);
+        }
+    }
+
+    /// The loops around a vertex, with their corners.
+    fn read_loops_around(&mut self, mesh: &Mesh, id: u32) {
+        for around in self.read_star(mesh, id) {
+            self.read_loop(mesh, around);
+        }
+    }
+
+    /// An edge with its ends and the kinds of the loops beside it; these ends.
+    fn read_edge(&mut self, mesh: &Mesh, id: u32) -> Vec<u32> {
+        self.read(Place::Edge(id));
+        let half = mesh.get_edge_halfedge(EdgeId(id));
+        let twin = half.and_then(|half| Some(mesh.get_halfedge(half)?.twin));
+        let mut ends = Vec::new();
+        for half in half.into_iter().chain(twin) {
+            if let Some(record) = self.read_start(mesh, half) {
+                let (vertex, face) = (record.vertex.0, record.face.0);
+                self.read(Place::Face(face));
+                ends.push(vertex);
+            }
+        }
+        ends
+    }
+
+    /// A walk from a halfedge until another; of a cycle all.
+    fn read_walk(&mut self, mesh: &Mesh, walk: Walk, from: u32, until: [u32; 2]) {
+        let mut at = from;
+        for _ in 0..mesh.capacity(ElementKind::Halfedge) {
+            self.read_halfedge(mesh, at);
+            let Some(record) = mesh.get_halfedge(HalfedgeId(at)) else {
+                return;
+            };
+            at = match walk {
+                Walk::Loop => record.next.0,
+                Walk::Star => {
+                    self.read_halfedge(mesh, record.prev.0);
+                    match mesh.get_halfedge(record.prev) {
+                        Some(prev) => prev.twin.0,
+                        None => return,
+                    }
+                }
+            };
+            if at == from || until.contains(&at) {
+                return;
+            }
+        }
+    }
+
+    fn observe_read(&mut self, inst: &Inst, scene: &Scene) {
+        let (mesh, w) = (scene.mesh, scene.w);
+        match *inst {
+            Inst::Load { halfedge, .. } => self.read_halfedge(mesh, w.id(halfedge)),
+            Inst::LoadHalfedge { of, element, .. } => {
+                self.read_element(mesh, of.kind(), w.id(element));
+            }
+            Inst::LoadHole { face, .. } => self.read(Place::Face(w.id(face))),
+            Inst::LoadPosition { vertex, .. } => self.read(Place::Vertex(w.id(vertex))),
+            Inst::LoadAttribute {
+                attribute, element, ..
+            } => {
+                if let Ok(column) = attribute::column(scene.columns, attribute) {
+                    self.read_element(mesh, column.kind, w.id(element));
+                }
+            }
+            Inst::JumpUnlessLiving { of, element, .. } => {
+                self.read_living(mesh, of.kind(), w.id(element));
+            }
+            Inst::Alive { kind, element, .. } => self.read_living(mesh, kind, w.id(element)),
+            Inst::Capacity { .. }
+            | Inst::NextLiving { .. }
+            | Inst::BufferLiving { .. }
+            | Inst::Count { .. }
+            | Inst::CountHoles { .. } => self.read(Place::Whole),
+            Inst::Degree { vertex, .. } | Inst::BoundaryVertex { vertex, .. } => {
+                self.read_star(mesh, w.id(vertex));
+            }
+            Inst::NormalVertex { vertex, .. } => self.read_loops_around(mesh, w.id(vertex)),
+            Inst::BoundaryEdge { edge, .. } | Inst::LengthEdge { edge, .. } => {
+                self.read_edge(mesh, w.id(edge));
+            }
+            Inst::Adjacent { left, right, .. } => {
+                self.read_star(mesh, w.id(left));
+                self.read_star(mesh, w.id(right));
+            }
+            Inst::LinkCondition { edge, .. }
+            | Inst::StarShaped { edge, .. }
+            | Inst::KernelCentroid { edge, .. } => {
+                for end in self.read_edge(mesh, w.id(edge)) {
+                    self.read_loops_around(mesh, end);
+                }
+            }
+            Inst::FaceSize { face, .. }
+            | Inst::Area { face, .. }
+            | Inst::NormalFace { face, .. }
+            | Inst::CentroidFace { face, .. } => self.read_loop(mesh, w.id(face)),
+            Inst::Collect {
+                walk, from, until, ..
+            } => {
+                let until = w.id(until);
+                self.read_walk(mesh, walk, w.id(from), [until, until]);
+            }
+            Inst::Meets {
+                walk,
+                from,
+                goal,
+                stop,
+                ..
+            } => self.read_walk(mesh, walk, w.id(from), [w.id(goal), w.id(stop)]),
+            // Registers, buffers and output alone; writes, and what only ops do.
+            #[rustfmt::skip]
+            Inst::Const { .. } | Inst::Copy { .. } | Inst::CopyVec { .. } | Inst::CopyWide { .. }
+            | Inst::Select { .. } | Inst::Not { .. } | Inst::And { .. } | Inst::Or { .. }
+            | Inst::Equal { .. } | Inst::AddInt { .. } | Inst::SubInt { .. } | Inst::MulInt { .. }
+            | Inst::DivInt { .. } | Inst::ModInt { .. } | Inst::NegInt { .. }
+            | Inst::AbsInt { .. } | Inst::MinInt { .. } | Inst::MaxInt { .. }
+            | Inst::LessInt { .. } | Inst::LessEqualInt { .. } | Inst::IntToReal { .. }
+            | Inst::RoundReal { .. } | Inst::AddReal { .. } | Inst::SubReal { .. }
+            | Inst::MulReal { .. } | Inst::DivReal { .. } | Inst::MinReal { .. }
+            | Inst::MaxReal { .. } | Inst::PowReal { .. } | Inst::Atan2Real { .. }
+            | Inst::LessReal { .. } | Inst::LessEqualReal { .. } | Inst::EqualReal { .. }
+            | Inst::MathReal { .. } | Inst::AddVec { .. } | Inst::SubVec { .. }
+            | Inst::MulVec { .. } | Inst::NegVec { .. } | Inst::ScaleVec { .. }
+            | Inst::DivVec { .. } | Inst::MixVec { .. } | Inst::EqualVec { .. } | Inst::Dot { .. }
+            | Inst::Cross { .. } | Inst::LengthVec { .. } | Inst::Normalize { .. }
+            | Inst::Wide { .. } | Inst::Matrix { .. }
+            | Inst::Jump { .. } | Inst::JumpIf { .. } | Inst::JumpUnless { .. }
+            | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. } | Inst::ExpectEqual { .. }
+            | Inst::ExpectDistinct { .. } | Inst::Expect { .. } | Inst::ExpectFinite { .. }
+            | Inst::ExpectRoom { .. } | Inst::PreviewClear | Inst::PreviewNew { .. }
+            | Inst::PreviewStore { .. } | Inst::PreviewStoreHalfedge { .. }
+            | Inst::PreviewStoreHole { .. } | Inst::PreviewStoreAll { .. }
+            | Inst::Foresee { .. } | Inst::ForeseeAlong { .. } | Inst::Refuse
+            | Inst::Return { .. } | Inst::BufferClear { .. } | Inst::BufferPush { .. }
+            | Inst::BufferLength { .. } | Inst::BufferGet { .. } | Inst::BufferNext { .. }
+            | Inst::NewVertex { .. } | Inst::NewHalfedge { .. } | Inst::NewEdge { .. }
+            | Inst::NewFace { .. } | Inst::Store { .. } | Inst::StoreHalfedge { .. }
+            | Inst::StoreHole { .. } | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
+            | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }
+            | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. } | Inst::Erase { .. }
+            | Inst::Recycle | Inst::Apply { .. } | Inst::Refused { .. } | Inst::Turn { .. }
+            | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
+            | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
+            | Inst::PrintVec { .. } | Inst::PrintWide { .. } | Inst::PrintElement { .. }
+            | Inst::PrintEnd | Inst::Fail { .. }
+            | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
+            | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
+            | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. } => {}
+        }
+    }
+
+    /// Whether an element lives: one that does not has no place of its own.
+    fn read_living(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
+        match mesh.is_alive(kind, id) {
+            true => self.read_element(mesh, kind, id),
+            false => self.read(Place::Whole),
+        }
+    }
+}

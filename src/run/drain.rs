@@ -1,0 +1,189 @@
+//! The loop `drain` in the code of a script.
+//!
+//! ```text
+//! open          all elements are stale
+//! again:        for each stale element: its key
+//!               the element with the least key, or to the end
+//!               the condition, or to the end
+//!               the body; to again
+//! end: close
+//! ```
+
+use std::collections::BTreeSet;
+
+use super::live::{Exits, calls};
+use super::lower::{Loop, Lowering};
+use super::visit::kind;
+use crate::compile::{Scope, elements, width};
+use crate::diagram::{Expr, ExprKind};
+use crate::resolve::{Statement, StatementKind};
+use crate::rewrite::{Inst, Reg};
+
+impl Lowering<'_> {
+    /// `drain x in xs by key while c { … }`
+    pub(super) fn drain(&mut self, statement: &Statement, exits: Option<&Exits>) {
+        let StatementKind::Drain {
+            variable,
+            collection,
+            key,
+            condition,
+            body,
+        } = &statement.kind
+        else {
+            return;
+        };
+        let span = statement.span;
+        let of = kind(collection);
+        let members = elements(collection).is_none().then(|| self.asm.buffer());
+        if let Some(buffer) = members {
+            self.list(collection, buffer, span);
+        }
+        let (again, end) = (self.asm.label(), self.asm.label());
+        let (stale, first) = (self.asm.label(), self.asm.label());
+        let [zero, one, unknown] = [0, 1, -1].map(|n| self.asm.constant_int(n));
+        let done = self.asm.reg();
+        self.asm.emit(Inst::Copy {
+            to: done,
+            from: zero,
+        });
+        let element = self.names.local(*variable);
+        let changing = self.changing(key, body);
+        self.copy_slots(&changing);
+        self.asm.emit(Inst::DrainOpen { of, members });
+
+        let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
+        let exits = self.exits_of_body(&asked, body, exits).map(|mut exits| {
+            // It is set anew before anything at the head reads it.
+            exits.next.remove(variable);
+            exits.continued.remove(variable);
+            exits
+        });
+        self.asm.bind(again);
+        if exits.as_ref().is_some_and(|exits| exits.next.is_empty()) && body.iter().any(calls) {
+            self.asm.emit(Inst::Recycle);
+        }
+        self.all_stale_if_changed(&changing);
+        self.asm.bind(stale);
+        self.asm.emit(Inst::DrainStale {
+            to: element,
+            otherwise: first,
+        });
+        self.trap_at(span, Inst::Tick);
+        let mark = self.asm.mark();
+        let value = self.value(key);
+        self.trap_at(key.span, Inst::DrainKey { key: value });
+        self.asm.release(mark);
+        self.asm.emit(Inst::Jump { to: stale });
+
+        self.asm.bind(first);
+        self.asm.emit(Inst::DrainLeast {
+            to: element,
+            otherwise: end,
+        });
+        if let Some(condition) = condition {
+            let mark = self.asm.mark();
+            let condition = self.value(condition);
+            self.asm.emit(Inst::JumpUnless { condition, to: end });
+            self.asm.release(mark);
+        }
+        self.asm.emit(Inst::DrainTake);
+        self.turn(span, done, unknown);
+        self.asm.emit(Inst::AddInt {
+            to: done,
+            left: done,
+            right: one,
+        });
+        self.drains += 1;
+        self.turns(Loop { again, end }, body, exits.as_ref());
+        self.drains -= 1;
+        self.asm.emit(Inst::Jump { to: again });
+        self.asm.bind(end);
+        self.asm.emit(Inst::DrainClose);
+    }
+
+    /// Ends the drains that run, where their routine is left.
+    pub(super) fn close_drains(&mut self) {
+        for _ in 0..self.drains {
+            self.asm.emit(Inst::DrainClose);
+        }
+    }
+
+    /// The slots of the variables that the key reads and the body sets, each with one that
+    /// keeps what it was.
+    fn changing(&mut self, key: &Expr, body: &[Statement]) -> Vec<(Reg, Reg)> {
+        let (mut read, mut set) = (BTreeSet::new(), BTreeSet::new());
+        variables_read(key, &mut read);
+        variables_set(body, &mut set);
+        let mut slots = Vec::new();
+        for (variable, width) in read {
+            if set.contains(&variable) {
+                let now = self.names.local(variable);
+                let before = self.asm.block(width);
+                slots.extend((0..width).map(|part| (now.part(part), before.part(part))));
+            }
+        }
+        slots
+    }
+
+    fn copy_slots(&mut self, slots: &[(Reg, Reg)]) {
+        for &(from, to) in slots {
+            self.asm.emit(Inst::Copy { to, from });
+        }
+    }
+
+    fn all_stale_if_changed(&mut self, slots: &[(Reg, Reg)]) {
+        if slots.is_empty() {
+            return;
+        }
+        let (changed, same) = (self.asm.label(), self.asm.label());
+        for &(left, right) in slots {
+            let to = changed;
+            self.asm.emit(Inst::JumpUnequal { left, right, to });
+        }
+        self.asm.emit(Inst::Jump { to: same });
+        self.asm.bind(changed);
+        self.copy_slots(slots);
+        self.asm.emit(Inst::DrainAllStale);
+        self.asm.bind(same);
+    }
+}
+
+/// The variables that an expression reads, with their widths.
+fn variables_read(expr: &Expr, read: &mut BTreeSet<(u32, u16)>) {
+    expr.each(&mut |part| {
+        if let ExprKind::Local(variable) = part.kind {
+            read.insert((variable, width(part.ty)));
+        }
+    });
+}
+
+/// The variables that statements set.
+fn variables_set(block: &[Statement], set: &mut BTreeSet<u32>) {
+    for statement in block {
+        match &statement.kind {
+            StatementKind::Set { variable, .. } => drop(set.insert(*variable)),
+            StatementKind::IfApply {
+                variable,
+                then,
+                otherwise,
+                ..
+            } => {
+                set.extend(variable);
+                variables_set(then, set);
+                variables_set(otherwise, set);
+            }
+            StatementKind::If {
+                then, otherwise, ..
+            } => {
+                variables_set(then, set);
+                variables_set(otherwise, set);
+            }
+            StatementKind::Repeat { body, .. }
+            | StatementKind::While { body, .. }
+            | StatementKind::For { body, .. }
+            | StatementKind::Update { body, .. }
+            | StatementKind::Drain { body, .. } => variables_set(body, set),
+            _ => {}
+        }
+    }
+}
