@@ -94,7 +94,7 @@ fn refused_steps_leave_no_trace() {
                 }
             }
         }
-        assert!(seen > 80, "{op}: {seen} places");
+        assert!(seen > 60, "{op}: {seen} places");
     }
     println!("{applied} applied, {refused} refused");
     assert!(applied > 400 && refused > 60);
@@ -102,14 +102,13 @@ fn refused_steps_leave_no_trace() {
 
 const MARKS: &str = "use \"std/map.hedge\"
 attr mark: vertex int = 0
-op twice(e: edge, f: edge) -> vertex {
+op shrink(e: edge) -> vertex {
   guard surface
   steps {
     let v = must contract(e)
     v.mark = v.mark + 1
-    let w = must contract(f)
-    w.mark = w.mark + 1
-    return w
+    must straighten(v)
+    return v
   }
 }
 ";
@@ -120,7 +119,7 @@ fn attributes_are_undone_as_well() {
         "{MARKS}
 script main() {{
   for e in edges {{
-    if let v = twice(e, e) {{ print \"applied\" }}
+    if let v = shrink(e) {{ print \"applied\" }}
   }}
   print sum(v.mark for v in vertices), count(vertices)
 }}"
@@ -131,11 +130,11 @@ script main() {{
     assert_eq!(lines, ["0 8"]);
     assert!(mesh.vertices().eq(before.vertices()));
     // Steps are not counted, and the whole with the reason of the step that refused.
-    let [twice] = report.ops.as_slice() else {
+    let [shrink] = report.ops.as_slice() else {
         panic!("{report:?}");
     };
-    assert_eq!((twice.name.as_str(), twice.applied), ("twice", 0));
-    let times: u64 = twice.refused.iter().map(|(_, times)| times).sum();
+    assert_eq!((shrink.name.as_str(), shrink.applied), ("shrink", 0));
+    let times: u64 = shrink.refused.iter().map(|(_, times)| times).sum();
     assert_eq!(times, 12);
 }
 

@@ -80,7 +80,7 @@ impl Machine<'_> {
         call: Call<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        let (level, holding) = (self.level, self.holding);
+        let (level, holding, drains) = (self.level, self.holding, self.drains.open_ones());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
         let mut outcome = match OBSERVED || call.code.drains() {
@@ -95,6 +95,7 @@ impl Machine<'_> {
         }
         // Within, other levels may have been passed, and loops been left.
         (self.level, self.holding) = (level, holding);
+        self.drains.leave(drains);
         if let Ok(Outcome::Applied { .. }) = outcome {
             mesh.keep(mark);
         } else {
