@@ -60,6 +60,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "diagram",
             "draw",
             "library",
+            "format",
             "analysis",
         ],
     ),

@@ -60,6 +60,10 @@ pub(super) fn fetch(sources: &mut Sources, root: FileId, reader: &mut dyn Reader
     let mut open = vec![root];
     while let Some(file) = open.pop() {
         let source = sources.get(file);
+        // To read a file twice takes time while somebody types; most use no other.
+        if !source.text().contains("use") {
+            continue;
+        }
         let here = source.name().to_owned();
         let paths = uses(&parse(file, source.text()));
         for (path, _) in paths {

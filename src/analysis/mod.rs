@@ -3,18 +3,25 @@
 //! [`Analysis`] takes a text all the way: tree, program, proofs, plans, and every
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
+mod action;
 mod argument;
+mod completion;
 pub mod element;
 mod examined;
 mod files;
+mod fixes;
 mod hints;
 mod hover;
+mod lenses;
 mod links;
 pub mod names;
 mod occurrences;
 mod outline;
+mod place;
 mod program;
+mod refactor;
 pub mod side;
+mod signature;
 mod snapshot;
 mod spans;
 mod tokens;
@@ -22,11 +29,14 @@ mod verdict;
 mod words;
 
 pub use crate::check::{Argument, Counterexample};
+pub use action::{Action, Purpose, actions};
 pub use argument::{RuleArgument, why_proved};
+pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;
 pub use files::{Nowhere, Reader};
 pub use hints::{Hint, hints};
 pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
+pub use lenses::{Lens, Offer, lenses};
 pub use links::{Link, links};
 pub use occurrences::{
     Shared, a_word, definition, mentions_of_shared, occurrences, rename, renameable, shared,
@@ -34,6 +44,7 @@ pub use occurrences::{
 };
 pub use outline::{Entry, EntryKind, folds, outline};
 pub use program::Analysis;
+pub use signature::{Call, signature};
 pub use snapshot::{Snapshot, span_of};
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};

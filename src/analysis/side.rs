@@ -240,6 +240,13 @@ impl Sketch {
         })
     }
 
+    /// Whether a statement of the side is about an edge, face or vertex.
+    pub fn is_subject(&self, word: &str) -> bool {
+        self.drawn.iter().any(|drawn| drawn.face.word == word)
+            || self.pairs.iter().any(|pair| pair.edge.word == word)
+            || self.stars.iter().any(|star| star.vertex.word == word)
+    }
+
     /// Whether any statement of the side draws a name.
     pub fn draws(&self, word: &str) -> bool {
         let is = |place: &Place| place.word == word;

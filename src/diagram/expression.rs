@@ -26,6 +26,23 @@ pub enum Type {
 }
 
 impl Type {
+    /// All types.
+    pub const ALL: [Type; 13] = [
+        Type::Bool,
+        Type::Int,
+        Type::Real,
+        Type::Vec2,
+        Type::Vec3,
+        Type::Vec4,
+        Type::Mat3,
+        Type::Mat4,
+        Type::Text,
+        Type::Vertex,
+        Type::Halfedge,
+        Type::Edge,
+        Type::Face,
+    ];
+
     /// The word for it.
     pub fn word(self) -> &'static str {
         match self {

@@ -105,6 +105,13 @@ impl Client {
         }
     }
 
+    /// Whether the client shows what is published. Most that can ask for diagnostics, too,
+    /// would show all of them twice.
+    pub(super) fn shows_published(&self) -> bool {
+        let text = self.can.text_document.as_ref();
+        text.is_some_and(|text| text.publish_diagnostics.is_some())
+    }
+
     /// Whether a hover may be Markdown.
     pub(super) fn reads_markdown(&self) -> bool {
         let hover = self
@@ -114,6 +121,30 @@ impl Client {
             .and_then(|can| can.hover.as_ref());
         let formats = hover.and_then(|hover| hover.content_format.as_ref());
         formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
+    }
+
+    /// Whether completions may have placeholders.
+    pub(super) fn takes_snippets(&self) -> bool {
+        let text = self.can.text_document.as_ref();
+        let completion = text.and_then(|text| text.completion.as_ref());
+        let item = completion.and_then(|completion| completion.completion_item.as_ref());
+        item.and_then(|item| item.snippet_support).unwrap_or(false)
+    }
+
+    /// Whether the server may show progress of its own.
+    pub(super) fn shows_progress(&self) -> bool {
+        let window = self.can.window.as_ref();
+        window
+            .and_then(|window| window.work_done_progress)
+            .unwrap_or(false)
+    }
+
+    /// Whether the client opens a page when it is asked to.
+    pub(super) fn shows_documents(&self) -> bool {
+        let window = self.can.window.as_ref();
+        window
+            .and_then(|window| window.show_document.as_ref())
+            .is_some_and(|show| show.support)
     }
 
     /// Whether symbols may stand in one another.

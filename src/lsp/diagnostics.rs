@@ -22,6 +22,8 @@ impl Server {
             .find(|document| !document.is_published);
         let Some(document) = next else { return false };
         if document.snapshot().examine_next() {
+            let (done, all) = document.snapshot().progress();
+            self.report_progress(done, all);
             return true;
         }
         document.is_published = true;
@@ -30,6 +32,7 @@ impl Server {
             version: Some(document.version()),
             diagnostics: diagnostics(document),
         };
+        self.end_progress();
         self.tell::<PublishDiagnosticsNotification>(params);
         true
     }

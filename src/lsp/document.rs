@@ -139,6 +139,10 @@ impl Document {
         self.lines.range(&self.text, span.range())
     }
 
+    pub(super) fn range_of(&self, bytes: Range<usize>) -> gen_lsp_types::Range {
+        self.lines.range(&self.text, bytes)
+    }
+
     pub(super) fn bytes(&self, range: gen_lsp_types::Range) -> Range<usize> {
         let start = self.offset(range.start);
         start..self.offset(range.end).max(start)

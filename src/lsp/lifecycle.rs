@@ -4,6 +4,7 @@ use gen_lsp_types::*;
 use serde_json::{Value, json};
 
 use super::client::Client;
+use super::lenses::{RUN_SCRIPT, RUN_TEST, SHOW_DIAGRAM};
 use super::server::{Server, Stage};
 use super::tokens::{MODIFIERS, TYPES};
 
@@ -38,15 +39,17 @@ impl Server {
                 }
                 .into(),
             ),
-            diagnostic_provider: Some(
+            // Asked for, diagnostics are always answered; but they are offered only to those
+            // who would see none otherwise.
+            diagnostic_provider: (!self.client.shows_published()).then(|| {
                 DiagnosticOptions {
                     identifier: Some("hedgerow".into()),
                     inter_file_dependencies: true,
                     workspace_diagnostics: false,
                     ..Default::default()
                 }
-                .into(),
-            ),
+                .into()
+            }),
             hover_provider: Some(true.into()),
             definition_provider: Some(true.into()),
             references_provider: Some(true.into()),
@@ -75,6 +78,44 @@ impl Server {
                 .into(),
             ),
             inlay_hint_provider: Some(true.into()),
+            completion_provider: Some(CompletionOptions {
+                trigger_characters: Some(
+                    [".", ":", "-", "=", "|", ">", "*", "\"", " "]
+                        .map(str::to_owned)
+                        .to_vec(),
+                ),
+                ..Default::default()
+            }),
+            signature_help_provider: Some(SignatureHelpOptions {
+                trigger_characters: Some(["(", ","].map(str::to_owned).to_vec()),
+                ..Default::default()
+            }),
+            code_action_provider: Some(
+                CodeActionOptions {
+                    code_action_kinds: Some(vec![
+                        CodeActionKind::QuickFix,
+                        CodeActionKind::RefactorRewrite,
+                    ]),
+                    ..Default::default()
+                }
+                .into(),
+            ),
+            code_lens_provider: Some(CodeLensOptions::default()),
+            execute_command_provider: Some(ExecuteCommandOptions {
+                commands: [SHOW_DIAGRAM, RUN_TEST, RUN_SCRIPT]
+                    .map(str::to_owned)
+                    .to_vec(),
+                ..Default::default()
+            }),
+            document_formatting_provider: Some(true.into()),
+            document_range_formatting_provider: Some(true.into()),
+            workspace: Some(WorkspaceOptions {
+                workspace_folders: Some(WorkspaceFoldersServerCapabilities {
+                    supported: Some(true),
+                    change_notifications: Some(true.into()),
+                }),
+                ..Default::default()
+            }),
             document_link_provider: Some(DocumentLinkOptions::default()),
             ..Default::default()
         }

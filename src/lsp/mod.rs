@@ -29,13 +29,24 @@ mod position;
 mod uri;
 
 // The answers, a file for each kind.
+mod actions;
+mod completion;
 mod diagnostics;
+mod diagram;
+mod formatting;
 mod hints;
 mod hover;
+mod lenses;
 mod navigation;
 mod symbols;
 mod tokens;
 
+// What happens beside the conversation.
+mod errand;
+mod preview;
+mod progress;
+
+pub use errand::Errand;
 pub use position::Encoding;
 pub use server::Server;
 pub use stdio::serve;

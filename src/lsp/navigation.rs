@@ -63,7 +63,10 @@ impl Server {
         &mut self,
         params: DocumentHighlightParams,
     ) -> Answer<DocumentHighlightRequest> {
-        let (document, offset) = self.place(&params.text_document_position_params)?;
+        let at = params.text_document_position_params;
+        let (_, offset) = self.place(&at)?;
+        self.follow(&at.text_document.uri, offset);
+        let (document, _) = self.place(&at)?;
         let found = occurrences(document.snapshot(), offset);
         let highlight = |mention: &Mention| DocumentHighlight {
             range: document.range(mention.span),

@@ -21,6 +21,7 @@ impl Server {
             Method::TextDocumentDidClose => read(params, |params| self.closed(params)),
             Method::WorkspaceDidChangeConfiguration => self.configuration_changed(&params),
             Method::WorkspaceDidChangeWatchedFiles => read(params, |params| self.watched(params)),
+            Method::Custom("hedgerow/cursor") => read(params, |params| self.cursor(params)),
             _ => {}
         }
     }

@@ -3,6 +3,8 @@
 use gen_lsp_types::*;
 use gen_lsp_types::{LspRequestMethod as Method, Request as Question, Uri};
 use lsp_server::{ErrorCode, Request, Response};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::document::Document;
@@ -90,6 +92,26 @@ impl Server {
             Method::TextDocumentDocumentLink => {
                 self.reply::<DocumentLinkRequest>(request, Self::links)
             }
+            Method::TextDocumentCodeAction => {
+                self.reply::<CodeActionRequest>(request, Self::actions)
+            }
+            Method::TextDocumentCompletion => {
+                self.reply::<CompletionRequest>(request, Self::completion)
+            }
+            Method::TextDocumentSignatureHelp => {
+                self.reply::<SignatureHelpRequest>(request, Self::signature)
+            }
+            Method::TextDocumentCodeLens => self.reply::<CodeLensRequest>(request, Self::lenses),
+            Method::WorkspaceExecuteCommand => {
+                self.reply::<ExecuteCommandRequest>(request, Self::execute)
+            }
+            Method::TextDocumentFormatting => {
+                self.reply::<DocumentFormattingRequest>(request, Self::format)
+            }
+            Method::TextDocumentRangeFormatting => {
+                self.reply::<DocumentRangeFormattingRequest>(request, Self::format_range)
+            }
+            Method::Custom("hedgerow/diagram") => self.respond(request, Self::diagram),
             _ => Response::new_err(
                 request.id,
                 ErrorCode::MethodNotFound as i32,
@@ -102,6 +124,14 @@ impl Server {
         &mut self,
         request: Request,
         answer: fn(&mut Self, Q::Params) -> Answer<Q>,
+    ) -> Response {
+        self.respond(request, answer)
+    }
+
+    fn respond<P: DeserializeOwned, R: Serialize>(
+        &mut self,
+        request: Request,
+        answer: fn(&mut Self, P) -> Result<R, Refusal>,
     ) -> Response {
         let params = match serde_json::from_value(request.params) {
             Ok(params) => params,

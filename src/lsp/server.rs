@@ -8,7 +8,10 @@ use serde::Serialize;
 
 use super::client::Client;
 use super::documents::Documents;
+use super::errand::Errand;
 use super::files::Files;
+use super::preview::Preview;
+use super::progress::Progress;
 use crate::analysis::Reader;
 
 /// How far the conversation is.
@@ -29,6 +32,8 @@ pub(super) enum Stage {
 pub(super) enum Asked {
     /// Its settings.
     Settings,
+    /// A place to show progress.
+    Progress,
     /// Something of which only a failure matters, and not even that.
     Other,
 }
@@ -40,6 +45,9 @@ pub struct Server {
     pub(super) client: Client,
     pub(super) documents: Documents,
     pub(super) files: Files,
+    pub(super) preview: Option<Preview>,
+    pub(super) progress: Option<Progress>,
+    pub(super) errands: Vec<Errand>,
     waiting: VecDeque<Message>,
     outgoing: Vec<Message>,
     pub(super) asked: Vec<(RequestId, Asked)>,
@@ -52,6 +60,9 @@ impl Server {
     pub fn new(reader: Box<dyn Reader>) -> Self {
         Self {
             files: Files::new(reader),
+            preview: None,
+            progress: None,
+            errands: Vec::new(),
             stage: Stage::Silent,
             client: Client::default(),
             documents: Documents::default(),
@@ -164,9 +175,23 @@ impl Server {
         let at = self.asked.iter().position(|(id, _)| *id == response.id);
         let Some(at) = at else { return };
         let (_, asked) = self.asked.remove(at);
-        if let (Asked::Settings, Ok(value)) = (asked, response.response_result) {
-            self.settings_arrived(&value);
+        match (asked, response.response_result) {
+            (Asked::Settings, Ok(value)) => self.settings_arrived(&value),
+            (Asked::Progress, Ok(_)) => self.progress_created(),
+            (Asked::Progress, Err(_)) => self.progress = None,
+            _ => {}
         }
+    }
+
+    /// The commands that are to be run beside the server, each once.
+    pub fn errands(&mut self) -> Vec<Errand> {
+        std::mem::take(&mut self.errands)
+    }
+
+    /// A number that has not been used.
+    pub(super) fn fresh(&mut self) -> i32 {
+        self.next_id = self.next_id.wrapping_add(1);
+        self.next_id
     }
 
     /// Sends a notification.
@@ -180,8 +205,7 @@ impl Server {
     where
         R::Params: Serialize,
     {
-        self.next_id += 1;
-        let id = RequestId::from(format!("hedgerow-{}", self.next_id));
+        let id = RequestId::from(format!("hedgerow-{}", self.fresh()));
         let request = Request::new(id.clone(), R::METHOD.as_str().to_owned(), params);
         self.asked.push((id, asked));
         self.outgoing.push(request.into());

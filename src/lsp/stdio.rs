@@ -41,6 +41,15 @@ fn converse(connection: &Connection) -> u8 {
                 Err(_) => return 1,
             },
         }
+        for errand in server.errands() {
+            let sender = connection.sender.clone();
+            std::thread::spawn(move || {
+                for message in errand.run() {
+                    // A client that is gone does not want to know.
+                    let _ = sender.send(message);
+                }
+            });
+        }
         if let Some(code) = server.exit_code() {
             return code;
         }

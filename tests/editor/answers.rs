@@ -108,6 +108,48 @@ fn answer(case: &Case) -> String {
             });
             links.collect()
         }),
+        "completion" => ask("completion", &here).map(|answer| completion(&answer, 12)),
+        "snippet" => ask("completion", &here).map(|answer| {
+            let items = answer["items"].as_array().unwrap();
+            let item = items.iter().find(|item| item["label"] == argument).unwrap();
+            item["insertText"]
+                .as_str()
+                .unwrap_or("no snippet")
+                .to_owned()
+        }),
+        "signature" => ask("signatureHelp", &here).map(|answer| signature(&answer)),
+        "actions" | "action" => {
+            let params = json!({ "textDocument": document(),
+                "range": { "start": at, "end": at }, "context": { "diagnostics": [] } });
+            ask("codeAction", &params).map(|answer| actions(&text, &answer, argument))
+        }
+        "lenses" => ask("codeLens", &json!({ "textDocument": document() })).map(|answer| {
+            let lenses = answer.as_array().unwrap().iter().map(|lens| {
+                let command = &lens["command"];
+                let place = range(&text, &lens["range"]);
+                let title = command["title"].as_str().unwrap();
+                format!(
+                    "{place}: {title} ({} {})\n",
+                    command["command"].as_str().unwrap(),
+                    command["arguments"][1]
+                )
+            });
+            lenses.collect()
+        }),
+        "formatted" => {
+            let options = json!({ "tabSize": 2, "insertSpaces": true });
+            let params = json!({ "textDocument": document(), "options": options });
+            ask("formatting", &params).map(|answer| edited(&text, answer.as_array().unwrap()))
+        }
+        "line" => {
+            let line =
+                |step: u64| json!({ "line": at["line"].as_u64().unwrap() + step, "character": 0 });
+            let options = json!({ "tabSize": 2, "insertSpaces": true });
+            let params = json!({ "textDocument": document(), "options": options,
+                "range": { "start": line(0), "end": line(1) } });
+            ask("rangeFormatting", &params)
+                .map(|answer| difference(&text, &edited(&text, answer.as_array().unwrap())))
+        }
         other => panic!("{}: nobody can answer `{other}`", case.place),
     };
     answer.unwrap_or_else(|(_, why)| format!("refused: {why}"))
@@ -222,4 +264,115 @@ fn tokens(text: &str, data: &Value) -> String {
         out.push_str(&format!("{word}:{}{marks} ", types[*kind]));
     }
     out
+}
+
+/// The first completions, a line for each rank.
+pub fn completion(answer: &Value, most: usize) -> String {
+    let items = answer["items"].as_array().unwrap();
+    let mut ranks: std::collections::BTreeMap<&str, Vec<&str>> = Default::default();
+    for item in items {
+        let rank = &item["sortText"].as_str().unwrap()[..1];
+        ranks
+            .entry(rank)
+            .or_default()
+            .push(item["label"].as_str().unwrap());
+    }
+    if ranks.is_empty() {
+        return "nothing".into();
+    }
+    let lines = ranks.into_iter().map(|(rank, words)| {
+        let more = if words.len() > most { " …" } else { "" };
+        format!(
+            "{rank}: {}{more}\n",
+            words[..words.len().min(most)].join(" ")
+        )
+    });
+    lines.collect()
+}
+
+fn signature(answer: &Value) -> String {
+    if answer.is_null() {
+        return "nothing".into();
+    }
+    let signatures = answer["signatures"].as_array().unwrap();
+    let lines = signatures.iter().enumerate().map(|(at, signature)| {
+        let mark = if answer["activeSignature"] == json!(at) {
+            ">"
+        } else {
+            " "
+        };
+        let active = &signature["parameters"][answer["activeParameter"].as_u64().unwrap() as usize];
+        format!(
+            "{mark} {} — {}\n",
+            signature["label"].as_str().unwrap(),
+            active["label"].as_str().unwrap_or("too many")
+        )
+    });
+    lines.collect()
+}
+
+/// The titles of actions; or what the one of this title changes.
+fn actions(text: &str, answer: &Value, title: &str) -> String {
+    let actions = answer.as_array().unwrap();
+    if !title.is_empty() {
+        let action = actions.iter().find(|action| action["title"] == title);
+        let Some(action) = action else {
+            return "nobody offers it".into();
+        };
+        return difference(text, &edited(text, &edits(&action["edit"])));
+    }
+    let lines = actions.iter().map(|action| {
+        let preferred = if action["isPreferred"] == true {
+            "*"
+        } else {
+            " "
+        };
+        format!(
+            "{preferred} {}: {}\n",
+            action["kind"].as_str().unwrap(),
+            action["title"].as_str().unwrap()
+        )
+    });
+    lines.collect()
+}
+
+#[test]
+fn the_flip_is_typed_line_by_line() {
+    let count = pages::check("editor/typing", |case| {
+        assert_eq!(case.kind, "steps", "{}", case.place);
+        let mut client = Client::able("utf-8");
+        client.open("");
+        let (mut text, mut out) = (String::new(), String::new());
+        for (version, line) in (2..).zip(case.input.lines()) {
+            let at = position(&text, text.len());
+            text.push_str(line);
+            text.push('\n');
+            let change =
+                json!({ "range": { "start": at, "end": at }, "text": format!("{line}\n") });
+            let document = json!({ "uri": crate::client::URI, "version": version });
+            client.notify(
+                "textDocument/didChange",
+                json!({ "textDocument": document, "contentChanges": [change] }),
+            );
+            out.push_str(&format!("{line}\n"));
+            let published = client.published().unwrap();
+            assert_eq!(published["version"], version);
+            for told in published["diagnostics"].as_array().unwrap() {
+                let message = told["message"].as_str().unwrap().lines().next().unwrap();
+                out.push_str(&format!("      | {}\n", message));
+            }
+            let here = json!({ "textDocument": crate::client::document(),
+                "position": position(&text, text.len()) });
+            let next = client.request("textDocument/completion", here).unwrap();
+            let next = completion(&next, 8);
+            out.push_str(&format!("      ? {}\n", next.lines().next().unwrap()));
+            let params = json!({ "textDocument": crate::client::document() });
+            let lenses = client.request("textDocument/codeLens", params).unwrap();
+            if let Some(title) = lenses[0]["command"]["title"].as_str() {
+                out.push_str(&format!("      = {title}\n"));
+            }
+        }
+        out
+    });
+    assert!(count > 0);
 }

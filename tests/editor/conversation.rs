@@ -104,6 +104,20 @@ fn diagnostics_are_published_for_every_version_also_when_there_are_none() {
 }
 
 #[test]
+fn nobody_is_shown_the_same_twice() {
+    let offered = |text: Value| {
+        let mut client = Client::silent();
+        let params = json!({ "capabilities": { "textDocument": text } });
+        let hello = client.request("initialize", params).unwrap();
+        hello["capabilities"]["diagnosticProvider"].is_object()
+    };
+    assert!(offered(json!({ "diagnostic": {} })));
+    assert!(!offered(
+        json!({ "diagnostic": {}, "publishDiagnostics": {} })
+    ));
+}
+
+#[test]
 fn changes_of_one_notification_follow_each_other() {
     let at = |line: u32, character: u32| json!({ "line": line, "character": character });
     // `𝄞` is four bytes, two UTF-16 units and one character.
@@ -221,4 +235,196 @@ fn names_reach_over_files() {
     assert_eq!(links[0]["target"], library);
     let std = links[1]["target"].as_str().unwrap();
     assert!(std.ends_with("/std/triangle.hedge"), "{std}");
+}
+
+#[test]
+fn the_diagram_is_there_on_request_and_on_a_page() {
+    let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
+    let mut client = Client::able("utf-8");
+    client.open(&flip);
+    let line = flip
+        .lines()
+        .position(|line| line.starts_with("op flip("))
+        .unwrap();
+    let here =
+        json!({ "textDocument": document(), "position": { "line": line + 2, "character": 3 } });
+    let diagram = client.request("hedgerow/diagram", here.clone()).unwrap();
+    assert_eq!(diagram["name"], "flip");
+    assert_eq!(diagram["proved"], true);
+    assert!(diagram["svg"].as_str().unwrap().starts_with("<svg"));
+    let named = json!({ "textDocument": document(), "name": "no_such_op" });
+    assert_eq!(client.request("hedgerow/diagram", named), Ok(Value::Null));
+
+    let command = json!({ "command": "hedgerow.showDiagram", "arguments": [URI, "flip_any"] });
+    let address = client.request("workspace/executeCommand", command).unwrap();
+    let address = address.as_str().unwrap().to_owned();
+    assert!(address.starts_with("http://127.0.0.1:"), "{address}");
+    assert!(get(&address, "/").contains("<title>hedgerow</title>"));
+    assert!(get(&address, "/shown").contains("\"title\":\"flip_any\""));
+    // The page follows the cursor, here the question what to highlight.
+    client
+        .request("textDocument/documentHighlight", here)
+        .unwrap();
+    assert!(get(&address, "/shown?seen=1").contains("\"title\":\"flip\""));
+    assert!(get(&address, "/shown?seen=2").contains("\"shown\":null"));
+    assert!(get(&address, "/etc/passwd").starts_with("HTTP/1.1 404"));
+    let foreign = ask_page(
+        &address,
+        "GET /shown HTTP/1.1\r\nHost: evil.example\r\n\r\n",
+    );
+    assert!(foreign.starts_with("HTTP/1.1 403"), "{foreign}");
+    let told = client.told.iter().rev();
+    let mut shown = told.filter(|notice| notice.method == "window/showMessage");
+    assert!(
+        shown.next().unwrap().params["message"]
+            .as_str()
+            .unwrap()
+            .contains(&address)
+    );
+}
+
+fn get(address: &str, path: &str) -> String {
+    let host = address.trim_start_matches("http://").trim_end_matches('/');
+    ask_page(
+        address,
+        &format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"),
+    )
+}
+
+fn ask_page(address: &str, question: &str) -> String {
+    use std::io::{Read, Write};
+    let host = address.trim_start_matches("http://").trim_end_matches('/');
+    let mut stream = std::net::TcpStream::connect(host).unwrap();
+    stream.write_all(question.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    answer
+}
+
+#[test]
+fn settings_are_asked_for_and_heeded() {
+    let mut client = Client::new(json!({ "capabilities": {
+        "workspace": { "configuration": true, "didChangeWatchedFiles": { "dynamicRegistration": true } },
+    } }));
+    let methods: Vec<_> = client
+        .asked
+        .iter()
+        .map(|asked| asked.method.clone())
+        .collect();
+    assert_eq!(
+        methods,
+        ["workspace/configuration", "client/registerCapability"]
+    );
+    client.open("op f(e: edge) { before { edge e: a | d } after { keep e } }");
+    let lenses = json!({ "textDocument": document() });
+    let count = |client: &mut Client| {
+        let lenses = client
+            .request("textDocument/codeLens", lenses.clone())
+            .unwrap();
+        lenses.as_array().unwrap().len()
+    };
+    assert_eq!(count(&mut client), 2);
+    let id = client.asked[0].id.clone();
+    let answer = lsp_server::Response::new_ok(id, json!([{ "codeLens": { "enable": false } }]));
+    client.server.accept(answer.into());
+    client.settle(None);
+    assert_eq!(count(&mut client), 0);
+    // Settings that make no sense are as they are by default.
+    client.notify(
+        "workspace/didChangeConfiguration",
+        json!({ "settings": null }),
+    );
+    let id = client.asked.last().unwrap().id.clone();
+    let answer =
+        lsp_server::Response::new_ok(id, json!([{ "codeLens": 7, "hover": { "picture": 3 } }]));
+    client.server.accept(answer.into());
+    client.settle(None);
+    assert_eq!(count(&mut client), 2);
+}
+
+#[test]
+fn many_proofs_show_progress() {
+    let mut client =
+        Client::new(json!({ "capabilities": { "window": { "workDoneProgress": true } } }));
+    let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
+    let ops: String = (0..30)
+        .map(|at| flip.replace("op flip", &format!("op r{at}_flip")))
+        .collect();
+    let item = json!({ "uri": URI, "languageId": "hedgerow", "version": 1, "text": ops });
+    let open = Notification::new(
+        "textDocument/didOpen".into(),
+        json!({ "textDocument": item }),
+    );
+    client.server.accept(open.into());
+    // The client agrees as soon as it is asked.
+    let mut kinds = Vec::new();
+    while let Some(messages) = client.server.work() {
+        for message in messages {
+            match message {
+                Message::Request(asked) => {
+                    let answer = lsp_server::Response::new_ok(asked.id, Value::Null);
+                    client.server.accept(answer.into());
+                }
+                Message::Notification(notice) if notice.method == "$/progress" => {
+                    kinds.push(notice.params["value"]["kind"].as_str().unwrap().to_owned());
+                }
+                _ => {}
+            }
+        }
+    }
+    assert_eq!(kinds.first().map(String::as_str), Some("begin"));
+    assert_eq!(kinds.last().map(String::as_str), Some("end"));
+    assert!(
+        kinds.iter().filter(|kind| *kind == "report").count() > 2,
+        "{kinds:?}"
+    );
+}
+
+#[test]
+fn commands_that_run_are_handed_to_the_process() {
+    let mut client = Client::able("utf-8");
+    client.open("script s() { }\ntest \"t\" { }\n");
+    let run = |arguments: Value| json!({ "command": "hedgerow.runScript", "arguments": arguments });
+    let lacking = client.request("workspace/executeCommand", run(json!([URI, "s"])));
+    assert!(lacking.unwrap_err().1.contains("MESH"));
+    let all = run(json!([URI, "s", "a.obj", "b.obj"]));
+    client.request("workspace/executeCommand", all).unwrap();
+    let errands = client.server.errands();
+    assert_eq!(errands.len(), 1);
+    assert_eq!(
+        errands[0].arguments,
+        ["run", "/work/test.hedge::s", "a.obj", "-o", "b.obj"]
+    );
+    let unknown = json!({ "command": "hedgerow.dance", "arguments": [URI] });
+    assert!(client.request("workspace/executeCommand", unknown).is_err());
+}
+
+#[test]
+fn a_hover_draws_where_the_client_does_and_it_fits() {
+    let mut drawn = 0;
+    for name in [
+        "flip", "split", "collapse", "contract", "connect", "dissolve",
+    ] {
+        let text = std::fs::read_to_string(format!("examples/{name}.hedge")).unwrap();
+        let mut client = Client::new(json!({
+            "clientInfo": { "name": "Visual Studio Code" },
+            "capabilities": { "textDocument": { "hover": { "contentFormat": ["markdown"] } } },
+        }));
+        client.open(&text);
+        for (line, _) in text
+            .lines()
+            .enumerate()
+            .filter(|(_, line)| line.starts_with("op "))
+        {
+            let at = json!({ "line": line, "character": 4 });
+            let params = json!({ "textDocument": document(), "position": at });
+            let hover = client.request("textDocument/hover", params).unwrap();
+            let said = hover["contents"]["value"].as_str().unwrap();
+            if let Some((_, image)) = said.split_once("data:image/svg+xml;base64,") {
+                assert!(image.len() < 70_000);
+                drawn += 1;
+            }
+        }
+    }
+    assert!(drawn >= 5, "only {drawn} pictures are small enough");
 }

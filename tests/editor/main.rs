@@ -6,4 +6,6 @@ mod pages;
 mod answers;
 mod client;
 mod conversation;
+mod edits;
+mod latency;
 mod shown;

@@ -1,14 +1,17 @@
 //! Aggregates: `mean(length(e) for e in edges where boundary(e))`.
 
-use super::collection::each;
+use super::collection::{each, elements};
 use super::operator::wide;
 use super::value::{copy, lower};
 use super::{Scope, width};
 use crate::diagram::{Expr, ExprKind, Fold, FoldFunction, Type};
-use crate::rewrite::{Assembler, Inst, Label, Lanes, Reg};
+use crate::rewrite::{Assembler, Elements, Inst, Label, Lanes, Reg};
 
 /// Appends a loop that puts the aggregate into `to`.
 pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: &Expr, to: Reg) {
+    if let Some(inst) = known_count(fold, to) {
+        return asm.emit(inst);
+    }
     let done = asm.label();
     let seen = asm.reg();
     let sum = Sum {
@@ -59,6 +62,20 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
     asm.bind(done);
     let place = scope.place(of.span);
     sum.end(asm, place, fold.function);
+}
+
+/// How many elements of a sort there are, the mesh knows without looking at them.
+fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
+    let all = fold.filter.is_none() && fold.body.kind == ExprKind::Bool(true);
+    let counts = fold.function == FoldFunction::Count && all;
+    let of = elements(&fold.collection).filter(|_| counts)?;
+    Some(match of {
+        Elements::Holes => Inst::CountHoles { to },
+        of => Inst::Count {
+            kind: of.kind(),
+            to,
+        },
+    })
 }
 
 fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {

@@ -1,0 +1,244 @@
+//! Changes that write for you: what `after` lacks, the inverse of an op, an alternative as
+//! an op of its own, `keep` for what stays as it is.
+
+use super::action::{Action, Purpose, append, indentation, statement_span};
+use super::hover::op_named;
+use super::place::{op_near, rule_near};
+use super::side::subject;
+use super::snapshot::Snapshot;
+use crate::diagnostic::Edit;
+use crate::source::Span;
+use crate::syntax::tree::{Name, Op, Rule, Side, Statement};
+
+/// What is offered at a byte.
+pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let mut offer = |title: String, edits: Option<Vec<Edit>>| {
+        actions.extend(edits.map(|edits| Action {
+            title,
+            purpose: Purpose::Rewrite,
+            edits,
+            mends: None,
+        }));
+    };
+    let Some((_, op)) = op_near(snapshot, offset).filter(|(_, op)| op.span.touches(offset)) else {
+        return actions;
+    };
+    if let Some((_, at, rule)) = rule_near(snapshot, offset) {
+        let title = match is_empty(rule.after.as_ref()) {
+            true => "write `after` as `before`",
+            false => "restate what `after` lacks",
+        };
+        offer(title.into(), skeleton(snapshot, rule));
+        let title = "write `keep` for what stays as it is";
+        offer(title.into(), keep_what_stays(snapshot, rule));
+        if let Some(name) = &rule.name {
+            let own = format!("{}_{}", op.name.text, name.text);
+            let title = format!("split `{}` out as the op `{own}`", name.text);
+            offer(title, split_out(snapshot, op, at, &own));
+        }
+    }
+    if op.name.span.touches(offset) || op.span.start as usize + 2 >= offset {
+        let name = format!("un{}", op.name.text);
+        let title = format!("write the inverse, `{name}`");
+        offer(title, inverse(snapshot, op, &name));
+    }
+    actions
+}
+
+fn is_empty(side: Option<&Side>) -> bool {
+    side.is_none_or(|side| side.statements.is_empty())
+}
+
+fn slice<'s>(snapshot: &'s Snapshot, statement: &Statement) -> &'s str {
+    snapshot.sources().slice(statement_span(statement))
+}
+
+/// The statements of `before` that `after` says nothing of.
+fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
+    let before = rule.before.as_ref()?;
+    let words = |list: fn(&Statement) -> Option<&Vec<Name>>| -> Vec<&str> {
+        let statements = rule.after.iter().flat_map(|side| &side.statements);
+        let names = statements.filter_map(list).flatten();
+        names.map(|name| name.ident.text.as_str()).collect()
+    };
+    let gone = words(|statement| match statement {
+        Statement::Erase(names, _) | Statement::Keep(names, _) => Some(names),
+        _ => None,
+    });
+    let stated = rule.after.iter().flat_map(|side| &side.statements);
+    let stated: Vec<&str> = stated
+        .filter_map(subject)
+        .map(|name| name.ident.text.as_str())
+        .collect();
+    let missing: Vec<String> = before
+        .statements
+        .iter()
+        .filter(|statement| {
+            subject(statement).is_some_and(|name| {
+                let word = name.ident.text.as_str();
+                !gone.contains(&word) && !stated.contains(&word)
+            })
+        })
+        .map(|statement| slice(snapshot, statement).to_owned())
+        .collect();
+    if missing.is_empty() {
+        return None;
+    }
+    match &rule.after {
+        Some(after) => Some(vec![append(snapshot, after, &missing)]),
+        None => {
+            let indentation = indentation(snapshot, before.span);
+            let mut text = format!("\n{indentation}after {{");
+            for statement in &missing {
+                text.push_str(&format!("\n{indentation}  {statement}"));
+            }
+            text.push_str(&format!("\n{indentation}}}"));
+            let span = before.span.after();
+            Some(vec![Edit { span, text }])
+        }
+    }
+}
+
+/// Statements of `after` that are those of `before`, word for word, as one `keep`.
+fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
+    let (before, after) = (rule.before.as_ref()?, rule.after.as_ref()?);
+    let words = |statement: &Statement| -> Vec<String> {
+        let text = slice(snapshot, statement);
+        text.split_whitespace().map(str::to_owned).collect()
+    };
+    let same: Vec<&Statement> = after
+        .statements
+        .iter()
+        .filter(|statement| {
+            subject(statement).is_some()
+                && before
+                    .statements
+                    .iter()
+                    .any(|was| words(was) == words(statement))
+        })
+        .collect();
+    let (first, rest) = same.split_first()?;
+    let names: Vec<_> = same
+        .iter()
+        .filter_map(|statement| subject(statement))
+        .map(|name| name.ident.text.as_str())
+        .collect();
+    let mut edits = vec![Edit {
+        span: statement_span(first),
+        text: format!("keep {}", names.join(" ")),
+    }];
+    for statement in rest {
+        let span = statement_span(statement);
+        let before = &snapshot.text()[..span.start as usize];
+        let start = before
+            .trim_end_matches([' ', '\t'])
+            .trim_end_matches('\n')
+            .len();
+        edits.push(Edit {
+            span: Span::new(span.file, start, span.end as usize),
+            text: String::new(),
+        });
+    }
+    Some(edits)
+}
+
+/// A rule as an op of its own, behind the op.
+fn split_out(snapshot: &Snapshot, op: &Op, at: usize, name: &str) -> Option<Vec<Edit>> {
+    if op.rules.len() < 2 || op_named(snapshot, name).is_some() {
+        return None;
+    }
+    let rule = &op.rules[at];
+    let text = snapshot.sources().slice(rule.span);
+    let open = text.find('{')?;
+    let whole = snapshot.sources().slice(op.span);
+    let head = &whole[..whole.find('{')?];
+    let head = head.replacen(&op.name.text, name, 1);
+    let body = text[open..].replace("\n  ", "\n");
+    let before = &snapshot.text()[..rule.span.start as usize];
+    let start = before
+        .trim_end_matches([' ', '\t'])
+        .trim_end_matches('\n')
+        .len();
+    Some(vec![
+        Edit {
+            span: Span::new(rule.span.file, start, rule.span.end as usize),
+            text: String::new(),
+        },
+        Edit {
+            span: op.span.after(),
+            text: format!("\n\n{}{body}", head),
+        },
+    ])
+}
+
+/// The op backwards: `before` and `after` exchanged, what was new erased, and the other way
+/// around. Attributes of what is new again are for a person to set.
+fn inverse(snapshot: &Snapshot, op: &Op, name: &str) -> Option<Vec<Edit>> {
+    if op.rules.is_empty() || op_named(snapshot, name).is_some() {
+        return None;
+    }
+    let params = op
+        .params
+        .iter()
+        .map(|param| snapshot.sources().slice(param.span));
+    let params = params.collect::<Vec<_>>().join(", ");
+    let mut text = format!("\n\nop {name}({params}) {{");
+    for rule in &op.rules {
+        let indentation = match &rule.name {
+            Some(label) => {
+                text.push_str(&format!("\n  rule {} {{", label.text));
+                "    "
+            }
+            None => "  ",
+        };
+        text.push_str(&backwards(snapshot, rule, indentation)?);
+        if rule.name.is_some() {
+            text.push_str("\n  }");
+        }
+    }
+    text.push_str("\n}");
+    let span = op.span.after();
+    Some(vec![Edit { span, text }])
+}
+
+fn backwards(snapshot: &Snapshot, rule: &Rule, indentation: &str) -> Option<String> {
+    let (before, after) = (rule.before.as_ref()?, rule.after.as_ref()?);
+    let mut kept = Vec::new();
+    let (mut made, mut erased) = (Vec::new(), Vec::new());
+    let mut first = Vec::new();
+    for statement in &after.statements {
+        match statement {
+            Statement::New(names, _) => made.extend(names),
+            Statement::Erase(names, _) => erased.extend(names),
+            Statement::Keep(names, _) => kept.extend(names.iter().map(|name| &name.ident.text)),
+            Statement::Assign { .. } => {}
+            Statement::Broken(_) => return None,
+            drawn => first.push(slice(snapshot, drawn)),
+        }
+    }
+    let is_kept = |statement: &&Statement| {
+        subject(statement).is_some_and(|name| kept.contains(&&name.ident.text))
+    };
+    let stays = before.statements.iter().filter(is_kept);
+    first.extend(stays.map(|statement| slice(snapshot, statement)));
+    let list = |word: &str, names: &[&Name]| {
+        let names = names.iter().map(|name| snapshot.sources().slice(name.span));
+        let names = names.collect::<Vec<_>>().join(" ");
+        (!names.is_empty()).then(|| format!("{word} {names}"))
+    };
+    let drawn = before.statements.iter().filter(|s| subject(s).is_some());
+    let mut second: Vec<String> = list("new", &erased).into_iter().collect();
+    second.extend(drawn.map(|statement| slice(snapshot, statement).to_owned()));
+    second.extend(list("erase", &made));
+    let mut text = format!("\n{indentation}before {{");
+    for statement in first {
+        text.push_str(&format!("\n{indentation}  {statement}"));
+    }
+    text.push_str(&format!("\n{indentation}}}\n{indentation}after {{"));
+    for statement in second {
+        text.push_str(&format!("\n{indentation}  {statement}"));
+    }
+    text.push_str(&format!("\n{indentation}}}"));
+    Some(text)
+}

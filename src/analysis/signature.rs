@@ -1,0 +1,97 @@
+//! What is called around a cursor, and which argument is being written.
+
+use super::snapshot::Snapshot;
+use super::words::meaning;
+use crate::resolve::signatures;
+use crate::syntax::TokenKind as T;
+use crate::syntax::tree::{Item, Param};
+
+/// One way to call something.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Call {
+    /// How it is written: `split(e: edge) -> m`.
+    pub label: String,
+    /// Its parameters, as they stand in the label.
+    pub params: Vec<String>,
+    /// What it does.
+    pub about: String,
+}
+
+/// The ways to call what a cursor is inside of, and the number of the argument.
+pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize)> {
+    let tokens = &snapshot.parsed().tokens;
+    let end = tokens.partition_point(|token| (token.span.end as usize) <= offset);
+    let (mut depth, mut argument) = (0_usize, 0);
+    for at in (1..end).rev() {
+        match tokens[at].kind {
+            T::RightParen => depth += 1,
+            T::LeftParen if depth > 0 => depth -= 1,
+            T::LeftParen if tokens[at - 1].kind.is_wordlike() => {
+                let is_head = at > 1 && matches!(tokens[at - 2].kind, T::Op | T::Script | T::Fn);
+                let word = snapshot.sources().slice(tokens[at - 1].span);
+                let calls = if is_head {
+                    Vec::new()
+                } else {
+                    calls(snapshot, word)
+                };
+                return (!calls.is_empty()).then_some((calls, argument));
+            }
+            T::LeftParen => return None,
+            T::Comma if depth == 0 => argument += 1,
+            T::LeftBrace | T::RightBrace => return None,
+            _ => {}
+        }
+    }
+    None
+}
+
+fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
+    let used = snapshot.used().iter().flat_map(|(_, tree)| &tree.items);
+    let declared = snapshot.items().iter().chain(used).find_map(|item| {
+        let (name, params, result, docs) = match item {
+            Item::Op(op) => (&op.name, &op.params, &op.result, &op.docs),
+            Item::Fn(function) => (
+                &function.name,
+                &function.params,
+                &function.result,
+                &function.docs,
+            ),
+            _ => return None,
+        };
+        (name.text == word).then(|| {
+            let params: Vec<String> = params.iter().map(written).collect();
+            let result = result.as_ref().map(|result| format!(" -> {}", result.text));
+            Call {
+                label: format!(
+                    "{word}({}){}",
+                    params.join(", "),
+                    result.unwrap_or_default()
+                ),
+                params,
+                about: docs.join("\n"),
+            }
+        })
+    });
+    if let Some(declared) = declared {
+        return vec![declared];
+    }
+    let ways = signatures(word).into_iter().map(|way| {
+        let params: Vec<String> = way.takes.iter().map(|ty| (*ty).to_owned()).collect();
+        let gives = way.gives.map(|ty| format!(" -> {}", ty.word()));
+        Call {
+            label: format!("{word}({}){}", params.join(", "), gives.unwrap_or_default()),
+            params,
+            about: meaning(word).unwrap_or("").to_owned(),
+        }
+    });
+    ways.collect()
+}
+
+fn written(param: &Param) -> String {
+    let optional = if param.default.is_some() {
+        " = …"
+    } else {
+        ""
+    };
+    format!("{}: {}{optional}", param.name.ident.text, param.ty.text)
+}

@@ -1,0 +1,109 @@
+//! The diagram of the op under a cursor: on request, and on a page that follows the cursor.
+//!
+//! The protocol does not tell where the cursor is. But clients ask about that place all the
+//! time, for actions, highlights and hovers; and one that wants to can send
+//! `hedgerow/cursor`, with a document and a position.
+
+use gen_lsp_types::{Position, TextDocumentIdentifier, Uri};
+use serde::{Deserialize, Serialize};
+
+use super::document::Document;
+use super::hover::verdict;
+use super::preview::{Preview, Shown};
+use super::requests::Refusal;
+use super::server::Server;
+use crate::analysis::{op_card, op_here, op_named};
+use crate::draw::draw_op;
+
+/// What `hedgerow/diagram` and `hedgerow/cursor` are about: the op at a position, or of a name.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct DiagramParams {
+    text_document: TextDocumentIdentifier,
+    #[serde(default)]
+    position: Option<Position>,
+    #[serde(default)]
+    name: Option<String>,
+}
+
+/// The diagram of an op.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Diagram {
+    /// Its name.
+    name: String,
+    /// The picture.
+    svg: String,
+    /// Whether it is of the text as it stands; else of the last that could be read.
+    is_current: bool,
+    /// Whether the op is proved.
+    proved: bool,
+    /// What is proved, or what is wrong, as Markdown.
+    verdict: String,
+}
+
+impl Server {
+    /// `hedgerow/diagram`
+    pub(super) fn diagram(&mut self, params: DiagramParams) -> Result<Option<Diagram>, Refusal> {
+        let document = self.document(&params.text_document.uri)?;
+        let snapshot = document.snapshot();
+        let op = match (&params.name, params.position) {
+            (Some(name), _) => op_named(snapshot, name),
+            (None, Some(position)) => op_here(snapshot, document.offset(position)),
+            (None, None) => None,
+        };
+        let place = op.map(|op| op.name.span.start as usize);
+        Ok(place.and_then(|place| draw(document, place)))
+    }
+
+    /// `hedgerow/cursor`
+    pub(super) fn cursor(&mut self, params: DiagramParams) {
+        let uri = params.text_document.uri;
+        let Some(document) = self.documents.get(&uri) else {
+            return;
+        };
+        if let Some(position) = params.position {
+            let offset = document.offset(position);
+            self.follow(&uri, offset);
+        }
+    }
+
+    /// The cursor is here: the preview, if it is open, shows the op around it.
+    pub(super) fn follow(&mut self, uri: &Uri, offset: usize) {
+        let (Some(preview), Some(document)) = (&self.preview, self.documents.get(uri)) else {
+            return;
+        };
+        if let Some(diagram) = draw(document, offset) {
+            preview.show(Shown {
+                title: diagram.name,
+                verdict: diagram.verdict,
+                svg: diagram.svg,
+            });
+        }
+    }
+
+    /// The address of the preview, which is opened if it is not.
+    pub(super) fn preview_address(&mut self) -> Result<String, Refusal> {
+        if self.preview.is_none() {
+            let opened = Preview::open();
+            let refused = |error| Refusal::failed(format!("the preview cannot be opened: {error}"));
+            self.preview = Some(opened.map_err(refused)?);
+        }
+        let preview = self.preview.as_ref();
+        Ok(preview.map_or(String::new(), Preview::address))
+    }
+}
+
+fn draw(document: &Document, offset: usize) -> Option<Diagram> {
+    let snapshot = document.snapshot();
+    let op = op_here(snapshot, offset)?;
+    let card = op_card(snapshot, op);
+    let diagram = card.diagram.as_ref()?;
+    Some(Diagram {
+        name: diagram.name.clone(),
+        svg: draw_op(diagram).svg(),
+        is_current: card.is_current,
+        proved: card.verdict.proved,
+        verdict: verdict(&card),
+    })
+}

@@ -1,0 +1,121 @@
+//! Code lenses, and the commands they offer.
+
+use gen_lsp_types::*;
+use serde_json::{Value, json};
+
+use super::errand::Errand;
+use super::requests::{Answer, Refusal};
+use super::server::{Asked, Server};
+use super::{files, uri};
+use crate::analysis::{Offer, lenses, op_named};
+
+/// Shows the diagram of an op in the preview: document, op.
+pub(super) const SHOW_DIAGRAM: &str = "hedgerow.showDiagram";
+/// Runs a test: document, name.
+pub(super) const RUN_TEST: &str = "hedgerow.runTest";
+/// Runs a script: document, name, mesh, where to write the result.
+pub(super) const RUN_SCRIPT: &str = "hedgerow.runScript";
+
+impl Server {
+    /// `textDocument/codeLens`
+    pub(super) fn lenses(&mut self, params: CodeLensParams) -> Answer<CodeLensRequest> {
+        let document = self.document(&params.text_document.uri)?;
+        if !self.client.settings.lenses {
+            return Ok(Some(Vec::new()));
+        }
+        let lenses = lenses(document.snapshot()).into_iter().map(|lens| {
+            let command = match lens.offer {
+                Offer::Proof | Offer::Diagram => SHOW_DIAGRAM,
+                Offer::Test => RUN_TEST,
+                Offer::Script => RUN_SCRIPT,
+            };
+            CodeLens {
+                range: document.range(lens.span),
+                command: Some(Command {
+                    title: lens.title,
+                    command: command.into(),
+                    arguments: Some(vec![json!(document.uri()), json!(lens.name)]),
+                    tooltip: None,
+                }),
+                data: None,
+            }
+        });
+        Ok(Some(lenses.collect()))
+    }
+
+    /// `workspace/executeCommand`
+    pub(super) fn execute(
+        &mut self,
+        params: ExecuteCommandParams,
+    ) -> Answer<ExecuteCommandRequest> {
+        let arguments = params.arguments.unwrap_or_default();
+        let text = |at: usize| arguments.get(at).and_then(Value::as_str).map(str::to_owned);
+        let Some(uri) = text(0).map(Uri) else {
+            return Err(Refusal::invalid(
+                "the first argument is the URI of a document",
+            ));
+        };
+        let name = text(1);
+        match params.command.as_str() {
+            SHOW_DIAGRAM => self.show_diagram(&uri, name),
+            RUN_TEST => {
+                let path = saved(&uri)?;
+                let mut command = vec!["test".to_owned(), path];
+                command.extend(name);
+                Ok(Some(self.run(command)))
+            }
+            RUN_SCRIPT => {
+                let path = saved(&uri)?;
+                let (Some(mesh), Some(output)) = (text(2), text(3)) else {
+                    let why = "which mesh, and where should the result go? Give `hedgerow.runScript` \
+                               the document, the script, the mesh and the output, or run \
+                               `hedgerow run FILE::SCRIPT MESH -o OUT` in a terminal";
+                    return Err(Refusal::failed(why));
+                };
+                let program = match name {
+                    Some(name) => format!("{path}::{name}"),
+                    None => path,
+                };
+                let command = ["run", &program, &mesh, "-o", &output];
+                Ok(Some(self.run(command.map(str::to_owned).to_vec())))
+            }
+            other => Err(Refusal::invalid(format!("there is no command `{other}`"))),
+        }
+    }
+
+    fn show_diagram(&mut self, uri: &Uri, name: Option<String>) -> Answer<ExecuteCommandRequest> {
+        let document = self.document(uri)?;
+        let place = name
+            .and_then(|name| Some(op_named(document.snapshot(), &name)?.name.span.start as usize));
+        let address = self.preview_address()?;
+        self.follow(uri, place.unwrap_or(0));
+        if self.client.shows_documents() {
+            let params = ShowDocumentParams {
+                uri: Uri(address.clone()),
+                external: Some(true),
+                take_focus: Some(false),
+                selection: None,
+            };
+            self.ask::<ShowDocumentRequest>(params, Asked::Other);
+        } else {
+            self.tell::<ShowMessageNotification>(ShowMessageParams {
+                kind: MessageType::Info,
+                message: format!("the diagram under the cursor is shown at {address}"),
+            });
+        }
+        Ok(Some(json!(address)))
+    }
+
+    /// Has the process run a command of `hedgerow`; what comes of it is told when it ends.
+    fn run(&mut self, arguments: Vec<String>) -> Value {
+        let shown = format!("hedgerow {}", arguments.join(" "));
+        self.errands.push(Errand { arguments });
+        json!(shown)
+    }
+}
+
+/// The path of a document that a command can read.
+fn saved(of: &Uri) -> Result<String, Refusal> {
+    let path = uri::path(of).map(|_| files::name(of));
+    path.ok_or_else(|| Refusal::failed("save the document first: commands read files"))
+}
