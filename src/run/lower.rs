@@ -32,11 +32,11 @@ pub(super) struct Lowering<'p> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ending {
     /// The script ends.
-    OfScript,
+    Script,
     /// The function gives its value to its caller.
-    OfFunction,
+    Function,
     /// The operation has been applied, and returns an element.
-    OfSteps,
+    Steps,
 }
 
 /// Statements with their variables.
@@ -108,7 +108,7 @@ impl<'p> Lowering<'p> {
     pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
         let mut lowering = Self::with_parameters(routine, texts);
         lowering.other_variables(routine);
-        lowering.ending = Ending::OfFunction;
+        lowering.ending = Ending::Function;
         lowering
     }
 
@@ -117,7 +117,7 @@ impl<'p> Lowering<'p> {
     pub(super) fn of_steps(routine: Routine<'p>, texts: &[String]) -> Self {
         let mut lowering = Self::with_parameters(routine, texts);
         lowering.other_variables(routine);
-        lowering.ending = Ending::OfSteps;
+        lowering.ending = Ending::Steps;
         lowering
     }
 
@@ -134,7 +134,7 @@ impl<'p> Lowering<'p> {
             called: Vec::new(),
             functions: Vec::new(),
             assertions: Vec::new(),
-            ending: Ending::OfScript,
+            ending: Ending::Script,
         };
         for param in routine.params {
             let reg = lowering.asm.block(width(param.ty));
@@ -309,9 +309,9 @@ impl<'p> Lowering<'p> {
         self.close_drains();
         let (from, width) = given.unwrap_or((Reg(0), 0));
         self.asm.emit(match self.ending {
-            Ending::OfFunction => Inst::Give { from, width },
-            Ending::OfScript => Inst::Return { result: None },
-            Ending::OfSteps => Inst::Return {
+            Ending::Function => Inst::Give { from, width },
+            Ending::Script => Inst::Return { result: None },
+            Ending::Steps => Inst::Return {
                 result: given.map(|_| from),
             },
         });
