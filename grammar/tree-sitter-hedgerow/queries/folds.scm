@@ -1,0 +1,11 @@
+; What can be folded.
+
+[
+  (operation)
+  (rule)
+  (before)
+  (after)
+  (block)
+  (comment)+
+  (doc)+
+] @fold
