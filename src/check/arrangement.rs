@@ -262,14 +262,14 @@ pub(super) fn agreeing<'a>(
         .filter(|pair| pair.iter().all(|&item| rule.kind(item) == Kind::Halfedge))
         .collect();
     for [x, y] in twins {
-        for at in 0..ways.len() {
+        for way in &mut ways {
             let leaves = |arc: &Arc| arc.from == Port::Out(y);
-            let Some(found) = ways[at].arcs.iter().position(leaves) else {
+            let Some(found) = way.arcs.iter().position(leaves) else {
                 continue;
             };
-            if ways[at].arcs[found].to == Port::In(x) {
-                ways[at].to_mut().arcs[found].lies = Lies::Empty;
-            } else if !ways[at].stands_for_others {
+            if way.arcs[found].to == Port::In(x) {
+                way.to_mut().arcs[found].lies = Lies::Empty;
+            } else if !way.stands_for_others {
                 return None;
             }
         }
