@@ -43,6 +43,8 @@ pub(super) enum Command {
     Lsp(LspArguments),
     /// Format programs, so that their drawings stand in columns
     Fmt(FmtArguments),
+    /// Run the tests of programs
+    Test(TestArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
 }
@@ -224,6 +226,19 @@ pub(super) struct FmtArguments {
     /// Change nothing; exit code 1 if something is not formatted
     #[arg(long)]
     pub check: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct TestArguments {
+    /// Programs (.hedge)
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Only tests whose name holds this text
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+    /// What the answer looks like
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 #[derive(Debug, Args)]

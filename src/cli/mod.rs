@@ -23,6 +23,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod test;
 mod view;
 mod witness;
 
@@ -53,6 +54,7 @@ pub fn main() -> ExitCode {
         Command::View(arguments) => view::view(&arguments),
         Command::Lsp(arguments) => lsp::lsp(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
+        Command::Test(arguments) => test::test(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     };
     match done {

@@ -127,6 +127,7 @@ pub(super) fn resolve_body(
         loops: 0,
         updating: false,
         returns: Returns::of_function(signature, cycles),
+        testing: None,
     };
     let requires = requires(asked, &signature.name, &mut scripting.typing);
     let block = scripting.body(written);

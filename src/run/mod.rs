@@ -27,6 +27,7 @@ mod visit;
 mod apply;
 mod argument;
 mod report;
+mod testing;
 
 pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
@@ -34,3 +35,4 @@ pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
 pub use steps::plan_steps;
+pub use testing::{Load, test};

@@ -99,3 +99,8 @@ fn scripts() {
 fn functions() {
     check("functions.md");
 }
+
+#[test]
+fn tests() {
+    check("tests.md");
+}
