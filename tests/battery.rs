@@ -316,7 +316,8 @@ fn bases() -> Vec<Op> {
             analysis.diagnostics
         );
         for op in analysis.program.ops.into_iter().filter_map(|op| op.diagram) {
-            for rule in &op.rules {
+            // Families have a battery of their own.
+            for rule in op.rules.iter().filter(|rule| !rule.has_families()) {
                 let mut base = op.clone();
                 let mut rule = rule.clone();
                 rule.requires.clear();

@@ -12,12 +12,13 @@
 
 mod reference;
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use hedgerow::analysis::{Analysis, RuleVerdict, verdicts};
-use hedgerow::diagram::{Op, Type};
-use hedgerow::mesh::{ElementKind, Mesh, read_obj, shape, validate};
+use hedgerow::diagram::{Naming, Op, Rule, Type, Unrolled};
+use hedgerow::mesh::{ElementKind, FaceId, Mesh, VertexId, read_obj, shape, validate};
 use hedgerow::rewrite::{Machine, Outcome, Phase, Plan};
 use hedgerow::source::Sources;
 
@@ -82,6 +83,52 @@ fn subjects() -> Vec<Subject> {
     subjects
 }
 
+/// An alternative of an op as it is at some place: one with families is unrolled.
+struct Alternative<'s> {
+    rule: Cow<'s, Rule>,
+    verdict: &'s RuleVerdict,
+    size: i64,
+}
+
+impl Subject {
+    /// The alternatives at a place. Families are as long as the orbit that is given, or a
+    /// part of it.
+    fn alternatives(&self, mesh: &Mesh, arguments: &[u32]) -> Vec<Alternative<'_>> {
+        let mut alternatives = Vec::new();
+        for (rule, verdict) in self.op.rules.iter().zip(&self.rules) {
+            if !rule.has_families() {
+                let rule = Cow::Borrowed(rule);
+                alternatives.push(Alternative {
+                    rule,
+                    verdict,
+                    size: 0,
+                });
+                continue;
+            }
+            let long = self
+                .op
+                .params
+                .iter()
+                .zip(arguments)
+                .map(|(param, &element)| match param.ty {
+                    Type::Face => mesh.face_size(FaceId(element)),
+                    Type::Vertex => mesh.degree(VertexId(element)),
+                    _ => 1,
+                });
+            let long = long.max().unwrap_or(1);
+            for size in (1..=long).filter(|size| long % size == 0) {
+                let unrolled = Unrolled::new(rule, size as u32, Naming::Numbers);
+                alternatives.push(Alternative {
+                    rule: Cow::Owned(unrolled.rule),
+                    verdict,
+                    size: size as i64,
+                });
+            }
+        }
+        alternatives
+    }
+}
+
 /// What became of the calls of one op.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
@@ -112,12 +159,8 @@ impl<'s> Comparison<'s> {
     }
 
     fn at(&mut self, original: &Mesh, mesh: &mut Mesh, arguments: &[u32]) {
-        let Subject {
-            name,
-            op,
-            plan,
-            rules,
-        } = self.subject;
+        let Subject { name, op, plan, .. } = self.subject;
+        let alternatives = self.subject.alternatives(original, arguments);
         let place = || format!("{name} at {arguments:?}");
         let mut slots: Vec<u64> = arguments
             .iter()
@@ -126,10 +169,11 @@ impl<'s> Comparison<'s> {
         let values = op.params.iter().filter(|param| !param.ty.is_element());
         // The values of the examples are bounds that shall not matter here.
         slots.extend(values.map(|_| 1e9_f64.to_bits()));
-        let found: Vec<Vec<Match>> = op
-            .rules
+        let found: Vec<Vec<Match>> = alternatives
             .iter()
-            .map(|rule| matches(rule, original, &bound_by(rule, arguments), 10_000))
+            .map(|Alternative { rule, .. }| {
+                matches(rule, original, &bound_by(rule, arguments), 10_000)
+            })
             .collect();
         let any = found.iter().any(|matches| !matches.is_empty());
         self.tally.places += 1;
@@ -175,7 +219,8 @@ impl<'s> Comparison<'s> {
         }
         // The first rule that matches and asks nothing is the last that can be the one.
         let mut agrees = false;
-        for ((rule, verdict), found) in op.rules.iter().zip(rules).zip(&found) {
+        for (alternative, found) in alternatives.iter().zip(&found) {
+            let (rule, verdict) = (&*alternative.rule, alternative.verdict);
             let mut candidates: Vec<&Match> = found.iter().collect();
             if !asks(rule) && !found.is_empty() {
                 let first = self.first_orientations(original, rule, found, arguments);
@@ -187,13 +232,13 @@ impl<'s> Comparison<'s> {
                 let literal = rewrite(rule, original, found).expect("every name is bound");
                 untrue(rule, &literal).is_none()
                     && same_result(original, mesh, &literal.mesh)
-                    && same_positions(mesh, &literal.mesh)
+                    && (!literal.placed || same_positions(mesh, &literal.mesh))
             });
             if agrees {
-                assert_eq!(
-                    changes(original, mesh),
-                    [verdict.vertices, verdict.edges, verdict.faces]
-                );
+                let once = [verdict.vertices, verdict.edges, verdict.faces];
+                let each = verdict.per_index.unwrap_or_default();
+                let expected = [0, 1, 2].map(|at| once[at] + each[at] * alternative.size);
+                assert_eq!(changes(original, mesh), expected);
                 break;
             }
             if !asks(rule) && !found.is_empty() {
@@ -206,12 +251,16 @@ impl<'s> Comparison<'s> {
             place(),
             mesh_text(original),
             mesh_text(mesh),
-            op.rules
+            alternatives
                 .iter()
                 .zip(&found)
-                .flat_map(|(rule, found)| found
-                    .iter()
-                    .map(move |found| rewrite(rule, original, found)))
+                .flat_map(
+                    |(alternative, found)| found.iter().map(move |found| rewrite(
+                        &alternative.rule,
+                        original,
+                        found
+                    ))
+                )
                 .flatten()
                 .map(|literal| mesh_text(&literal.mesh) + "or\n")
                 .collect::<String>(),
@@ -396,7 +445,15 @@ fn ops_do_what_is_drawn_on_random_maps() {
     // Random maps are too crooked for some ops; around these they are at home.
     for subject in &subjects() {
         for rule in &subject.op.rules {
-            let around = || reference::completion::complete(rule, &mut random);
+            let sizes = if rule.has_families() { 1..=5 } else { 1..=1 };
+            let unrolled: Vec<_> = sizes
+                .map(|size| Unrolled::new(rule, size, Naming::Numbers).rule)
+                .collect();
+            let mut turn = 0;
+            let around = || {
+                turn += 1;
+                reference::completion::complete(&unrolled[turn % unrolled.len()], &mut random)
+            };
             let found = std::iter::repeat_with(around).take(40).flatten();
             let found: Vec<_> = found.map(|completion| completion.mesh).collect();
             meshes.extend(
@@ -439,7 +496,10 @@ fn large(path: &str) {
             .filter(|param| param.ty.is_element());
         match elements_drawn.count() {
             1 => {
-                for place in places(&original, &subject.op) {
+                let families = subject.op.rules.iter().any(Rule::has_families);
+                // Each of them rewrites the whole mesh many times.
+                let step = if families { 7 } else { 1 };
+                for place in places(&original, &subject.op).into_iter().step_by(step) {
                     comparison.at(&original, &mut mesh, &place);
                 }
             }

@@ -45,6 +45,9 @@ pub struct RuleVerdict {
     pub edges: i64,
     /// The change of the number of faces and holes.
     pub faces: i64,
+    /// What comes for each index, if there are families: vertices, edges, faces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub per_index: Option<[i64; 3]>,
     /// Whether it takes constant time.
     pub constant_time: bool,
     /// What the time grows with otherwise.
@@ -108,10 +111,13 @@ impl RuleVerdict {
             vertices: facts.change.vertices,
             edges: facts.change.edges,
             faces: facts.change.faces,
+            per_index: facts
+                .per_index
+                .map(|change| [change.vertices, change.edges, change.faces]),
             constant_time: facts.grows_with.is_empty(),
             grows_with: facts.grows_with.clone(),
             keeps: facts.keeps.iter().map(|property| property.word()).collect(),
-            guard: GuardVerdict::new(rule, proof),
+            guard: GuardVerdict::new(proof.drawn(rule), proof),
             degrees: changes(&facts.degrees),
             sizes: changes(&facts.sizes),
         }
@@ -124,9 +130,15 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
         .filter(|change| !change.is_nothing())
         .map(|change| {
             let constant = (change.constant != 0).then(|| format!("{:+}", change.constant));
+            let per_index = (change.per_index != 0).then(|| format!("{:+}n", change.per_index));
             let gains = change.gains.iter().map(|run| format!("+{run}"));
             let loses = change.loses.iter().map(|run| format!("-{run}"));
-            let parts: Vec<_> = constant.into_iter().chain(gains).chain(loses).collect();
+            let parts: Vec<_> = constant
+                .into_iter()
+                .chain(per_index)
+                .chain(gains)
+                .chain(loses)
+                .collect();
             (change.element.clone(), parts.join(" "))
         });
     told.collect()

@@ -78,33 +78,100 @@ pub(super) fn arrangements(
                 .collect(),
         );
     }
-    let mut order: Vec<_> = (0..count).filter(|at| !settled.contains(at)).collect();
-    let ways = (1..order.len()).try_fold(1_usize, |ways, factor| ways.checked_mul(factor))?;
-    if ways > MOST {
-        return None;
-    }
-    let mut found = Vec::new();
-    let behind = order.len().min(1);
-    order.splice(behind..behind, settled.iter().copied());
-    permute(&mut order, behind + settled.len(), &mut |order| {
-        let way = read(drawing, corner, order);
-        found.extend(way.map(|way| Arrangement {
-            stands_for_others: !settled.is_empty(),
-            ..way
-        }));
-    });
-    Some(found)
+    let mut orders = Orders::new(drawing, corner, settled);
+    let behind = orders.order.len().min(1);
+    orders.order.splice(behind..behind, settled.iter().copied());
+    orders.extend(behind + settled.len());
+    (orders.tried <= MOST).then_some(orders.found)
 }
 
-/// Calls back with each order of the elements from `fixed` on.
-fn permute(order: &mut [usize], fixed: usize, tell: &mut impl FnMut(&[usize])) {
-    if fixed >= order.len() {
-        return tell(order);
+/// The orders of the chains of a vertex, one after the other.
+struct Orders<'a> {
+    drawing: &'a Drawing<'a>,
+    corner: &'a Corner,
+    /// For each chain the listed spokes on it, by their places in the vertex statement, read
+    /// clockwise.
+    listed: Vec<Vec<usize>>,
+    /// How many spokes the vertex statement lists.
+    stated: usize,
+    order: Vec<usize>,
+    stands_for_others: bool,
+    tried: usize,
+    found: Vec<Arrangement>,
+}
+
+impl<'a> Orders<'a> {
+    fn new(drawing: &'a Drawing<'a>, corner: &'a Corner, settled: &[usize]) -> Self {
+        let star = drawing.before.star(corner.vertex);
+        let stated: Vec<NameId> = star.map_or_else(Vec::new, |star| {
+            let halfedges = star.spokes.iter().rev().filter_map(|spoke| match spoke {
+                Spoke::Halfedge(half) => Some(half.name),
+                Spoke::Fan(_) | Spoke::Rest(_) => None,
+            });
+            halfedges.collect()
+        });
+        let places = |ports: &[Port]| -> Vec<usize> {
+            let spokes = ports.iter().filter_map(|port| match port {
+                Port::Out(item) => stated.iter().position(|half| half == item),
+                Port::In(_) => None,
+            });
+            spokes.collect()
+        };
+        let chains = corner.chains.iter();
+        let listed: Vec<_> = chains.map(|chain| places(&chain.ports)).collect();
+        let mut order: Vec<_> = (0..listed.len())
+            .filter(|at| !settled.contains(at))
+            .collect();
+        // A chain with a listed spoke says where the others have to be.
+        if let Some(first) = order.iter().position(|&at| !listed[at].is_empty()) {
+            order.swap(0, first);
+        }
+        Self {
+            drawing,
+            corner,
+            listed,
+            stated: stated.len(),
+            order,
+            stands_for_others: !settled.is_empty(),
+            tried: 0,
+            found: Vec::new(),
+        }
     }
-    for pick in fixed..order.len() {
-        order.swap(fixed, pick);
-        permute(order, fixed + 1, tell);
-        order.swap(fixed, pick);
+
+    /// Goes through each order of the chains from `fixed` on. What contradicts the order of
+    /// the listed spokes is left out early.
+    fn extend(&mut self, fixed: usize) {
+        if self.tried > MOST || !self.agrees_so_far(fixed) {
+            return;
+        }
+        if fixed >= self.order.len() {
+            self.tried += 1;
+            let way = read(self.drawing, self.corner, &self.order);
+            self.found.extend(way.map(|way| Arrangement {
+                stands_for_others: self.stands_for_others,
+                ..way
+            }));
+            return;
+        }
+        for pick in fixed..self.order.len() {
+            self.order.swap(fixed, pick);
+            self.extend(fixed + 1);
+            self.order.swap(fixed, pick);
+        }
+    }
+
+    /// Whether the listed spokes of the first chains follow each other as stated.
+    fn agrees_so_far(&self, fixed: usize) -> bool {
+        let chains = self.order.iter().take(fixed);
+        let mut spokes = chains.flat_map(|&chain| &self.listed[chain]);
+        let Some(&first) = spokes.next() else {
+            return true;
+        };
+        let mut at = first;
+        spokes.all(|&spoke| {
+            at = (at + 1) % self.stated.max(1);
+            spoke == at
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::matching::{Bound, Claim, Source, Step};
 use super::reach::Reach;
-use crate::diagram::{Kind, Loop, LoopKind, NameId, Spoke};
+use crate::diagram::{Kind, Loop, LoopKind, NameId, Spoke, Star};
 
 impl Reach<'_> {
     /// Everything the drawing claims that binding has not used.
@@ -34,6 +34,9 @@ impl Reach<'_> {
         for orbit in &rule.before.loops {
             let face = orbit.face.name;
             let count = orbit.items.len();
+            if !rule.is_first(face) {
+                continue;
+            }
             let is_path = |at: usize| rule.kind(orbit.items[at % count].item.name) == Kind::Path;
             for (at, item) in orbit.items.iter().enumerate() {
                 // A halfedge behind a path begins a piece, or the first one of all does.
@@ -43,7 +46,7 @@ impl Reach<'_> {
                     Source::Face(Bound::Element(item.item.name)),
                     Bound::Element(face),
                 );
-                if begins && !self.has_step(&claim) {
+                if begins && rule.is_first(item.item.name) && !self.has_step(&claim) {
                     claims.push(claim);
                 }
             }
@@ -54,7 +57,12 @@ impl Reach<'_> {
                     continue;
                 };
                 let claim = Claim::Leads(source, Bound::Element(corner.vertex));
-                if !self.has_step(&claim) {
+                let by = -i64::from(rule.index(claim.names()[0]));
+                let claim = Claim::Leads(
+                    source.turned(rule, by),
+                    Bound::Element(rule.turned(corner.vertex, by)),
+                );
+                if !claims.contains(&claim) && !self.has_step(&claim) {
                     claims.push(claim);
                 }
             }
@@ -64,9 +72,15 @@ impl Reach<'_> {
 
     /// Whether the claim is a step already, as a test or as what binds its name.
     fn has_step(&self, claim: &Claim) -> bool {
+        let rule = self.drawing.rule;
         self.steps.iter().any(|step| match (step, claim) {
             (Step::Test(test), claim) => test == claim,
-            (Step::Bind { name, source }, Claim::Leads(from, to)) => name == to && source == from,
+            // What one member binds is not yet said of all of them.
+            (Step::Bind { name, source }, Claim::Leads(from, to)) => {
+                name == to
+                    && source == from
+                    && rule.is_member(name.name()) == rule.is_member(source.from().name())
+            }
             _ => false,
         })
     }
@@ -75,77 +89,52 @@ impl Reach<'_> {
         let loops = self.drawing.rule.before.loops.iter();
         loops
             .filter(|orbit| orbit.kind != LoopKind::Any)
+            .filter(|orbit| self.drawing.rule.is_first(orbit.face.name))
             .map(|orbit| Claim::Kind(orbit.face.name, orbit.kind))
             .collect()
     }
 
-    fn drawn(&self, kind: Kind) -> Vec<NameId> {
-        let names = self.drawing.rule.names_of(kind);
-        names
-            .filter(|&name| self.drawing.before.mention(name).is_some())
-            .collect()
-    }
-
+    /// Pairs of single names are compared one by one; families all at once.
     fn distinct_claims(&self) -> Vec<Claim> {
+        let rule = self.drawing.rule;
         let mut claims = Vec::new();
-        let mut pairs = |names: &[NameId], implied: &dyn Fn(NameId, NameId) -> bool| {
-            for (at, &left) in names.iter().enumerate() {
-                for &right in &names[at + 1..] {
-                    if !implied(left, right) {
-                        claims.push(Claim::Distinct(left, right));
+        for kind in [Kind::Vertex, Kind::Halfedge, Kind::Face] {
+            let mut all = Vec::new();
+            for &[left, right] in &self.same {
+                if rule.kind(left) != kind {
+                    continue;
+                }
+                if !rule.is_member(left) && !rule.is_member(right) {
+                    claims.push(Claim::Distinct(left, right));
+                    continue;
+                }
+                for name in [left, right] {
+                    if !all.contains(&name) {
+                        all.push(name);
                     }
                 }
             }
-        };
-        pairs(&self.drawn(Kind::Vertex), &|_, _| false);
-        pairs(&self.drawn(Kind::Halfedge), &|left, right| {
-            self.differ(left, right)
-        });
-        pairs(&self.drawn(Kind::Face), &|left, right| {
-            self.faces_differ(left, right)
-        });
-        // Two edges are distinct because their halfedges are.
+            if !all.is_empty() {
+                claims.push(Claim::AllDistinct(all));
+            }
+        }
         claims
-    }
-
-    /// Whether two halfedges are surely distinct, given that the vertices are.
-    fn differ(&self, left: NameId, right: NameId) -> bool {
-        let drawing = self.drawing;
-        let origins = drawing.origin_before(left) != drawing.origin_before(right);
-        let targets = drawing.target_before(left) != drawing.target_before(right);
-        origins || targets || drawing.before.twin(left) == Some(right)
-    }
-
-    /// Whether two faces are surely distinct: of different kinds, or one is drawn in full
-    /// and a halfedge of the other is none of its own.
-    fn faces_differ(&self, left: NameId, right: NameId) -> bool {
-        let view = &self.drawing.before;
-        let (Some(left), Some(right)) = (view.loop_of_face(left), view.loop_of_face(right)) else {
-            return false;
-        };
-        let halfedge = |item: NameId| self.drawing.rule.kind(item) == Kind::Halfedge;
-        let apart =
-            |full: &Loop, other: &Loop| {
-                let in_full: Vec<_> = full.items.iter().map(|item| item.item.name).collect();
-                in_full.iter().all(|&item| halfedge(item))
-                    && other.items.iter().map(|item| item.item.name).any(|item| {
-                        halfedge(item) && in_full.iter().all(|&own| self.differ(own, item))
-                    })
-            };
-        let kinds = (left.kind, right.kind);
-        matches!(
-            kinds,
-            (LoopKind::Face, LoopKind::Hole) | (LoopKind::Hole, LoopKind::Face)
-        ) || apart(left, right)
-            || apart(right, left)
     }
 
     /// The order of three or more pieces of a loop, or of a star.
     fn order_claims(&self) -> Vec<Claim> {
         let rule = self.drawing.rule;
         let mut claims = Vec::new();
-        let mut in_order = |along_loop: bool, pieces: &[NameId]| {
-            if pieces.len() < 3 {
+        let size = rule.size().unwrap_or(1) as usize;
+        let mut in_order = |along_loop: bool, each: bool, pieces: &[NameId]| {
+            if each && !pieces.is_empty() {
+                let halfedges = pieces[..pieces.len() / size].to_vec();
+                claims.push(Claim::AroundInOrder {
+                    along_loop,
+                    halfedges,
+                });
+            }
+            if each || pieces.len() < 3 {
                 return;
             }
             for at in 1..pieces.len() - 1 {
@@ -156,7 +145,8 @@ impl Reach<'_> {
                 });
             }
         };
-        for orbit in &rule.before.loops {
+        let first = |orbit: &&Loop| rule.is_first(orbit.face.name);
+        for orbit in rule.before.loops.iter().filter(first) {
             let count = orbit.items.len();
             let is_path = |at: usize| rule.kind(orbit.items[at % count].item.name) == Kind::Path;
             let behind_path = |&at: &usize| is_path(at + count - 1) && !is_path(at);
@@ -164,9 +154,10 @@ impl Reach<'_> {
                 .filter(behind_path)
                 .map(|at| orbit.items[at].item.name)
                 .collect();
-            in_order(true, &pieces);
+            in_order(true, orbit.each, &pieces);
         }
-        for star in &rule.before.stars {
+        let first = |star: &&Star| rule.is_first(star.vertex.name);
+        for star in rule.before.stars.iter().filter(first) {
             let count = star.spokes.len();
             let pieces: Vec<_> = (0..count)
                 .filter_map(
@@ -176,7 +167,7 @@ impl Reach<'_> {
                     },
                 )
                 .collect();
-            in_order(false, &pieces);
+            in_order(false, star.each, &pieces);
         }
         claims
     }
@@ -184,14 +175,20 @@ impl Reach<'_> {
     /// A loop of `after` may not be left without halfedges.
     fn emptiness_claims(&self) -> Vec<Claim> {
         let mut claims = Vec::new();
-        for orbit in &self.drawing.rule.after.loops {
+        let rule = self.drawing.rule;
+        let size = rule.size().unwrap_or(1) as usize;
+        for orbit in &rule.after.loops {
             let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
             let may_be_empty = |&item: &NameId| {
-                self.drawing.rule.kind(item) == Kind::Path && self.drawing.may_be_empty(item)
+                rule.kind(item) == Kind::Path && self.drawing.is_empty_at_some_size(item)
             };
-            if items.iter().all(may_be_empty) {
-                claims.push(Claim::NotAllEmpty(items));
+            if !rule.is_first(orbit.face.name) || !items.iter().all(may_be_empty) {
+                continue;
             }
+            claims.push(match orbit.each {
+                true => Claim::NotAllEmptyAround(items[..items.len() / size].to_vec()),
+                false => Claim::NotAllEmpty(items),
+            });
         }
         claims
     }

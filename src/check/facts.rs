@@ -1,8 +1,9 @@
 //! What a proof establishes besides validity: the change of the counts, and the cost.
 
+use super::families::Sizes;
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
-use super::properties::{SizeChange, degree_changes, kept, size_changes};
+use super::properties::{SizeChange, degree_changes, evenly, kept, kept_by_families, size_changes};
 use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
 
 /// What was established of a rule.
@@ -10,8 +11,10 @@ use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
 pub struct Facts {
     /// How many ways the mesh around the drawing can lie, all of them looked at.
     pub cases: usize,
-    /// How the numbers of elements change.
+    /// How the numbers of elements change; with families, apart from what comes per index.
     pub change: Change,
+    /// How they change for each index, if there are families.
+    pub per_index: Option<Change>,
     /// What the time grows with, in words; nothing if it is constant.
     pub grows_with: Vec<String>,
     /// Everything that is kept besides validity, declared or not.
@@ -34,12 +37,20 @@ pub struct Change {
 }
 
 impl Change {
+    fn minus(self, other: Self) -> Self {
+        Self {
+            vertices: self.vertices - other.vertices,
+            edges: self.edges - other.edges,
+            faces: self.faces - other.faces,
+        }
+    }
+
     /// The change of V - E + F.
     pub fn euler(self) -> i64 {
         self.vertices - self.edges + self.faces
     }
 
-    fn of(rule: &Rule) -> Self {
+    pub(super) fn of(rule: &Rule) -> Self {
         let count = |kind: Kind| {
             let of = |names: &[crate::diagram::Ref]| {
                 names
@@ -70,6 +81,7 @@ impl Facts {
         Self {
             cases,
             change,
+            per_index: None,
             keeps: kept(drawing, change, &grows_with),
             grows_with,
             degrees: degree_changes(drawing),
@@ -78,11 +90,45 @@ impl Facts {
     }
 }
 
+impl Facts {
+    /// The same for a rule with families: what is kept on cycles of all sizes.
+    pub(super) fn of_families(
+        sizes: &Sizes,
+        matching: &[Step],
+        guard: &[Obligation],
+        cases: usize,
+    ) -> Self {
+        let drawing = Drawing::new(&sizes.large.rule);
+        let grows_with = grows_with(&drawing, matching, guard);
+        // All counts grow evenly with the size.
+        let counts: Vec<_> = sizes
+            .small
+            .iter()
+            .map(|one| Change::of(&one.rule))
+            .collect();
+        let per_index = counts[1].minus(counts[0]);
+        Self {
+            cases,
+            change: counts[0].minus(per_index),
+            per_index: Some(per_index),
+            keeps: kept_by_families(sizes, &grows_with),
+            grows_with,
+            degrees: evenly(sizes, degree_changes),
+            sizes: evenly(sizes, size_changes),
+        }
+    }
+}
+
 fn grows_with(drawing: &Drawing, matching: &[Step], guard: &[Obligation]) -> Vec<String> {
     let rule = drawing.rule;
     let mut grows = Vec::new();
     let attempts = matching.iter().filter_map(|step| match step {
-        Step::Attempt { element, .. } => Some(*element),
+        Step::Attempt {
+            element,
+            tries: None,
+            ..
+        } => Some(*element),
+        Step::Walk { orbit, .. } => Some(*orbit),
         _ => None,
     });
     for element in attempts {
@@ -108,8 +154,11 @@ fn grows_with(drawing: &Drawing, matching: &[Step], guard: &[Obligation]) -> Vec
             grows.extend(orbit);
         }
     }
-    grows.extend(moved_paths(drawing).map(|path| format!("the length of {}", rule.quoted(path))));
-    grows.extend(moved_fans(drawing).map(|fan| format!("the size of {}", rule.quoted(fan))));
+    let first = |run: &NameId| rule.is_first(*run);
+    let paths = moved_paths(drawing).filter(first);
+    grows.extend(paths.map(|path| format!("the length of {}", rule.quoted(path))));
+    let fans = moved_fans(drawing).filter(first);
+    grows.extend(fans.map(|fan| format!("the size of {}", rule.quoted(fan))));
     let tests = guard.iter().filter(|obligation| obligation.is_test());
     grows.extend(tests.filter_map(|test| test.statement.grows_with(rule)));
     let mut seen = Vec::new();

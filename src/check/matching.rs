@@ -3,8 +3,11 @@
 //! Matching never searches. Starting from the parameters, each name follows from one that
 //! is bound by one pointer; what the drawing claims beyond that is tested. The proof holds
 //! for every place where these tests pass.
+//!
+//! Of a rule with families the names are those of the rule unrolled; a step with members of
+//! families stands for one at each index, written out for index 0.
 
-use crate::diagram::{LoopKind, NameId};
+use crate::diagram::{LoopKind, NameId, Rule};
 
 /// Something that gets bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -59,6 +62,16 @@ pub enum Step {
         element: NameId,
         /// The halfedge that is bound.
         halfedge: NameId,
+        /// How many are tried, if not all: further ones would match alike.
+        tries: Option<u16>,
+    },
+    /// Walks an orbit that is drawn with `each`, once around, from a halfedge that is known.
+    /// The halfedges are those of one period; they bind their families.
+    Walk {
+        /// The face or vertex.
+        orbit: NameId,
+        /// One period, the known halfedge first.
+        halfedges: Vec<NameId>,
     },
     /// Binds a name.
     Bind {
@@ -90,4 +103,100 @@ pub enum Claim {
     },
     /// Not all of these paths are empty.
     NotAllEmpty(Vec<NameId>),
+    /// The member at index 0 of a family is the halfedge that was given.
+    Begins(NameId),
+    /// All these names, and all members of the families among them, are different elements.
+    AllDistinct(Vec<NameId>),
+    /// Going along the loop, or around the vertex, the halfedges of a period follow each other
+    /// index by index, once around.
+    AroundInOrder {
+        /// Whether along a loop; else around a vertex.
+        along_loop: bool,
+        /// Those of one period.
+        halfedges: Vec<NameId>,
+    },
+    /// Not all members of these families of paths are empty.
+    NotAllEmptyAround(Vec<NameId>),
+}
+
+impl Bound {
+    /// The name.
+    pub fn name(self) -> NameId {
+        match self {
+            Bound::Element(name) | Bound::First(name) | Bound::Last(name) => name,
+        }
+    }
+
+    /// The same for the member that is `by` further around the cycle.
+    pub fn turned(self, rule: &Rule, by: i64) -> Self {
+        match self {
+            Bound::Element(name) => Bound::Element(rule.turned(name, by)),
+            Bound::First(name) => Bound::First(rule.turned(name, by)),
+            Bound::Last(name) => Bound::Last(rule.turned(name, by)),
+        }
+    }
+}
+
+impl Source {
+    /// What it starts from.
+    pub fn from(self) -> Bound {
+        match self {
+            Source::Next(from)
+            | Source::Prev(from)
+            | Source::Twin(from)
+            | Source::Origin(from)
+            | Source::Target(from)
+            | Source::Edge(from)
+            | Source::Face(from)
+            | Source::Counterclockwise(from)
+            | Source::Clockwise(from) => from,
+            Source::FaceHalfedge(face) => Bound::Element(face),
+        }
+    }
+
+    /// The same for the member that is `by` further around the cycle.
+    pub fn turned(self, rule: &Rule, by: i64) -> Self {
+        match self {
+            Source::Next(from) => Source::Next(from.turned(rule, by)),
+            Source::Prev(from) => Source::Prev(from.turned(rule, by)),
+            Source::Twin(from) => Source::Twin(from.turned(rule, by)),
+            Source::Origin(from) => Source::Origin(from.turned(rule, by)),
+            Source::Target(from) => Source::Target(from.turned(rule, by)),
+            Source::Edge(from) => Source::Edge(from.turned(rule, by)),
+            Source::Face(from) => Source::Face(from.turned(rule, by)),
+            Source::Counterclockwise(from) => Source::Counterclockwise(from.turned(rule, by)),
+            Source::Clockwise(from) => Source::Clockwise(from.turned(rule, by)),
+            Source::FaceHalfedge(face) => Source::FaceHalfedge(rule.turned(face, by)),
+        }
+    }
+}
+
+impl Claim {
+    /// The names that it speaks of, in order.
+    pub fn names(&self) -> Vec<NameId> {
+        match self {
+            Claim::Leads(source, to) => vec![source.from().name(), to.name()],
+            Claim::Distinct(left, right) => vec![*left, *right],
+            Claim::Kind(face, _) => vec![*face],
+            Claim::InOrder { halfedges, .. } => halfedges.to_vec(),
+            Claim::NotAllEmpty(names)
+            | Claim::AllDistinct(names)
+            | Claim::AroundInOrder {
+                halfedges: names, ..
+            }
+            | Claim::NotAllEmptyAround(names) => names.clone(),
+            Claim::Begins(name) => vec![*name],
+        }
+    }
+
+    /// Whether it is made once for every index, though its names are those of one.
+    pub fn is_repeated(&self, rule: &Rule) -> bool {
+        match self {
+            Claim::Begins(_)
+            | Claim::AllDistinct(_)
+            | Claim::AroundInOrder { .. }
+            | Claim::NotAllEmptyAround(_) => false,
+            _ => self.names().iter().any(|&name| rule.is_member(name)),
+        }
+    }
 }

@@ -61,7 +61,7 @@ impl Remedy {
             Remedy::Erase(names) => {
                 mended
                     .erased
-                    .extend(names.iter().map(|&name| Ref { name, span }));
+                    .extend(names.iter().map(|&name| Ref::plain(name, span)));
             }
             Remedy::Keep(name) => {
                 let before = Drawing::new(rule).before;
@@ -74,10 +74,10 @@ impl Remedy {
                     Kind::Vertex => mended.after.stars.extend(before.star(*name).cloned()),
                     Kind::Halfedge | Kind::Path | Kind::Fan => return None,
                 }
-                mended.after.kept.push(Ref { name: *name, span });
+                mended.after.kept.push(Ref::plain(*name, span));
             }
             Remedy::Pair { edge, halfedges } => {
-                let mention = |name| Ref { name, span };
+                let mention = |name| Ref::plain(name, span);
                 let halfedges = halfedges.map(mention);
                 mended.after.edges.push(Edge {
                     edge: mention(*edge),

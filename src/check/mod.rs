@@ -17,19 +17,26 @@
 //! 7. [`vertices_are_orbits`], by way of [`port`]s, [`chain`]s and [`arrangement`]s;
 //! 8. [`new_is_placed`].
 //!
+//! Rules with [`families`] are unrolled, and proved for cycles of every size at once by the
+//! argument of [`voltage`].
+//!
 //! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
 //! [`reach`] finds the order in which the names are bound, and [`properties`] holds what
 //! `keeps` claims against the drawing; for the levels, and for what a guard has to test, it
 //! asks [`guard`]. Only this layer makes a [`Proved`], and only that can be compiled. Nothing
 //! here knows the machine.
 
+mod apart;
 mod argument;
+mod around;
 mod arrangement;
 mod case;
 mod chain;
 mod claims;
 mod ends_agree;
 mod facts;
+mod families;
+mod fold;
 pub mod guard;
 mod keeps;
 pub mod matching;
@@ -38,6 +45,7 @@ mod names_are_accounted_for;
 mod new_is_placed;
 mod next_is_permutation;
 mod nothing_dangles;
+mod pointer;
 mod port;
 mod problem;
 mod properties;
@@ -49,6 +57,7 @@ mod star_order;
 mod twin_is_involution;
 mod unknown_names;
 mod vertices_are_orbits;
+mod voltage;
 mod witness;
 
 pub use argument::Argument;

@@ -5,10 +5,12 @@
 //! halfedges, in which the length of a path follows from the loop it comes from.
 
 use super::facts::Change;
+use super::families::Sizes;
+use super::guard::Obligation;
 use super::keeps;
 use super::problem::{Problem, join};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Op, Property};
+use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Op, Property, Rule};
 
 /// The change of a degree or a size: a constant, and the runs that come and go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,6 +19,8 @@ pub struct SizeChange {
     pub element: String,
     /// What the drawn halfedges make of it.
     pub constant: i64,
+    /// What those of families make of it, for each index.
+    pub per_index: i64,
     /// The fans or paths that come.
     pub gains: Vec<String>,
     /// The fans or paths that go.
@@ -26,7 +30,7 @@ pub struct SizeChange {
 impl SizeChange {
     /// Whether it stays what it is.
     pub fn is_nothing(&self) -> bool {
-        self.constant == 0 && self.gains.is_empty() && self.loses.is_empty()
+        self.constant == 0 && self.per_index == 0 && self.gains.is_empty() && self.loses.is_empty()
     }
 }
 
@@ -41,6 +45,84 @@ pub(super) fn kept(drawing: &Drawing, change: Change, grows_with: &[String]) -> 
         Property::Level(level) => keeps::left_to_test(drawing, *level).is_empty(),
     };
     Property::ALL.into_iter().filter(keeps).collect()
+}
+
+/// Everything that a rule with families keeps, whatever the size of the cycle.
+pub(super) fn kept_by_families(sizes: &Sizes, grows_with: &[String]) -> Vec<Property> {
+    let all: Vec<_> = std::iter::once(&sizes.large)
+        .chain(&sizes.small)
+        .map(|one| (Drawing::new(&one.rule), Change::of(&one.rule)))
+        .collect();
+    let at_all = |holds: &dyn Fn(&Drawing, Change) -> bool| {
+        all.iter().all(|(drawing, change)| holds(drawing, *change))
+    };
+    // Where all faces have a size, cycles of another may not match at all.
+    let of_size = |size: i64| {
+        let fits = |drawing: &Drawing| matches_faces_of(drawing, size);
+        all.iter().any(|(drawing, _)| fits(drawing))
+            && at_all(&|drawing, _| !fits(drawing) || keeps_size(drawing, size))
+    };
+    let keeps = |property: &Property| match property {
+        Property::Triangles => of_size(3),
+        Property::Quads => of_size(4),
+        Property::Euler => at_all(&|_, change| change.euler() == 0),
+        Property::Boundary => at_all(&|drawing, _| keeps_boundary(drawing)),
+        Property::ConstantTime => grows_with.is_empty(),
+        Property::Level(level) => {
+            let guarded = sizes
+                .large
+                .rule
+                .guard
+                .is_some_and(|(guard, _)| guard >= *level);
+            guarded || !sizes.obligations(*level).iter().any(Obligation::is_test)
+        }
+    };
+    Property::ALL.into_iter().filter(keeps).collect()
+}
+
+/// Changes of degrees or sizes on cycles of any size: they grow evenly, so two sizes tell.
+pub(super) fn evenly(
+    sizes: &Sizes,
+    changes: impl Fn(&Drawing) -> Vec<SizeChange>,
+) -> Vec<SizeChange> {
+    let large = &sizes.large.rule;
+    let Some([shorter, longer]) = sizes.small.last_chunk() else {
+        return Vec::new();
+    };
+    let [shorter, longer] =
+        [shorter, longer].map(|one| (i64::from(one.size()), changes(&Drawing::new(&one.rule))));
+    let mut found = changes(&Drawing::new(large));
+    for (at, change) in found.iter_mut().enumerate() {
+        let constant = |changes: &[SizeChange]| changes.get(at).map_or(0, |change| change.constant);
+        let (less, more) = (constant(&shorter.1), constant(&longer.1));
+        change.per_index = (more - less) / (longer.0 - shorter.0);
+        change.constant = less - change.per_index * shorter.0;
+        // All members of a family come and go together.
+        for runs in [&mut change.gains, &mut change.loses] {
+            let families = runs.iter().map(|run| family_of(large, run));
+            let counts: Vec<_> = families.collect();
+            let mut at = 0;
+            runs.retain(|_| {
+                let whole = counts
+                    .iter()
+                    .filter(|family| **family == counts[at])
+                    .count()
+                    > 2;
+                let first = !counts[..at].contains(&counts[at]);
+                at += 1;
+                !whole || first
+            });
+        }
+    }
+    found
+}
+
+/// The family that a member belongs to, by its word.
+fn family_of(rule: &Rule, word: &str) -> Option<NameId> {
+    let names = (0..rule.names.len() as u32).map(NameId);
+    let mut members = names.filter(|&name| rule.is_member(name));
+    let member = members.find(|&name| rule.name(name).text == word)?;
+    Some(rule.first_member(member))
 }
 
 /// What `keeps` declares and the rule does not keep.
@@ -122,18 +204,22 @@ fn keeps_size(drawing: &Drawing, size: i64) -> bool {
     wrong_size(drawing, size).is_none()
 }
 
-/// A face of `after` that may not have `size` halfedges, in words.
-fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
-    let impossible = drawing.rule.before.loops.iter().any(|orbit| {
+/// Whether the drawing matches where all faces have `size` halfedges.
+fn matches_faces_of(drawing: &Drawing, size: i64) -> bool {
+    drawing.rule.before.loops.iter().all(|orbit| {
         let paths = orbit
             .items
             .iter()
             .filter(|item| drawing.rule.kind(item.item.name) == Kind::Path);
         let paths = paths.count();
         let drawn = (orbit.items.len() - paths) as i64;
-        orbit.kind == LoopKind::Face && (drawn > size || (paths == 0 && drawn != size))
-    });
-    if impossible {
+        orbit.kind != LoopKind::Face || (drawn <= size && (paths > 0 || drawn == size))
+    })
+}
+
+/// A face of `after` that may not have `size` halfedges, in words.
+fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
+    if !matches_faces_of(drawing, size) {
         return Some(format!(
             "the drawing does not match where all faces have {size} sides"
         ));
@@ -190,7 +276,7 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
     let vertices = rule
         .names_of(Kind::Vertex)
-        .filter(|&vertex| drawing.survives(vertex));
+        .filter(|&vertex| drawing.survives(vertex) && rule.is_first(vertex));
     vertices
         .map(|vertex| {
             let starts_before = |half: &NameId| {
@@ -214,6 +300,7 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
             SizeChange {
                 element: rule.name(vertex).text.clone(),
                 constant,
+                per_index: 0,
                 gains: gains.map(|&fan| rule.name(fan).text.clone()).collect(),
                 loses: loses.map(|&fan| rule.name(fan).text.clone()).collect(),
             }
@@ -226,7 +313,7 @@ pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
     let faces = rule
         .names_of(Kind::Face)
-        .filter(|&face| drawing.survives(face));
+        .filter(|&face| drawing.survives(face) && rule.is_first(face));
     faces
         .filter_map(|face| {
             let before = drawing.before.loop_of_face(face)?;
@@ -251,6 +338,7 @@ pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
             Some(SizeChange {
                 element: rule.name(face).text.clone(),
                 constant: drawn(&after) - drawn(&before),
+                per_index: 0,
                 gains: only_in(&after, &before),
                 loses: only_in(&before, &after),
             })

@@ -9,8 +9,8 @@ use super::problem::Problem;
 use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
-    ends_agree, mend, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
-    properties, reach, twin_is_involution, vertices_are_orbits,
+    apart, ends_agree, families, mend, names_are_accounted_for, new_is_placed, next_is_permutation,
+    nothing_dangles, properties, reach, twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
@@ -25,10 +25,12 @@ pub struct Proved {
 /// What was proved of one rule.
 #[derive(Clone, Debug)]
 pub struct Proof {
-    matching: Vec<Step>,
-    guard: Vec<Obligation>,
-    facts: Facts,
-    rings: Rings,
+    pub(super) matching: Vec<Step>,
+    pub(super) guard: Vec<Obligation>,
+    pub(super) facts: Facts,
+    pub(super) rings: Rings,
+    /// The rule that the steps speak of, if it is not the one that was proved.
+    pub(super) unrolled: Option<Box<Rule>>,
 }
 
 impl Proved {
@@ -44,6 +46,13 @@ impl Proved {
 }
 
 impl Proof {
+    /// The rule that the matching and the guard speak of: the one that was proved, or if it
+    /// has families, the same unrolled. What is said there of members at index 0 is meant for
+    /// every index.
+    pub fn drawn<'a>(&'a self, rule: &'a Rule) -> &'a Rule {
+        self.unrolled.as_deref().unwrap_or(rule)
+    }
+
     /// How the rule is matched.
     pub fn matching(&self) -> &[Step] {
         &self.matching
@@ -61,7 +70,7 @@ impl Proof {
 
     /// The argument in words, law by law. The rule is the one that was proved.
     pub fn argument(&self, rule: &Rule) -> Vec<Argument> {
-        argument::argument(rule, &self.rings)
+        argument::argument(self.drawn(rule), &self.rings)
     }
 }
 
@@ -87,17 +96,15 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
         outcomes: Vec::new(),
     };
     for rule in &op.rules {
-        match prove(op, rule) {
+        let proof = match rule.has_families() {
+            true => families::prove(op, rule),
+            false => prove(op, rule).map_err(|broken| reject(op, rule, broken)),
+        };
+        match proof {
             Ok(proof) => proofs.push(proof),
-            Err(mut broken) => {
-                let outcome = witness::find(op, rule, &mut broken);
-                rejection.outcomes.push(outcome);
-                let laws = |rule: &Rule| match prove(op, rule) {
-                    Ok(_) => Vec::new(),
-                    Err(broken) => broken.problems,
-                };
-                let mended = mend::add_fixes(rule, broken.problems, laws);
-                rejection.diagnostics.extend(mended);
+            Err(rejected) => {
+                rejection.diagnostics.extend(rejected.diagnostics);
+                rejection.outcomes.push(rejected.outcome);
             }
         }
     }
@@ -108,6 +115,26 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
         })
     } else {
         Err(rejection)
+    }
+}
+
+/// What is told of a rule that is not proved.
+pub(super) struct Rejected {
+    /// Every law it breaks.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What it does to a mesh when it is carried out literally.
+    pub outcome: Outcome,
+}
+
+fn reject(op: &Op, rule: &Rule, mut broken: Broken) -> Rejected {
+    let outcome = witness::find(op, rule, &mut broken);
+    let laws = |rule: &Rule| match prove(op, rule) {
+        Ok(_) => Vec::new(),
+        Err(broken) => broken.problems,
+    };
+    Rejected {
+        diagnostics: mend::add_fixes(rule, broken.problems, laws),
+        outcome,
     }
 }
 
@@ -130,20 +157,11 @@ impl From<Vec<Problem>> for Broken {
 
 /// The laws in order. Each group reads what the one before has established, so the first
 /// group that fails is told, in full.
-fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
+pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
-    // A name written for another is missing in one place and too many in the other: both
-    // are told.
-    let mut problems = names_are_accounted_for::test(&drawing);
-    problems.extend(next_is_permutation::test(&drawing));
-    problems.extend(twin_is_involution::test(&drawing));
-    stop_at(problems)?;
-    let mut problems = nothing_dangles::test(&drawing);
-    problems.extend(ends_agree::test(&drawing));
-    problems.extend(new_is_placed::test(&drawing));
-    stop_at(problems)?;
+    statements(&drawing)?;
     let rings = vertices_are_orbits::test(&drawing)?;
-    let matching = reach::matching(op, &drawing)?;
+    let matching = reach::matching(op, &drawing, &apart::pairs(&drawing))?;
     let guard = match rule.guard {
         Some((level, _)) => obligations(&drawing, level),
         None => Vec::new(),
@@ -163,10 +181,25 @@ fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
         guard,
         facts,
         rings,
+        unrolled: None,
     })
 }
 
-fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {
+/// The laws that read the statements: all but law 7.
+pub(super) fn statements(drawing: &Drawing) -> Result<(), Broken> {
+    // A name written for another is missing in one place and too many in the other: both
+    // are told.
+    let mut problems = names_are_accounted_for::test(drawing);
+    problems.extend(next_is_permutation::test(drawing));
+    problems.extend(twin_is_involution::test(drawing));
+    stop_at(problems)?;
+    let mut problems = nothing_dangles::test(drawing);
+    problems.extend(ends_agree::test(drawing));
+    problems.extend(new_is_placed::test(drawing));
+    stop_at(problems)
+}
+
+pub(super) fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {
     if problems.is_empty() {
         Ok(())
     } else {

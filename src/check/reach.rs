@@ -1,14 +1,24 @@
 //! Finds the order in which a rule is matched, or the names that no pointer reaches.
+//!
+//! In a rule that was unrolled the members of a family are bound together: what is said of
+//! the member at index 0 is meant for every index.
 
 use super::chain::{Corner, corners};
 use super::matching::{Bound, Claim, Source, Step};
+use super::pointer::{Pointer, pointers};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId, Op, Spoke};
 
 /// The steps that bind every name of `before`, and test the rest of what it claims.
-pub(super) fn matching(op: &Op, drawing: &Drawing) -> Result<Vec<Step>, Vec<Problem>> {
+///
+/// `same` lists pairs of names that nothing but a test keeps apart.
+pub(super) fn matching(
+    op: &Op,
+    drawing: &Drawing,
+    same: &[[NameId; 2]],
+) -> Result<Vec<Step>, Vec<Problem>> {
     let links = Links::of(drawing.rule, &drawing.rule.before);
     let corners = corners(drawing, &links);
     let mut reach = Reach {
@@ -16,6 +26,8 @@ pub(super) fn matching(op: &Op, drawing: &Drawing) -> Result<Vec<Step>, Vec<Prob
         corners: &corners,
         pointers: pointers(drawing),
         bound: vec![false; drawing.rule.names.len()],
+        begun: Vec::new(),
+        same: same.to_vec(),
         steps: Vec::new(),
     };
     reach.parameters(op)?;
@@ -25,119 +37,52 @@ pub(super) fn matching(op: &Op, drawing: &Drawing) -> Result<Vec<Step>, Vec<Prob
     Ok(reach.steps)
 }
 
-/// A pointer that the drawing states between two named halfedges.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pointer {
-    pub from: NameId,
-    pub to: NameId,
-    leads: Leads,
-    /// Whether a name is bound by it.
-    pub used: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Leads {
-    Next,
-    Twin,
-    Counterclockwise,
-}
-
-impl Pointer {
-    /// From the first to the second.
-    pub fn forward(self) -> Source {
-        let from = Bound::Element(self.from);
-        match self.leads {
-            Leads::Next => Source::Next(from),
-            Leads::Twin => Source::Twin(from),
-            Leads::Counterclockwise => Source::Counterclockwise(from),
-        }
-    }
-
-    fn backward(self) -> Source {
-        let to = Bound::Element(self.to);
-        match self.leads {
-            Leads::Next => Source::Prev(to),
-            Leads::Twin => Source::Twin(to),
-            Leads::Counterclockwise => Source::Clockwise(to),
-        }
-    }
-}
-
-/// What the drawing says of halfedge after halfedge: `next` in loops, `twin` in edges,
-/// and the next spoke in vertex statements where the loops and edges do not imply it.
-fn pointers(drawing: &Drawing) -> Vec<Pointer> {
-    let rule = drawing.rule;
-    let view = &drawing.before;
-    let is_halfedge = |name: NameId| rule.kind(name) == Kind::Halfedge;
-    let mut pointers = Vec::new();
-    for orbit in &rule.before.loops {
-        for (at, item) in orbit.items.iter().enumerate() {
-            let (from, to) = (
-                item.item.name,
-                orbit.items[(at + 1) % orbit.items.len()].item.name,
-            );
-            if is_halfedge(from) && is_halfedge(to) {
-                pointers.push(Pointer {
-                    from,
-                    to,
-                    leads: Leads::Next,
-                    used: false,
-                });
-            }
-        }
-    }
-    for edge in &rule.before.edges {
-        let [from, to] = edge.halfedges.map(|half| half.name);
-        pointers.push(Pointer {
-            from,
-            to,
-            leads: Leads::Twin,
-            used: false,
-        });
-    }
-    for star in &rule.before.stars {
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Spoke::Halfedge(from), Spoke::Halfedge(to)) = (spoke, next) else {
-                continue;
-            };
-            let (from, to) = (from.name, to.name);
-            let implied = view
-                .item_before(from)
-                .is_some_and(|prev| is_halfedge(prev) && view.twin(prev) == Some(to));
-            if !implied {
-                pointers.push(Pointer {
-                    from,
-                    to,
-                    leads: Leads::Counterclockwise,
-                    used: false,
-                });
-            }
-        }
-    }
-    pointers
-}
-
 /// What is bound, and the steps so far.
 pub(super) struct Reach<'a> {
     pub drawing: &'a Drawing<'a>,
     pub corners: &'a [Corner],
     pub pointers: Vec<Pointer>,
     pub steps: Vec<Step>,
+    /// Pairs of names that nothing but a test keeps apart.
+    pub same: Vec<[NameId; 2]>,
+    /// Families of halfedges of which the member at index 0 is known.
+    pub begun: Vec<NameId>,
+    /// By the first member of each family.
     bound: Vec<bool>,
 }
 
 impl Reach<'_> {
-    fn is_bound(&self, name: NameId) -> bool {
-        self.bound[name.index()]
+    /// Whether a name, or the family that it is a member of, is bound.
+    pub fn is_bound(&self, name: NameId) -> bool {
+        self.bound[self.drawing.rule.first_member(name).index()]
     }
 
+    /// From here on a name, or the family that it is a member of, is bound.
+    pub fn now_bound(&mut self, name: NameId) {
+        let first = self.drawing.rule.first_member(name);
+        self.bound[first.index()] = true;
+        if self.begun.contains(&first) {
+            self.steps.push(Step::Test(Claim::Begins(first)));
+        }
+    }
+
+    /// Binds a name, or all members of its family.
     fn bind(&mut self, name: NameId, source: Source) {
-        self.bound[name.index()] = true;
+        let rule = self.drawing.rule;
+        let source = source.turned(rule, -i64::from(rule.index(name)));
         self.steps.push(Step::Bind {
-            name: Bound::Element(name),
+            name: Bound::Element(rule.first_member(name)),
             source,
         });
+        self.now_bound(name);
+    }
+
+    /// Binds a halfedge that a parameter gives, or that an attempt begins with.
+    fn begin(&mut self, halfedge: NameId) {
+        match self.drawing.rule.is_member(halfedge) {
+            true => self.begun.push(halfedge),
+            false => self.bound[halfedge.index()] = true,
+        }
     }
 
     /// Halfedge parameters first, then the others, each followed by all that it reaches.
@@ -147,7 +92,7 @@ impl Reach<'_> {
         for (parameter, name) in rule.params.iter().enumerate() {
             let Some(name) = *name else { continue };
             self.steps.push(Step::Parameter { parameter, name });
-            self.bound[name.index()] = true;
+            self.begin(name);
             if rule.kind(name) != Kind::Halfedge {
                 others.push((parameter, name));
             }
@@ -157,11 +102,12 @@ impl Reach<'_> {
             if let Some(claim) = self.known_element(name) {
                 self.steps.push(Step::Test(claim));
             } else if let Some(halfedge) = self.anchor(name) {
-                self.bound[halfedge.index()] = true;
                 self.steps.push(Step::Attempt {
                     element: name,
                     halfedge,
+                    tries: self.tries(name),
                 });
+                self.begin(halfedge);
                 self.follow();
             } else if !self.is_whole_path(name) {
                 let text = rule.quoted(name);
@@ -203,7 +149,7 @@ impl Reach<'_> {
                     self.bind(pointer.from, pointer.backward());
                 }
             }
-            if !moved {
+            if !moved && !self.walk() {
                 return;
             }
         }
@@ -282,17 +228,19 @@ impl Reach<'_> {
                 items
                     .iter()
                     .map(|item| item.item.name)
-                    .find(|&item| rule.kind(item) == Kind::Halfedge)
+                    .find(|&item| rule.kind(item) == Kind::Halfedge && rule.is_first(item))
             }
             Kind::Vertex => {
                 let listed = view.star(element).and_then(|star| {
                     star.spokes.iter().find_map(|spoke| match spoke {
-                        Spoke::Halfedge(half) => Some(half.name),
-                        Spoke::Fan(_) | Spoke::Rest(_) => None,
+                        Spoke::Halfedge(half) if rule.is_first(half.name) => Some(half.name),
+                        _ => None,
                     })
                 });
                 let starts = || {
-                    let starts = |half: &NameId| self.drawing.origin_before(*half) == Some(element);
+                    let starts = |half: &NameId| {
+                        rule.is_first(*half) && self.drawing.origin_before(*half) == Some(element)
+                    };
                     rule.names_of(Kind::Halfedge).find(starts)
                 };
                 listed.or_else(starts)
@@ -316,12 +264,14 @@ impl Reach<'_> {
         let lost: Vec<_> = rule
             .names_of(Kind::Halfedge)
             .filter(|&half| view.mention(half).is_some() && !self.is_bound(half))
+            .filter(|&half| rule.is_first(half))
             .collect();
         if !lost.is_empty() {
             return Err(vec![self.unreachable(op, &lost)]);
         }
         for element in (0..rule.names.len() as u32).map(NameId) {
-            if view.mention(element).is_none() || self.is_bound(element) {
+            if view.mention(element).is_none() || self.is_bound(element) || !rule.is_first(element)
+            {
                 continue;
             }
             if let Some((_, source)) = self.source_of(element) {
@@ -333,7 +283,7 @@ impl Reach<'_> {
             let ([item], face) = (orbit.items.as_slice(), orbit.face.name) else {
                 continue;
             };
-            if rule.kind(item.item.name) != Kind::Path {
+            if rule.kind(item.item.name) != Kind::Path || !rule.is_first(face) {
                 continue;
             }
             let path = item.item.name;
@@ -362,6 +312,7 @@ impl Reach<'_> {
             .map(NameId)
             .filter(|&name| matches!(rule.kind(name), Kind::Vertex | Kind::Edge | Kind::Face))
             .filter(|&name| view.mention(name).is_some() && !self.is_bound(name))
+            .filter(|&name| rule.is_first(name))
             .collect();
         if lost.is_empty() {
             Ok(())
@@ -430,7 +381,7 @@ impl Reach<'_> {
             let count = orbit.items.len();
             for (at, item) in orbit.items.iter().enumerate() {
                 let path = item.item.name;
-                if rule.kind(path) != Kind::Path {
+                if rule.kind(path) != Kind::Path || !rule.is_first(path) {
                     continue;
                 }
                 let before = orbit.items[(at + count - 1) % count].item.name;

@@ -18,7 +18,7 @@ use crate::diagram::{Drawing, Kind, NameId};
 const MOST: usize = 100_000;
 
 /// How many cases are kept to be shown.
-const MOST_SHOWN: usize = 12;
+pub(super) const MOST_SHOWN: usize = 12;
 
 /// What the proof of the law has looked at.
 #[derive(Clone, Debug)]
@@ -110,13 +110,13 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
 }
 
 /// Whether no statement says anything about the order of the spokes of a vertex.
-fn is_unstated(drawing: &Drawing, corner: &Corner) -> bool {
+pub(super) fn is_unstated(drawing: &Drawing, corner: &Corner) -> bool {
     drawing.before.star(corner.vertex).is_none() && drawing.after.star(corner.vertex).is_none()
 }
 
 /// The chains of a vertex that pass through the rewrite as they are: every link and label of
 /// theirs is after what it was before.
-fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<usize> {
+pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<usize> {
     let is_settled = |chain: &Chain| {
         let links = (0..chain.ports.len()).all(|at| {
             let next = match chain.ports.get(at + 1) {
@@ -136,7 +136,7 @@ fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<usize> {
 }
 
 /// Whether `after` draws something at a vertex that was not drawn there before.
-fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
+pub(super) fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
     let drawn = |port: &Port| {
         let mut chains = corner.chains.iter();
         chains.any(|chain| chain.ports.contains(port))
@@ -146,7 +146,7 @@ fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
     ports.any(|port| !drawn(port) && at_vertex(port))
 }
 
-fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
+pub(super) fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
     let text = drawing.rule.quoted(corner.vertex);
     let count = corner.chains.len();
     let message = format!("too many ways for the spokes of {text} to lie: the checker gives up");
@@ -165,7 +165,7 @@ fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
         .into()
 }
 
-fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
+pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
     let text = drawing.rule.quoted(corner.vertex);
     if let Some(star) = drawing.before.star(corner.vertex) {
         let message = format!(

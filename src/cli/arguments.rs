@@ -88,6 +88,9 @@ pub(super) struct RunArguments {
     /// Where to write the result (.obj)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// Where to write a picture of the result (.png or .svg)
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -126,9 +129,38 @@ pub(super) struct ApplyArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct PlanArguments {
-    /// A program and an operation in it
-    #[arg(value_name = "FILE::OP")]
+    /// A program, and an operation in it; without one, all of them
+    #[arg(value_name = "FILE[::OP]")]
     pub op: String,
+    /// What to show it as
+    #[arg(long = "as", value_enum, value_name = "KIND", default_value_t)]
+    pub shown: Shown,
+    /// How C++ is spelled: fields (h->next), accessors (h->next()),
+    /// or a pattern, such as erase_vertex=delete_vertex({of})
+    #[arg(
+        long = "style",
+        value_name = "STYLE",
+        allow_hyphen_values = true,
+        verbatim_doc_comment
+    )]
+    pub style: Vec<String>,
+    /// Where to write it, if not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What a plan is shown as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Shown {
+    /// Four phases, to read
+    #[default]
+    Table,
+    /// The same as data
+    Json,
+    /// A function over a mesh of pointers
+    Cpp,
+    /// A function over hedgerow::mesh
+    Rust,
 }
 
 #[derive(Debug, Args)]

@@ -166,18 +166,25 @@ fn cases(rule: &RuleVerdict) -> String {
 }
 
 fn change(rule: &RuleVerdict) -> String {
-    let signed = |count: i64| {
-        if count == 0 {
-            "±0".to_string()
-        } else {
-            format!("{count:+}")
+    let signed = |count: i64, per_index: i64| {
+        let parts = [(per_index, "n"), (count, "")].map(|(times, of)| match times {
+            0 => String::new(),
+            1 if !of.is_empty() => format!("+{of}"),
+            -1 if !of.is_empty() => format!("-{of}"),
+            times => format!("{times:+}{of}"),
+        });
+        match parts.concat() {
+            none if none.is_empty() => "±0".to_string(),
+            parts => parts,
         }
     };
+    // With families `n` stands for the size of the cycle.
+    let per_index = rule.per_index.unwrap_or_default();
     format!(
         "V {}  E {}  F {}",
-        signed(rule.vertices),
-        signed(rule.edges),
-        signed(rule.faces)
+        signed(rule.vertices, per_index[0]),
+        signed(rule.edges, per_index[1]),
+        signed(rule.faces, per_index[2])
     )
 }
 

@@ -12,6 +12,7 @@ mod counts;
 mod draw;
 mod explain;
 mod failure;
+mod files;
 mod fmt;
 mod info;
 mod library;

@@ -1,12 +1,13 @@
 //! Phase 1, collect: bind, test, ask, evaluate. Nothing is written.
 
 use super::operation::Output;
-use super::registers::Registers;
+use super::registers::{Home, Registers};
+use super::run::Run;
+use super::walk::Around;
 use super::{copy, lower, reason, width};
 use crate::check::guard::Obligation;
 use crate::check::matching::{Bound, Claim, Source, Step};
-use crate::check::{moved_fans, moved_paths};
-use crate::diagram::{Access, Drawing, Kind, LoopKind, NameId, Spoke};
+use crate::diagram::{Access, Assignment, Drawing, Kind, LoopKind, NameId, Require};
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Label, Phase, Reg, Row, Walk};
 
 /// Writes phase 1.
@@ -22,12 +23,10 @@ pub(super) struct Collect<'o, 's, 'd, 'r> {
 /// What phase 1 leaves to the others.
 pub(super) struct Collected {
     pub registers: Registers,
-    /// For each path that may be empty a bool.
-    pub empty: Vec<Option<Reg>>,
     /// For each path and fan that moves, its halfedges.
-    pub runs: Vec<Option<u16>>,
+    pub runs: Vec<Option<Run>>,
     /// The values of the assignments, in order.
-    pub values: Vec<Reg>,
+    pub values: Vec<Home>,
 }
 
 impl Collect<'_, '_, '_, '_> {
@@ -35,7 +34,6 @@ impl Collect<'_, '_, '_, '_> {
     pub fn emit(mut self, matching: &[Step], guard: &[Obligation]) -> Collected {
         let drawing = self.drawing;
         let count = drawing.rule.names.len();
-        let mut empty = vec![None; count];
         let mut tests = Vec::new();
         for step in matching {
             match step {
@@ -47,18 +45,18 @@ impl Collect<'_, '_, '_, '_> {
             .rule
             .names_of(Kind::Path)
             .filter(|&path| drawing.before.mention(path).is_some())
+            .filter(|&path| drawing.rule.is_first(path))
         {
-            if drawing.may_be_empty(path) {
-                empty[path.index()] = Some(self.is_empty(path));
+            if let Some(home) = self.registers.home_of_empty(path) {
+                self.is_empty(path, home);
             }
         }
         for claim in tests {
-            self.test(claim, &empty);
+            self.test(claim);
         }
         self.requires();
         let mut collected = Collected {
             registers: self.registers.clone(),
-            empty,
             runs: vec![None; count],
             values: Vec::new(),
         };
@@ -88,10 +86,21 @@ impl Collect<'_, '_, '_, '_> {
                 let text = &self.drawing.rule.name(*name).text;
                 self.row(Cell::Note(format!("{text} is given")));
             }
-            Step::Attempt { element, halfedge } => self.attempt(*element, *halfedge),
+            Step::Attempt {
+                element,
+                halfedge,
+                tries,
+            } => self.attempt(*element, *halfedge, *tries),
+            Step::Walk { orbit, halfedges } => self.walk(*orbit, halfedges),
             Step::Bind { name, source } => {
-                let to = self.registers.bound(*name);
-                self.load(*source, to);
+                match self.registers.home_of(*name) {
+                    Home::Reg(to) => self.load(*source, to),
+                    home => self.for_each_index(home, |this| {
+                        let to = this.output.asm.reg();
+                        this.load(*source, to);
+                        to
+                    }),
+                }
                 let target = reason::bound(self.drawing, *name);
                 self.row(Cell::Set {
                     target,
@@ -100,6 +109,23 @@ impl Collect<'_, '_, '_, '_> {
             }
             Step::Test(_) => {}
         }
+    }
+
+    /// The register of an element.
+    pub(super) fn element(&mut self, name: NameId) -> Reg {
+        self.registers.element(&mut self.output.asm, name)
+    }
+
+    /// Appends to a buffer what is computed for each index.
+    pub(super) fn for_each_index(&mut self, home: Home, compute: impl FnOnce(&mut Self) -> Reg) {
+        let Home::Member { buffer, .. } = home else {
+            return;
+        };
+        self.output.asm.emit(Inst::BufferClear { buffer });
+        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let from = compute(self);
+        self.output.asm.emit(Inst::BufferPush { buffer, from });
+        self.registers.end_turns(&mut self.output.asm, turns);
     }
 
     fn load_field(&mut self, field: HalfedgeField, to: Reg, halfedge: Reg) {
@@ -111,7 +137,7 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     /// Follows a pointer.
-    fn load(&mut self, source: Source, to: Reg) {
+    pub(super) fn load(&mut self, source: Source, to: Reg) {
         use HalfedgeField::{Edge, Face, Next, Prev, Twin, Vertex};
         let (from, fields): (Bound, &[HalfedgeField]) = match source {
             Source::Next(from) => (from, &[Next]),
@@ -124,12 +150,12 @@ impl Collect<'_, '_, '_, '_> {
             Source::Counterclockwise(from) => (from, &[Prev, Twin]),
             Source::Clockwise(from) => (from, &[Twin, Next]),
             Source::FaceHalfedge(face) => {
-                let element = self.registers.element(face);
+                let element = self.element(face);
                 let of = ElementField::Face;
                 return self.output.asm.emit(Inst::LoadHalfedge { of, to, element });
             }
         };
-        let mut from = self.registers.bound(from);
+        let mut from = self.registers.bound(&mut self.output.asm, from);
         for &field in fields {
             self.load_field(field, to, from);
             from = to;
@@ -138,7 +164,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Begins at one halfedge of an element; a test that fails from here on comes back to
     /// try the next one.
-    fn attempt(&mut self, element: NameId, halfedge: NameId) {
+    fn attempt(&mut self, element: NameId, halfedge: NameId, tries: Option<u16>) {
         use HalfedgeField::{Next, Prev, Twin};
         let text = self.drawing.rule.name(element).text.clone();
         let (of, around, each): (_, &[HalfedgeField], _) = match self.drawing.rule.kind(element) {
@@ -158,9 +184,12 @@ impl Collect<'_, '_, '_, '_> {
                 format!("{text}.halfedge, or another halfedge of {text}"),
             ),
         };
-        let to = self.registers.element(halfedge);
+        let to = match self.registers.home(halfedge) {
+            Home::Reg(to) => to,
+            Home::Member { .. } => self.registers.begin(&mut self.output.asm, halfedge),
+        };
         let start = self.output.asm.reg();
-        let element = self.registers.element(element);
+        let element = self.element(element);
         let (begin, again) = (self.output.asm.label(), self.output.asm.label());
         self.output.asm.emit(Inst::LoadHalfedge {
             of,
@@ -180,8 +209,35 @@ impl Collect<'_, '_, '_, '_> {
             });
         }
         self.output.asm.emit(Inst::Copy { to, from: start });
+        // One try needs no counting: where it fails, all have failed.
+        if tries == Some(1) {
+            self.output.asm.bind(begin);
+            self.output.asm.bind(again);
+            let target = self.drawing.rule.name(halfedge).text.clone();
+            let value = each.split(',').next().unwrap_or_default().to_owned();
+            self.row(Cell::Set { target, value });
+            return;
+        }
+        let tried = tries.map(|_| self.output.asm.reg());
+        if let Some(to) = tried {
+            self.output.asm.emit(Inst::Const { to, bits: 1 });
+        }
         self.output.asm.emit(Inst::Jump { to: begin });
         self.output.asm.bind(again);
+        if let (Some(tries), Some(tried)) = (tries, tried) {
+            let all = self.output.asm.constant_int(i64::from(tries));
+            self.output.asm.emit(Inst::JumpEqual {
+                left: tried,
+                right: all,
+                to: self.fail,
+            });
+            let one = self.output.asm.constant_int(1);
+            self.output.asm.emit(Inst::AddInt {
+                to: tried,
+                left: tried,
+                right: one,
+            });
+        }
         for &field in around {
             self.load_field(field, to, to);
         }
@@ -199,19 +255,28 @@ impl Collect<'_, '_, '_, '_> {
         });
     }
 
-    fn is_empty(&mut self, path: NameId) -> Reg {
-        let to = self.output.asm.reg();
+    /// Whether a path is empty: then what follows it is what it begins with.
+    fn is_empty(&mut self, path: NameId, home: Home) {
         let next = self
             .drawing
             .before
             .item_after(path)
             .expect("a path of `before` lies in a loop");
-        let (left, right) = (self.registers.first(path), self.registers.element(next));
-        self.output.asm.emit(Inst::Equal { to, left, right });
-        to
+        let compare = |this: &mut Self, to: Reg| {
+            let [left, right] = [path, next].map(|name| this.element(name));
+            this.output.asm.emit(Inst::Equal { to, left, right });
+        };
+        match home {
+            Home::Reg(to) => compare(self, to),
+            home => self.for_each_index(home, |this| {
+                let to = this.output.asm.reg();
+                compare(this, to);
+                to
+            }),
+        }
     }
 
-    fn test(&mut self, claim: &Claim, empty: &[Option<Reg>]) {
+    fn test(&mut self, claim: &Claim) {
         let reason = reason::refusal(self.drawing, claim);
         let refusal = self.output.refusal(reason.clone(), Phase::Match);
         let otherwise = self.fail;
@@ -220,19 +285,21 @@ impl Collect<'_, '_, '_, '_> {
             reason,
         });
         let mark = self.output.asm.mark();
+        let repeated = claim.is_repeated(self.drawing.rule);
+        let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
         let inst = match claim {
             Claim::Leads(source, to) => {
                 let left = self.output.asm.reg();
                 self.load(*source, left);
                 Inst::ExpectEqual {
                     left,
-                    right: self.registers.bound(*to),
+                    right: self.registers.bound(&mut self.output.asm, *to),
                     refusal,
                     otherwise,
                 }
             }
             Claim::Distinct(left, right) => {
-                let [left, right] = [*left, *right].map(|name| self.registers.element(name));
+                let [left, right] = [*left, *right].map(|name| self.element(name));
                 Inst::ExpectDistinct {
                     left,
                     right,
@@ -242,7 +309,7 @@ impl Collect<'_, '_, '_, '_> {
             }
             Claim::Kind(face, kind) => {
                 let hole = self.output.asm.reg();
-                let face = self.registers.element(*face);
+                let face = self.element(*face);
                 self.output.asm.emit(Inst::LoadHole { to: hole, face });
                 let condition = match kind {
                     LoopKind::Hole => hole,
@@ -259,7 +326,7 @@ impl Collect<'_, '_, '_, '_> {
                 halfedges,
             } => {
                 let condition = self.output.asm.reg();
-                let [from, goal, stop] = halfedges.map(|name| self.registers.element(name));
+                let [from, goal, stop] = halfedges.map(|name| self.element(name));
                 let walk = if *along_loop { Walk::Loop } else { Walk::Star };
                 self.output.asm.emit(Inst::Meets {
                     walk,
@@ -275,28 +342,55 @@ impl Collect<'_, '_, '_, '_> {
                 }
             }
             Claim::NotAllEmpty(paths) => {
-                let all = self.output.asm.constant_bool(true);
-                let all_empty =
-                    paths
-                        .iter()
-                        .filter_map(|path| empty[path.index()])
-                        .fold(all, |left, right| {
-                            let to = self.output.asm.reg();
-                            self.output.asm.emit(Inst::And { to, left, right });
-                            to
-                        });
+                let all_empty = self.are_empty(paths);
                 Inst::Expect {
                     condition: self.not(all_empty),
                     refusal,
                     otherwise,
                 }
             }
+            claim => {
+                let condition = match self.around(claim) {
+                    Around::Distinct(buffer) => {
+                        self.output.asm.emit(Inst::ExpectAllDistinct {
+                            buffer,
+                            refusal,
+                            otherwise,
+                        });
+                        self.output.asm.release(mark);
+                        return;
+                    }
+                    Around::Holds(condition) => condition,
+                };
+                Inst::Expect {
+                    condition,
+                    refusal,
+                    otherwise,
+                }
+            }
         };
         self.output.asm.emit(inst);
+        if let Some(turns) = turns {
+            self.registers.end_turns(&mut self.output.asm, turns);
+        }
         self.output.asm.release(mark);
     }
 
-    fn not(&mut self, from: Reg) -> Reg {
+    /// Whether all of these paths, which may be empty, are.
+    pub(super) fn are_empty(&mut self, paths: &[NameId]) -> Reg {
+        let all = self.output.asm.constant_bool(true);
+        paths.iter().fold(all, |left, &path| {
+            let asm = &mut self.output.asm;
+            let Some(right) = self.registers.is_empty(asm, path) else {
+                return left;
+            };
+            let to = asm.reg();
+            asm.emit(Inst::And { to, left, right });
+            to
+        })
+    }
+
+    pub(super) fn not(&mut self, from: Reg) -> Reg {
         let to = self.output.asm.reg();
         self.output.asm.emit(Inst::Not { to, from });
         to
@@ -304,6 +398,7 @@ impl Collect<'_, '_, '_, '_> {
 
     /// Lowers an expression; its places in the source go to the plan.
     fn expression(&mut self, expr: &crate::diagram::Expr) -> Reg {
+        self.registers.load_members(&mut self.output.asm, expr);
         let first = self.output.place(expr.span);
         self.registers.number_places_from(first + 1);
         let reg = lower(&mut self.output.asm, &mut self.registers, expr);
@@ -314,8 +409,12 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     fn requires(&mut self) {
-        for require in &self.drawing.rule.requires {
+        // What holds at index 0 is asked at every index.
+        let asked = |require: &&Require| require.index.is_none_or(|index| index == 0);
+        for require in self.drawing.rule.requires.iter().filter(asked) {
             let mark = self.output.asm.mark();
+            let repeated = require.index.is_some();
+            let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
             let condition = self.expression(&require.condition);
             let refusal = self.output.refusal(require.reason.clone(), Phase::Require);
             let otherwise = self.fail;
@@ -324,6 +423,9 @@ impl Collect<'_, '_, '_, '_> {
                 refusal,
                 otherwise,
             });
+            if let Some(turns) = turns {
+                self.registers.end_turns(&mut self.output.asm, turns);
+            }
             self.output.asm.release(mark);
             let claim = self.output.words(require.condition.span);
             self.row(Cell::Test {
@@ -333,28 +435,55 @@ impl Collect<'_, '_, '_, '_> {
         }
     }
 
-    fn values(&mut self) -> Vec<Reg> {
+    fn values(&mut self) -> Vec<Home> {
+        let rule = self.drawing.rule;
         let mut values = Vec::new();
-        for assignment in &self.drawing.rule.assignments {
-            let to = self.output.asm.block(width(assignment.value.ty));
-            let mark = self.output.asm.mark();
-            let from = self.expression(&assignment.value);
-            copy(&mut self.output.asm, assignment.value.ty, to, from);
-            if assignment.attribute == Access::Position {
-                let text = &self.drawing.rule.name(assignment.target.name).text;
-                let reason = format!("the new position of `{text}` is not finite");
-                let refusal = self.output.refusal(reason, Phase::Evaluate);
-                let otherwise = self.fail;
-                self.output.asm.emit(Inst::ExpectFinite {
-                    vector: to,
-                    refusal,
-                    otherwise,
-                });
-            }
-            self.output.asm.release(mark);
-            values.push(to);
+        for assignment in &rule.assignments {
+            let target = assignment.target.name;
+            // What is set at index 0 is set at every index.
+            let value = match (rule.is_member(target), rule.is_first(target)) {
+                (_, false) => Home::Reg(Reg(0)),
+                (false, true) => {
+                    let to = self.output.asm.block(width(assignment.value.ty));
+                    let mark = self.output.asm.mark();
+                    self.value(assignment, to);
+                    self.output.asm.release(mark);
+                    Home::Reg(to)
+                }
+                (true, true) => {
+                    let buffer = self.buffer();
+                    let turns = self.registers.begin_turns(&mut self.output.asm);
+                    let width = width(assignment.value.ty);
+                    let to = self.output.asm.block(width);
+                    self.value(assignment, to);
+                    for part in 0..width {
+                        let from = to.part(part);
+                        self.output.asm.emit(Inst::BufferPush { buffer, from });
+                    }
+                    self.registers.end_turns(&mut self.output.asm, turns);
+                    Home::Member { buffer, shift: 0 }
+                }
+            };
+            values.push(value);
         }
         values
+    }
+
+    fn value(&mut self, assignment: &Assignment, to: Reg) {
+        let from = self.expression(&assignment.value);
+        copy(&mut self.output.asm, assignment.value.ty, to, from);
+        if assignment.attribute != Access::Position {
+            return;
+        }
+        let text = &self.drawing.rule.name(assignment.target.name).text;
+        let reason = format!("the new position of `{text}` is not finite");
+        let refusal = self.output.refusal(reason, Phase::Evaluate);
+        let otherwise = self.fail;
+        self.output.asm.emit(Inst::ExpectFinite {
+            vector: to,
+            refusal,
+            otherwise,
+        });
     }
 
     fn room(&mut self) {
@@ -362,129 +491,42 @@ impl Collect<'_, '_, '_, '_> {
         if rule.created.is_empty() {
             return;
         }
-        let count = |kind: Kind| {
-            let of_kind = rule
-                .created
-                .iter()
-                .filter(|created| rule.kind(created.name) == kind)
-                .count();
-            u16::try_from(of_kind).unwrap_or(u16::MAX)
-        };
         let refusal = self.output.refusal(
             "the mesh has no room for more elements".into(),
             Phase::Evaluate,
         );
+        let count = |kind: Kind, members: bool| {
+            let created = rule.created.iter().map(|created| created.name);
+            let of_kind = created.filter(|&name| {
+                rule.kind(name) == kind && rule.is_member(name) == members && rule.is_first(name)
+            });
+            u16::try_from(of_kind.count()).unwrap_or(u16::MAX)
+        };
+        if rule
+            .created
+            .iter()
+            .any(|created| rule.is_member(created.name))
+        {
+            for kind in [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face] {
+                let counts = [count(kind, false), count(kind, true)];
+                self.room_around(kind, counts, refusal);
+            }
+            return;
+        }
         self.output.asm.emit(Inst::ExpectRoom {
-            vertices: count(Kind::Vertex),
-            halfedges: count(Kind::Halfedge),
-            edges: count(Kind::Edge),
-            faces: count(Kind::Face),
+            vertices: count(Kind::Vertex, false),
+            halfedges: count(Kind::Halfedge, false),
+            edges: count(Kind::Edge, false),
+            faces: count(Kind::Face, false),
             refusal,
             otherwise: self.fail,
         });
     }
 
-    /// Collects the halfedges of the paths and fans that move, while the mesh is as it was.
-    fn runs(&mut self) -> Vec<Option<u16>> {
-        let drawing = self.drawing;
-        let mut runs = vec![None; drawing.rule.names.len()];
-        for path in moved_paths(drawing) {
-            runs[path.index()] = Some(self.collect_path(path));
-        }
-        for fan in moved_fans(drawing) {
-            let buffer = self.buffer();
-            runs[fan.index()] = Some(buffer);
-            self.collect_fan(fan, buffer);
-            let text = &drawing.rule.name(fan).text;
-            self.row(Cell::Note(format!("collect the spokes of {text}")));
-        }
-        runs
-    }
-
-    /// Collects the halfedges of a path.
-    pub(super) fn collect_path(&mut self, path: NameId) -> u16 {
-        let buffer = self.buffer();
-        let from = self.registers.first(path);
-        let next = self
-            .drawing
-            .before
-            .item_after(path)
-            .expect("a path of `before` lies in a loop");
-        let until = self.registers.element(next);
-        let whole = next == path;
-        self.output.asm.emit(Inst::Collect {
-            walk: Walk::Loop,
-            buffer,
-            from,
-            until,
-            whole,
-        });
-        let text = &self.drawing.rule.name(path).text;
-        self.row(Cell::Note(format!("collect the halfedges of {text}")));
-        buffer
-    }
-
     /// A buffer that is empty here: an attempt that failed may have filled it.
-    fn buffer(&mut self) -> u16 {
+    pub(super) fn buffer(&mut self) -> u16 {
         let buffer = self.output.asm.buffer();
         self.output.asm.emit(Inst::BufferClear { buffer });
         buffer
-    }
-
-    fn collect_fan(&mut self, fan: NameId, buffer: u16) {
-        let vertex = self
-            .drawing
-            .before
-            .star_of_spoke(fan)
-            .expect("a fan of `before` lies in a star");
-        let star = self
-            .drawing
-            .before
-            .star(vertex)
-            .expect("its vertex has a statement");
-        let count = star.spokes.len();
-        let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
-        let at = star
-            .spokes
-            .iter()
-            .position(is_fan)
-            .expect("the statement lists the fan");
-        let half = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => Some(half.name),
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
-        let from = self.output.asm.reg();
-        let before = half(&star.spokes[(at + count - 1) % count]);
-        let after = half(&star.spokes[(at + 1) % count]);
-        let walk = Walk::Star;
-        let inst = match (before, after) {
-            (Some(before), Some(after)) => {
-                self.load(Source::Counterclockwise(Bound::Element(before)), from);
-                Inst::Collect {
-                    walk,
-                    buffer,
-                    from,
-                    until: self.registers.element(after),
-                    whole: false,
-                }
-            }
-            // The fan is the whole star.
-            _ => {
-                let element = self.registers.element(vertex);
-                self.output.asm.emit(Inst::LoadHalfedge {
-                    of: ElementField::Vertex,
-                    to: from,
-                    element,
-                });
-                Inst::Collect {
-                    walk,
-                    buffer,
-                    from,
-                    until: from,
-                    whole: true,
-                }
-            }
-        };
-        self.output.asm.emit(inst);
     }
 }

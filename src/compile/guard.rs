@@ -5,6 +5,8 @@
 
 use super::collect::{Collect, Collected};
 use super::reassign::{Onto, Reassign};
+use super::registers::Home;
+use super::run::Run;
 use crate::check::guard::{Obligation, Statement};
 use crate::diagram::Kind;
 use crate::rewrite::{Cell, Foreseen, Inst, Phase, Reg};
@@ -23,15 +25,23 @@ impl Collect<'_, '_, '_, '_> {
     fn preview(&mut self, collected: &Collected) {
         let rule = self.drawing.rule;
         self.output.asm.emit(Inst::PreviewClear);
-        for created in &rule.created {
-            let to = self.registers.element(created.name);
-            self.output.asm.emit(Inst::PreviewNew { to });
+        for name in rule.created.iter().map(|created| created.name) {
+            match self.registers.home(name) {
+                _ if !rule.is_first(name) => {}
+                Home::Reg(to) => self.output.asm.emit(Inst::PreviewNew { to }),
+                home => self.for_each_index(home, |this| {
+                    let to = this.output.asm.reg();
+                    this.output.asm.emit(Inst::PreviewNew { to });
+                    to
+                }),
+            }
         }
         // They are shown where they are executed.
         let mut rows = Vec::new();
         Reassign {
             output: self.output,
             drawing: self.drawing,
+            registers: self.registers.clone(),
             collected,
             onto: Onto::Preview,
             rows: &mut rows,
@@ -41,12 +51,16 @@ impl Collect<'_, '_, '_, '_> {
 
     fn test_statement(&mut self, statement: &Statement, collected: &Collected) {
         let rule = self.drawing.rule;
+        // The paths of a family lie in one buffer.
+        let repeated =
+            statement.is_repeated(rule) && !matches!(statement, Statement::OneHoleAlong(_));
+        let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
         let to = self.output.asm.reg();
         let inst = match statement {
             Statement::OneHoleAlong(path) => {
                 let condition = Foreseen::OneHole;
-                let buffer = match collected.runs[path.index()] {
-                    Some(buffer) => buffer,
+                let Run { buffer, .. } = match collected.runs[path.index()] {
+                    Some(run) => run,
                     None => self.collect_path(*path),
                 };
                 Inst::ForeseeAlong {
@@ -73,12 +87,15 @@ impl Collect<'_, '_, '_, '_> {
             refusal,
             otherwise: self.fail,
         });
+        if let Some(turns) = turns {
+            self.registers.end_turns(&mut self.output.asm, turns);
+        }
         let claim = format!("after it, {}", statement.claim(rule));
         self.row(Cell::Test { claim, reason });
     }
 
     /// What to ask of which elements.
-    fn question(&self, statement: &Statement) -> (Foreseen, Reg, Reg) {
+    fn question(&mut self, statement: &Statement) -> (Foreseen, Reg, Reg) {
         let (condition, element, at) = match statement {
             Statement::ThreeSides(face) => (Foreseen::ThreeSides, face, face),
             Statement::MeetsOnce(face) => (Foreseen::MeetsOnce, face, face),
@@ -95,7 +112,7 @@ impl Collect<'_, '_, '_, '_> {
             Statement::CornersOwn { face, vertex } => (Foreseen::CornersOwn, face, vertex),
         };
         debug_assert!(self.drawing.rule.kind(*element) != Kind::Fan);
-        let [element, at] = [element, at].map(|name| self.registers.element(*name));
+        let [element, at] = [element, at].map(|name| self.element(*name));
         (condition, element, at)
     }
 }

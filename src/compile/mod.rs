@@ -5,6 +5,7 @@
 //! machine, and as a table to read. The table is exhaustive; the code leaves out what
 //! provably does not change.
 
+mod around;
 mod collect;
 mod expression;
 mod guard;
@@ -12,9 +13,13 @@ mod operation;
 mod reason;
 mod reassign;
 mod registers;
+mod run;
+mod turns;
+mod walk;
 
 pub use expression::{
     Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,
     lower_into, width,
 };
 pub use operation::compile;
+pub use reason::refusal as why_refused;

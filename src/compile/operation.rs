@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::collect::Collect;
 use super::reassign::{Onto, Reassign};
-use super::registers::Registers;
+use super::registers::{Home, Registers};
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, Op, Property, Rule};
@@ -38,6 +38,7 @@ pub fn compile(
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let next_rule = output.asm.label();
         let mark = output.asm.mark();
+        let rule = proof.drawn(rule);
         stages.push(alternative(&mut output, rule, proof, &params, next_rule));
         output.asm.release(mark);
         output.asm.bind(next_rule);
@@ -92,7 +93,7 @@ fn alternative(
         rule: rule.label.clone(),
         ..Stage::default()
     };
-    let collected = Collect {
+    let mut collected = Collect {
         output,
         drawing: &drawing,
         registers,
@@ -100,48 +101,77 @@ fn alternative(
         rows: &mut stage.collect,
     }
     .emit(proof.matching(), proof.guard());
-    allocate(output, &drawing, &collected.registers, &mut stage.allocate);
+    allocate(
+        output,
+        &drawing,
+        &mut collected.registers,
+        &mut stage.allocate,
+    );
     Reassign {
         output,
         drawing: &drawing,
+        registers: collected.registers.clone(),
         collected: &collected,
         onto: Onto::Mesh,
         rows: &mut stage.reassign,
     }
     .emit();
-    erase(output, &drawing, &collected.registers, &mut stage.erase);
+    erase(output, &drawing, &mut collected.registers, &mut stage.erase);
     let result = rule
         .result
-        .map(|result| collected.registers.element(result.name));
+        .map(|result| collected.registers.element(&mut output.asm, result.name));
     output.asm.emit(Inst::Return { result });
     stage
 }
 
-fn allocate(output: &mut Output, drawing: &Drawing, registers: &Registers, rows: &mut Vec<Row>) {
-    for created in &drawing.rule.created {
-        let to = registers.element(created.name);
-        let kind = drawing.rule.kind(created.name);
-        output.asm.emit(match kind {
+fn allocate(
+    output: &mut Output,
+    drawing: &Drawing,
+    registers: &mut Registers,
+    rows: &mut Vec<Row>,
+) {
+    let rule = drawing.rule;
+    let asm = &mut output.asm;
+    for name in rule.created.iter().map(|created| created.name) {
+        let kind = rule.kind(name);
+        let new = |to: Reg| match kind {
             Kind::Vertex => Inst::NewVertex { to },
             Kind::Halfedge => Inst::NewHalfedge { to },
             Kind::Edge => Inst::NewEdge { to },
             _ => Inst::NewFace { to },
-        });
-        let target = drawing.rule.name(created.name).text.clone();
+        };
+        match registers.home(name) {
+            _ if !rule.is_first(name) => continue,
+            Home::Reg(to) => asm.emit(new(to)),
+            Home::Member { buffer, .. } => {
+                asm.emit(Inst::BufferClear { buffer });
+                let turns = registers.begin_turns(asm);
+                let from = asm.reg();
+                asm.emit(new(from));
+                asm.emit(Inst::BufferPush { buffer, from });
+                registers.end_turns(asm, turns);
+            }
+        }
+        let target = rule.name(name).text.clone();
         rows.push(Row::set(target, format!("new {}", kind.word()), true));
     }
 }
 
-fn erase(output: &mut Output, drawing: &Drawing, registers: &Registers, rows: &mut Vec<Row>) {
-    for erased in &drawing.rule.erased {
-        let Some(kind) = kind_of_element(drawing.rule.kind(erased.name)) else {
+fn erase(output: &mut Output, drawing: &Drawing, registers: &mut Registers, rows: &mut Vec<Row>) {
+    let rule = drawing.rule;
+    let asm = &mut output.asm;
+    for name in rule.erased.iter().map(|erased| erased.name) {
+        let kind = kind_of_element(rule.kind(name));
+        let Some(kind) = kind.filter(|_| rule.is_first(name)) else {
             continue;
         };
-        output.asm.emit(Inst::Erase {
-            kind,
-            element: registers.element(erased.name),
-        });
-        let word = &drawing.rule.name(erased.name).text;
+        let turns = rule.is_member(name).then(|| registers.begin_turns(asm));
+        let element = registers.element(asm, name);
+        asm.emit(Inst::Erase { kind, element });
+        if let Some(turns) = turns {
+            registers.end_turns(asm, turns);
+        }
+        let word = &rule.name(name).text;
         rows.push(Row {
             cell: Cell::Note(format!("erase {word}")),
             executed: true,

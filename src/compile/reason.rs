@@ -44,11 +44,28 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
             let paths: Vec<_> = paths.iter().map(|&path| word(path)).collect();
             format!("{} not empty", paths.join(" or "))
         }
+        Claim::Begins(name) => format!("{} is the one that is given", word(*name)),
+        Claim::AllDistinct(names) => {
+            let names: Vec<_> = names.iter().map(|&name| word(name)).collect();
+            format!("all {} are different", names.join(", "))
+        }
+        Claim::AroundInOrder { halfedges, .. } => {
+            let names = halfedges
+                .iter()
+                .map(|&half| word(half))
+                .collect::<Vec<_>>()
+                .join(", ");
+            format!("{names} follow each other, index by index")
+        }
+        Claim::NotAllEmptyAround(paths) => {
+            let paths: Vec<_> = paths.iter().map(|&path| word(path)).collect();
+            format!("{} not empty at some index", paths.join(" or "))
+        }
     }
 }
 
 /// Why a claim fails, as a refusal says it.
-pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
+pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
     let rule = drawing.rule;
     let tick = |text: String| format!("`{text}`");
     match claim {
@@ -98,6 +115,23 @@ pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
             format!("{a}, {b} and {c} follow each other in another order")
         }
         Claim::NotAllEmpty(paths) => {
+            let face = paths.first().and_then(|&path| drawing.after.face(path));
+            let face = face.map_or_else(|| "a face".to_string(), |face| rule.quoted(face));
+            format!("{face} would be left without halfedges")
+        }
+        Claim::Begins(name) => format!("{} does not begin there", rule.quoted(*name)),
+        Claim::AllDistinct(names) => {
+            let kind = names
+                .first()
+                .map_or("element", |&name| rule.kind(name).word());
+            let quoted: Vec<_> = names.iter().map(|&name| rule.quoted(name)).collect();
+            format!("two of {} are one {kind}", quoted.join(", "))
+        }
+        Claim::AroundInOrder { halfedges, .. } => {
+            let names: Vec<_> = halfedges.iter().map(|&half| rule.quoted(half)).collect();
+            format!("{} follow each other in another order", names.join(", "))
+        }
+        Claim::NotAllEmptyAround(paths) => {
             let face = paths.first().and_then(|&path| drawing.after.face(path));
             let face = face.map_or_else(|| "a face".to_string(), |face| rule.quoted(face));
             format!("{face} would be left without halfedges")

@@ -3,13 +3,18 @@
 use super::attribute;
 use super::collect::Collected;
 use super::operation::Output;
-use crate::diagram::{Access, Drawing, Edge, Kind, Loop, LoopKind, NameId, Ref, Spoke};
-use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row};
+use super::registers::{Home, Registers};
+use super::run::Run;
+use super::width;
+use crate::check::matching::Bound;
+use crate::diagram::{Access, Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Spoke};
+use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
 pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub output: &'o mut Output<'s>,
     pub drawing: &'d Drawing<'d>,
+    pub registers: Registers,
     pub collected: &'d Collected,
     /// Where the pointers are set.
     pub onto: Onto,
@@ -59,6 +64,20 @@ impl Onto {
                 buffer,
                 value,
             },
+            (
+                Onto::Preview,
+                Inst::StoreSpan {
+                    field,
+                    span,
+                    index,
+                    value,
+                },
+            ) => Inst::PreviewStoreSpan {
+                field,
+                span,
+                index,
+                value,
+            },
             (_, inst) => inst,
         }
     }
@@ -69,11 +88,16 @@ impl Reassign<'_, '_, '_, '_> {
     /// store: the selects in between read registers only.
     pub fn emit(mut self) {
         let rule = self.drawing.rule;
-        for orbit in &rule.after.loops {
-            self.orbit(orbit);
+        let first = |orbit: &&Loop| rule.is_first(orbit.face.name);
+        for orbit in rule.after.loops.iter().filter(first) {
+            match orbit.each {
+                true => self.orbit_around(orbit),
+                false => self.for_each(orbit.face.name, |this| this.orbit(orbit)),
+            }
         }
-        for edge in &rule.after.edges {
-            self.edge(edge);
+        let first = |edge: &&Edge| rule.is_first(edge.edge.name);
+        for edge in rule.after.edges.iter().filter(first) {
+            self.for_each(edge.edge.name, |this| this.edge(edge));
         }
         self.outer_origins();
         self.fans();
@@ -81,15 +105,25 @@ impl Reassign<'_, '_, '_, '_> {
         self.assignments();
     }
 
-    fn word(&self, name: NameId) -> &str {
+    pub(super) fn word(&self, name: NameId) -> &str {
         &self.drawing.rule.name(name).text
     }
 
-    fn element(&self, name: NameId) -> Reg {
-        self.collected.registers.element(name)
+    pub(super) fn element(&mut self, name: NameId) -> Reg {
+        self.registers.element(&mut self.output.asm, name)
     }
 
-    fn is_path(&self, item: NameId) -> bool {
+    /// Does something about a name: of a family, for each index.
+    pub(super) fn for_each(&mut self, name: NameId, what: impl FnOnce(&mut Self)) {
+        let repeated = self.drawing.rule.is_member(name);
+        let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+        what(self);
+        if let Some(turns) = turns {
+            self.registers.end_turns(&mut self.output.asm, turns);
+        }
+    }
+
+    pub(super) fn is_path(&self, item: NameId) -> bool {
         self.drawing.rule.kind(item) == Kind::Path
     }
 
@@ -126,21 +160,13 @@ impl Reassign<'_, '_, '_, '_> {
 
     /// The register of the first halfedge from the item at `at` on: its own, or if it is
     /// an empty path, that of what follows.
-    fn head(&mut self, items: &[NameId], at: usize) -> Reg {
-        self.end_of(items, at, 1, |this, item| match this.is_path(item) {
-            true => this.collected.registers.first(item),
-            false => this.element(item),
-        })
+    pub(super) fn head(&mut self, items: &[NameId], at: usize) -> Reg {
+        self.end_of(items, at, 1, Bound::First)
     }
 
     /// The register of the last halfedge up to the item at `at`.
-    fn tail(&mut self, items: &[NameId], at: usize) -> Reg {
-        self.end_of(items, at, items.len() - 1, |this, item| {
-            match this.is_path(item) {
-                true => this.collected.registers.last(item),
-                false => this.element(item),
-            }
-        })
+    pub(super) fn tail(&mut self, items: &[NameId], at: usize) -> Reg {
+        self.end_of(items, at, items.len() - 1, Bound::Last)
     }
 
     fn end_of(
@@ -148,14 +174,19 @@ impl Reassign<'_, '_, '_, '_> {
         items: &[NameId],
         at: usize,
         step: usize,
-        end: impl Fn(&Self, NameId) -> Reg,
+        end: impl Fn(NameId) -> Bound,
     ) -> Reg {
         let count = items.len();
         let places = (0..count).map(|turn| items[(at + turn * step) % count]);
         let mut ends: Vec<(Reg, Option<Reg>)> = Vec::new();
         for item in places {
-            let empty = self.collected.empty[item.index()];
-            ends.push((end(self, item), empty));
+            let bound = match self.is_path(item) {
+                true => end(item),
+                false => Bound::Element(item),
+            };
+            let asm = &mut self.output.asm;
+            let empty = self.registers.is_empty(asm, item);
+            ends.push((self.registers.bound(asm, bound), empty));
             if empty.is_none() {
                 break;
             }
@@ -176,41 +207,55 @@ impl Reassign<'_, '_, '_, '_> {
     }
 
     fn orbit(&mut self, orbit: &Loop) {
-        let drawing = self.drawing;
-        let face = orbit.face.name;
         let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
         let count = items.len();
         let ends: Vec<_> = (0..count)
             .map(|at| (self.head(&items, at), self.tail(&items, at)))
             .collect();
-        for (at, item) in orbit.items.iter().enumerate() {
-            let (name, next) = (item.item.name, items[(at + 1) % count]);
-            let same = drawing.before.item_after(name) == Some(next);
-            self.link(name, next, ends[at].1, ends[(at + 1) % count].0, !same);
-            if self.is_path(name) {
-                self.path_face(name, face);
-                continue;
-            }
-            let origin = item.from.name;
-            self.pointer(
-                HalfedgeField::Vertex,
-                name,
-                origin,
-                drawing.before.loop_origin(name) != Some(origin),
-            );
-            self.pointer(
-                HalfedgeField::Face,
-                name,
-                face,
-                drawing.before.face(name) != Some(face),
-            );
+        for at in 0..count {
+            self.item(orbit, at, ends[at].1, ends[(at + 1) % count].0);
         }
         self.face_halfedge(orbit, ends[0].0);
         self.face_kind(orbit);
     }
 
+    /// The pointers of one item, given its end and the beginning of the next.
+    pub(super) fn item(&mut self, orbit: &Loop, at: usize, tail: Reg, head: Reg) {
+        let drawing = self.drawing;
+        let face = orbit.face.name;
+        let count = orbit.items.len();
+        let item = &orbit.items[at % count];
+        let (name, next) = (item.item.name, orbit.items[(at + 1) % count].item.name);
+        let same = drawing.before.item_after(name) == Some(next);
+        self.link(name, next, tail, head, !same);
+        self.lies_in(item, face);
+    }
+
+    /// The origin and the face of one item.
+    pub(super) fn lies_in(&mut self, item: &LoopItem, face: NameId) {
+        let drawing = self.drawing;
+        let name = item.item.name;
+        if self.is_path(name) {
+            self.path_face(name, face);
+            return;
+        }
+        let origin = item.from.name;
+        self.pointer(
+            HalfedgeField::Vertex,
+            name,
+            origin,
+            drawing.before.loop_origin(name) != Some(origin),
+        );
+        self.pointer(
+            HalfedgeField::Face,
+            name,
+            face,
+            drawing.before.face(name) != Some(face),
+        );
+    }
+
     /// `next` of what ends one item, `prev` of what begins the next.
-    fn link(&mut self, item: NameId, next: NameId, tail: Reg, head: Reg, changed: bool) {
+    pub(super) fn link(&mut self, item: NameId, next: NameId, tail: Reg, head: Reg, changed: bool) {
         let last = if self.is_path(item) {
             format!("last({})", self.word(item))
         } else {
@@ -238,17 +283,36 @@ impl Reassign<'_, '_, '_, '_> {
 
     fn path_face(&mut self, path: NameId, face: NameId) {
         let target = format!("face along {}", self.word(path));
-        let value = self.element(face);
-        let store = self.collected.runs[path.index()].map(|buffer| Inst::StoreAll {
-            field: HalfedgeField::Face,
-            buffer,
-            value,
-        });
+        let store = self.store_run(HalfedgeField::Face, path, face);
         self.set(target, self.word(face).into(), store);
     }
 
+    /// Sets a pointer of every halfedge of a run, if it was collected.
+    fn store_run(&mut self, field: HalfedgeField, run: NameId, value: NameId) -> Option<Inst> {
+        let rule = self.drawing.rule;
+        let Run { buffer, ends } = self.collected.runs[rule.first_member(run).index()]?;
+        let value = self.element(value);
+        Some(match (ends, self.registers.index()) {
+            (Some(ends), Some(index)) => Inst::StoreSpan {
+                field,
+                span: Span {
+                    buffer,
+                    ends,
+                    shift: i16::try_from(rule.offset(run)).unwrap_or(0),
+                },
+                index,
+                value,
+            },
+            _ => Inst::StoreAll {
+                field,
+                buffer,
+                value,
+            },
+        })
+    }
+
     /// A face keeps its halfedge as long as nothing has left its loop.
-    fn face_halfedge(&mut self, orbit: &Loop, head: Reg) {
+    pub(super) fn face_halfedge(&mut self, orbit: &Loop, head: Reg) {
         let drawing = self.drawing;
         let face = orbit.face.name;
         let keeps = drawing.before.loop_of_face(face).is_some_and(|before| {
@@ -275,7 +339,7 @@ impl Reassign<'_, '_, '_, '_> {
         );
     }
 
-    fn face_kind(&mut self, orbit: &Loop) {
+    pub(super) fn face_kind(&mut self, orbit: &Loop) {
         let face = orbit.face.name;
         let before = self
             .drawing
@@ -335,14 +399,17 @@ impl Reassign<'_, '_, '_, '_> {
     fn outer_origins(&mut self) {
         let drawing = self.drawing;
         for half in drawing.rule.names_of(Kind::Halfedge) {
-            if !drawing.is_outer(half) || drawing.after.mention(half).is_none() {
+            let here = drawing.rule.is_first(half) && drawing.after.mention(half).is_some();
+            if !drawing.is_outer(half) || !here {
                 continue;
             }
             let origin = drawing
                 .origin_after(half)
                 .expect("a halfedge has an origin");
             let changed = drawing.origin_before(half) != Some(origin);
-            self.pointer(HalfedgeField::Vertex, half, origin, changed);
+            self.for_each(half, |this| {
+                this.pointer(HalfedgeField::Vertex, half, origin, changed);
+            });
         }
     }
 
@@ -352,14 +419,14 @@ impl Reassign<'_, '_, '_, '_> {
             let Some(vertex) = drawing.after.star_of_spoke(fan) else {
                 continue;
             };
-            let target = format!("vertex around {}", self.word(fan));
-            let value = self.element(vertex);
-            let store = self.collected.runs[fan.index()].map(|buffer| Inst::StoreAll {
-                field: HalfedgeField::Vertex,
-                buffer,
-                value,
+            if !drawing.rule.is_first(fan) {
+                continue;
+            }
+            self.for_each(fan, |this| {
+                let target = format!("vertex around {}", this.word(fan));
+                let store = this.store_run(HalfedgeField::Vertex, fan, vertex);
+                this.set(target, this.word(vertex).into(), store);
             });
-            self.set(target, self.word(vertex).into(), store);
         }
     }
 
@@ -368,24 +435,28 @@ impl Reassign<'_, '_, '_, '_> {
         let drawing = self.drawing;
         for vertex in drawing.rule.names_of(Kind::Vertex) {
             let drawn = drawing.after.mention(vertex).is_some();
-            if !drawn || drawing.erased(vertex).is_some() {
+            if !drawn || drawing.erased(vertex).is_some() || !drawing.rule.is_first(vertex) {
                 continue;
             }
-            let Some((value, text)) = self.spoke_of(vertex) else {
-                continue;
-            };
-            let store = Inst::StoreHalfedge {
-                of: ElementField::Vertex,
-                element: self.element(vertex),
-                value,
-            };
-            let keeps = self.keeps_its_spokes(vertex);
-            self.set(
-                format!("{}.halfedge", self.word(vertex)),
-                text,
-                (!keeps).then_some(store),
-            );
+            self.for_each(vertex, |this| this.vertex(vertex));
         }
+    }
+
+    fn vertex(&mut self, vertex: NameId) {
+        let Some((value, text)) = self.spoke_of(vertex) else {
+            return;
+        };
+        let store = Inst::StoreHalfedge {
+            of: ElementField::Vertex,
+            element: self.element(vertex),
+            value,
+        };
+        let keeps = self.keeps_its_spokes(vertex);
+        self.set(
+            format!("{}.halfedge", self.word(vertex)),
+            text,
+            (!keeps).then_some(store),
+        );
     }
 
     fn keeps_its_spokes(&self, vertex: NameId) -> bool {
@@ -427,13 +498,20 @@ impl Reassign<'_, '_, '_, '_> {
             return Some((self.element(half), self.word(half).into()));
         }
         let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
-        paths.sort_by_key(|path| self.collected.empty[path.index()].is_some());
+        paths.sort_by_key(|&path| self.registers.home_of_empty(path).is_some());
         let firsts: Vec<_> = paths
             .iter()
             .map(|&path| format!("first({})", self.word(path)))
             .collect();
-        let reg = (!paths.is_empty()).then(|| self.head(&paths, 0))?;
-        let certain = self.collected.empty[paths[0].index()].is_none();
+        let first = *paths.first()?;
+        let certain = self.registers.home_of_empty(first).is_none();
+        if rule.is_member(first) && !certain && !rule.is_member(vertex) {
+            return Some((
+                self.first_around(first),
+                format!("first({})", self.word(first)),
+            ));
+        }
+        let reg = self.head(&paths, 0);
         Some((
             reg,
             if certain {
@@ -445,27 +523,13 @@ impl Reassign<'_, '_, '_, '_> {
     }
 
     fn assignments(&mut self) {
-        for (assignment, &value) in self
-            .drawing
-            .rule
-            .assignments
-            .iter()
-            .zip(&self.collected.values)
-        {
+        let rule = self.drawing.rule;
+        for (assignment, &home) in rule.assignments.iter().zip(&self.collected.values) {
             let target = assignment.target.name;
-            let element = self.element(target);
-            let store = match assignment.attribute {
-                Access::Position => Inst::StorePosition {
-                    vertex: element,
-                    value,
-                },
-                Access::Declared(number) => Inst::StoreAttribute {
-                    attribute: attribute(number),
-                    element,
-                    value,
-                },
-            };
-            let word = self.drawing.rule.attribute(assignment.attribute);
+            if !rule.is_first(target) {
+                continue;
+            }
+            let word = rule.attribute(assignment.attribute);
             let text = self.output.words(assignment.value.span);
             self.rows.push(Row {
                 cell: Cell::Set {
@@ -474,7 +538,40 @@ impl Reassign<'_, '_, '_, '_> {
                 },
                 executed: true,
             });
-            self.output.asm.emit(store);
+            self.for_each(target, |this| {
+                let value = this.value(home, width(assignment.value.ty));
+                let element = this.element(target);
+                let store = match assignment.attribute {
+                    Access::Position => Inst::StorePosition {
+                        vertex: element,
+                        value,
+                    },
+                    Access::Declared(number) => Inst::StoreAttribute {
+                        attribute: attribute(number),
+                        element,
+                        value,
+                    },
+                };
+                this.output.asm.emit(store);
+            });
+        }
+    }
+
+    /// The value of an assignment.
+    fn value(&mut self, home: Home, width: u16) -> Reg {
+        match (home, self.registers.index()) {
+            (Home::Reg(value), _) => value,
+            (Home::Member { buffer, .. }, index) => {
+                let index = index.unwrap_or_else(|| self.output.asm.constant_int(0));
+                let to = self.output.asm.block(width);
+                self.output.asm.emit(Inst::BufferGetWide {
+                    buffer,
+                    index,
+                    width,
+                    to,
+                });
+                to
+            }
         }
     }
 }

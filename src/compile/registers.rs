@@ -1,16 +1,42 @@
-//! Where the names of a rule live in the window.
+//! Where the names of a rule live: in the window, or, one slot for each index, in a buffer.
+
+use std::collections::HashMap;
 
 use super::Scope;
 use crate::check::matching::Bound;
-use crate::diagram::{Drawing, Kind, NameId};
-use crate::rewrite::{Assembler, Reg};
+use crate::diagram::{Drawing, Expr, ExprKind, Kind, NameId};
+use crate::rewrite::{Assembler, Inst, Reg};
 use crate::source::Span;
 
-/// A register for every element, and two for every path.
+/// Where something lives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Home {
+    /// In a register.
+    Reg(Reg),
+    /// For each index of the cycle in a buffer; this is the member so far from the index.
+    Member {
+        /// The buffer.
+        buffer: u16,
+        /// What is added to the index.
+        shift: i16,
+    },
+}
+
+/// A home for every element, and two or three for every path.
 #[derive(Clone, Debug)]
 pub(super) struct Registers {
-    elements: Vec<Reg>,
-    lasts: Vec<Reg>,
+    elements: Vec<Home>,
+    lasts: Vec<Home>,
+    /// For each path that may be empty, whether it is.
+    empty: Vec<Option<Home>>,
+    /// The members at index 0 that are known before their families are.
+    begun: HashMap<NameId, Reg>,
+    /// A buffer as long as the cycle, once a family is bound.
+    pub cycle: Option<u16>,
+    /// The index, inside of what is done for each.
+    index: Option<Reg>,
+    /// Members that an expression reads.
+    loaded: HashMap<NameId, Reg>,
     params: Vec<Reg>,
     folds: Vec<(u32, Reg)>,
     places: Vec<Span>,
@@ -18,54 +44,160 @@ pub(super) struct Registers {
 }
 
 impl Registers {
-    /// Gives each name its registers; a parameter that is drawn keeps its own.
+    /// Gives each name its home; a parameter that is drawn keeps its own.
     pub fn new(asm: &mut Assembler, drawing: &Drawing, params: &[Reg]) -> Self {
         let rule = drawing.rule;
-        let unused = Reg(0);
+        let count = rule.names.len();
+        let unused = Home::Reg(Reg(0));
         let mut registers = Self {
-            elements: vec![unused; rule.names.len()],
-            lasts: vec![unused; rule.names.len()],
+            elements: vec![unused; count],
+            lasts: vec![unused; count],
+            empty: vec![None; count],
+            begun: HashMap::new(),
+            cycle: None,
+            index: None,
+            loaded: HashMap::new(),
             params: params.to_vec(),
             folds: Vec::new(),
             places: Vec::new(),
             first_place: 0,
         };
-        for index in 0..rule.names.len() {
-            let name = NameId(index as u32);
+        for name in (0..count as u32).map(NameId) {
+            let kind = rule.kind(name);
+            if kind == Kind::Fan {
+                continue;
+            }
             let parameter = rule.params.iter().position(|param| *param == Some(name));
-            registers.elements[index] = match (parameter, rule.kind(name)) {
-                (_, Kind::Fan) => continue,
-                (Some(parameter), _) => params[parameter],
-                (None, _) => asm.reg(),
-            };
-            if rule.kind(name) == Kind::Path {
-                registers.lasts[index] = asm.reg();
+            let parameter = parameter.map(|parameter| params[parameter]);
+            if rule.is_member(name) {
+                registers.give_member(asm, drawing, name);
+                if let Some(reg) = parameter {
+                    registers.begun.insert(name, reg);
+                }
+                continue;
+            }
+            let reg = parameter.unwrap_or_else(|| asm.reg());
+            registers.elements[name.index()] = Home::Reg(reg);
+            if kind == Kind::Path {
+                registers.lasts[name.index()] = Home::Reg(asm.reg());
+                if drawing.is_empty_at_some_size(name) && drawing.before.mention(name).is_some() {
+                    registers.empty[name.index()] = Some(Home::Reg(asm.reg()));
+                }
             }
         }
         registers
     }
 
-    /// The register of an element.
-    pub fn element(&self, name: NameId) -> Reg {
+    /// The members of a family share its buffers.
+    fn give_member(&mut self, asm: &mut Assembler, drawing: &Drawing, name: NameId) {
+        let rule = drawing.rule;
+        let first = rule.first_member(name);
+        let shift = i16::try_from(rule.offset(name)).unwrap_or(0);
+        let (at, of) = (name.index(), first.index());
+        if name == first {
+            let mut home = || Home::Member {
+                buffer: asm.buffer(),
+                shift: 0,
+            };
+            self.elements[at] = home();
+            if rule.kind(name) == Kind::Path {
+                self.lasts[at] = home();
+                let drawn = drawing.before.mention(name).is_some();
+                self.empty[at] = (drawn && drawing.is_empty_at_some_size(name)).then(home);
+            }
+            return;
+        }
+        let turned = |home: Home| match home {
+            Home::Member { buffer, .. } => Home::Member { buffer, shift },
+            home => home,
+        };
+        self.elements[at] = turned(self.elements[of]);
+        self.lasts[at] = turned(self.lasts[of]);
+        self.empty[at] = self.empty[of].map(turned);
+    }
+
+    /// The home of an element, or of the first halfedge of a path.
+    pub fn home(&self, name: NameId) -> Home {
         self.elements[name.index()]
     }
 
-    /// The register of the first halfedge of a path.
-    pub fn first(&self, path: NameId) -> Reg {
-        self.elements[path.index()]
+    /// The home of what matching binds.
+    pub fn home_of(&self, bound: Bound) -> Home {
+        match bound {
+            Bound::Element(name) | Bound::First(name) => self.elements[name.index()],
+            Bound::Last(path) => self.lasts[path.index()],
+        }
     }
 
-    /// The register of the last halfedge of a path.
-    pub fn last(&self, path: NameId) -> Reg {
-        self.lasts[path.index()]
+    /// Where it stands whether a path is empty, if it may be.
+    pub fn home_of_empty(&self, path: NameId) -> Option<Home> {
+        self.empty[path.index()]
+    }
+
+    /// The register of a home; that of a member is loaded, at index 0 where there is no index.
+    pub fn read(&self, asm: &mut Assembler, home: Home) -> Reg {
+        match home {
+            Home::Reg(reg) => reg,
+            Home::Member { buffer, shift } => {
+                let index = self.index.unwrap_or_else(|| asm.constant_int(0));
+                let to = asm.reg();
+                asm.emit(Inst::Member {
+                    buffer,
+                    index,
+                    shift,
+                    to,
+                });
+                to
+            }
+        }
+    }
+
+    /// The register of an element.
+    pub fn element(&self, asm: &mut Assembler, name: NameId) -> Reg {
+        self.read(asm, self.home(name))
     }
 
     /// The register of what matching binds.
-    pub fn bound(&self, bound: Bound) -> Reg {
-        match bound {
-            Bound::Element(name) => self.element(name),
-            Bound::First(path) => self.first(path),
-            Bound::Last(path) => self.last(path),
+    pub fn bound(&self, asm: &mut Assembler, bound: Bound) -> Reg {
+        self.read(asm, self.home_of(bound))
+    }
+
+    /// The register of whether a path is empty, if it may be.
+    pub fn is_empty(&self, asm: &mut Assembler, path: NameId) -> Option<Reg> {
+        Some(self.read(asm, self.home_of_empty(path)?))
+    }
+
+    /// The register of a member at index 0 whose family is not bound yet.
+    pub fn begin(&mut self, asm: &mut Assembler, name: NameId) -> Reg {
+        *self.begun.entry(name).or_insert_with(|| asm.reg())
+    }
+
+    /// Enters or leaves what is done for each index.
+    pub fn set_index(&mut self, index: Option<Reg>) {
+        self.index = index;
+    }
+
+    /// The index, inside of what is done for each.
+    pub fn index(&self) -> Option<Reg> {
+        self.index
+    }
+
+    /// Loads the members that an expression reads.
+    pub fn load_members(&mut self, asm: &mut Assembler, expr: &Expr) {
+        self.loaded.clear();
+        let mut names = Vec::new();
+        expr.each(&mut |expr| {
+            if let ExprKind::Element(name) = expr.kind {
+                names.push(name);
+            }
+        });
+        for name in names {
+            if let Home::Member { .. } = self.home(name)
+                && !self.loaded.contains_key(&name)
+            {
+                let reg = self.element(asm, name);
+                self.loaded.insert(name, reg);
+            }
         }
     }
 
@@ -82,7 +214,11 @@ impl Registers {
 
 impl Scope for Registers {
     fn element(&self, name: NameId) -> Reg {
-        self.elements[name.index()]
+        match self.home(name) {
+            Home::Reg(reg) => reg,
+            // `load_members` has been there.
+            Home::Member { .. } => self.loaded.get(&name).copied().unwrap_or(Reg(0)),
+        }
     }
 
     fn local(&self, variable: u32) -> Reg {

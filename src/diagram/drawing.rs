@@ -108,6 +108,20 @@ impl<'a> Drawing<'a> {
             .is_some_and(|l| l.items.len() == 1);
         !alone && self.before.loop_origin(path) == self.before.loop_target(path)
     }
+
+    /// The same, on a cycle of some size, of a path in a rule that was unrolled: the members
+    /// of a family are one where the cycle is short.
+    pub fn is_empty_at_some_size(&self, path: NameId) -> bool {
+        let rule = self.rule;
+        let view = &self.before;
+        let first = |vertex: NameId| rule.first_member(vertex);
+        let size = rule.size().unwrap_or(1) as usize;
+        let orbit = view.loop_of_item(path);
+        // With `each`, a period of one item is the whole loop where the cycle is shortest.
+        let items = orbit.map(|orbit| orbit.items.len() / if orbit.each { size } else { 1 });
+        let [from, to] = [view.loop_origin(path), view.loop_target(path)];
+        items != Some(1) && from.map(first) == to.map(first)
+    }
 }
 
 /// The index of one side.

@@ -130,6 +130,7 @@ impl Expr {
                 | ExprKind::Real(_)
                 | ExprKind::Text(_)
                 | ExprKind::Element(_)
+                | ExprKind::Member(..)
                 | ExprKind::Local(_) => {}
             }
         }
@@ -149,6 +150,9 @@ pub enum ExprKind {
     Text(String),
     /// A drawn element of the rule (in operations only).
     Element(NameId),
+    /// The element of a family at the free index plus a constant: `v[i+1]`. There is none
+    /// in a rule that was unrolled.
+    Member(NameId, i32),
     /// A parameter of the op by its position (values and elements that a rule does
     /// not draw); in scripts, a variable by its number.
     Local(u32),

@@ -6,7 +6,10 @@
 
 mod drawing;
 mod expression;
+mod member;
 mod op;
+mod unroll;
+mod visit;
 
 pub use drawing::{Drawing, View};
 pub use expression::{
@@ -14,8 +17,9 @@ pub use expression::{
     Type, Unary,
 };
 pub use op::{
-    Assignment, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property, Ref,
-    Require, Rule, Side, Spoke, Star,
+    Assignment, Cycle, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property,
+    Ref, Require, Role, Rule, Side, Spoke, Star,
 };
+pub use unroll::{Naming, Unrolled};
 
 pub use crate::mesh::Level;

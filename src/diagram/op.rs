@@ -68,8 +68,26 @@ pub struct Name {
     pub kind: Kind,
     /// Whether a person gave the name; what is drawn without one is not named.
     pub named: bool,
+    /// Whether it is one element or run, or one for each index.
+    pub role: Role,
     /// Where it is first mentioned.
     pub span: Span,
+}
+
+/// How many elements, or runs, a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// One.
+    Single,
+    /// One for each index: `h[i]`.
+    Family,
+    /// In a rule that was unrolled, the one of a family at an index.
+    Member {
+        /// The family, by its number in the rule with families.
+        family: NameId,
+        /// Its index.
+        index: u32,
+    },
 }
 
 impl Name {
@@ -88,8 +106,21 @@ impl Name {
 pub struct Ref {
     /// The name.
     pub name: NameId,
+    /// What the subscript adds to the index: 1 in `h[i+1]`. Zero where there is none.
+    pub shift: i32,
     /// Where it is mentioned.
     pub span: Span,
+}
+
+impl Ref {
+    /// A mention without a subscript.
+    pub fn plain(name: NameId, span: Span) -> Self {
+        Self {
+            name,
+            shift: 0,
+            span,
+        }
+    }
 }
 
 /// An operation: alternatives over the same parameters.
@@ -175,8 +206,10 @@ pub struct Rule {
     pub label: Option<String>,
     /// All its names, in order of first mention: elements, paths and fans.
     pub names: Vec<Name>,
+    /// The index of its families, if it has any.
+    pub cycle: Option<Cycle>,
     /// For each parameter of the op, the name it binds; `None` for a value, or for an
-    /// element this rule does not draw.
+    /// element this rule does not draw. A family is bound where its index is 0.
     pub params: Vec<Option<NameId>>,
     /// The name it returns.
     pub result: Option<Ref>,
@@ -235,6 +268,15 @@ impl Rule {
     }
 }
 
+/// The index of a rule with families: it runs around a cycle of any size.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cycle {
+    /// Its letter: `i`.
+    pub letter: String,
+    /// The size that the rule was unrolled to, if it was.
+    pub size: Option<u32>,
+}
+
 /// One drawing: orbits of each kind.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Side {
@@ -268,8 +310,11 @@ pub struct Loop {
     pub kind: LoopKind,
     /// The face.
     pub face: Ref,
-    /// Its halfedges and paths, in order; the origin of the first ends the last.
+    /// Its halfedges and paths, in order; the origin of the first ends the last. With `each`
+    /// one period of them, or in an unrolled rule all of them.
     pub items: Vec<LoopItem>,
+    /// Whether it is drawn with `each`.
+    pub each: bool,
     /// The vertex written at the end; the origin of the first item, in a good drawing.
     pub end: Ref,
     /// The whole statement.
@@ -301,8 +346,10 @@ pub struct Edge {
 pub struct Star {
     /// The vertex.
     pub vertex: Ref,
-    /// Its spokes.
+    /// Its spokes; with `each` one period of them, or in an unrolled rule all of them.
     pub spokes: Vec<Spoke>,
+    /// Whether it is drawn with `each`.
+    pub each: bool,
     /// The whole statement.
     pub span: Span,
 }
@@ -325,6 +372,8 @@ pub struct Require {
     pub condition: Expr,
     /// The reason for a refusal.
     pub reason: String,
+    /// In a rule that was unrolled, the index that a free index stands for.
+    pub index: Option<u32>,
     /// The whole statement.
     pub span: Span,
 }

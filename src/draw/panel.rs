@@ -170,7 +170,7 @@ impl<'a> Panel<'a> {
         let of = self.figure.drawing.rule.name(name);
         let status = self.status(name).word();
         let id = if of.named {
-            format!("{}-{}", self.prefix, of.text.replace('\'', "-prime"))
+            format!("{}-{}", self.prefix, id_word(&of.text))
         } else {
             String::new()
         };
@@ -649,4 +649,11 @@ pub(super) fn widest_gap(angles: &[f64]) -> f64 {
 /// The radius that keeps a text off a vertex.
 pub(super) fn beyond_dot(label: &Label, way: DVec2) -> f64 {
     DOT + 5.0 + reach(label.half, way)
+}
+
+/// A name as a part of an id: `h'` and `h[2]` become `h-prime` and `h-2`.
+fn id_word(text: &str) -> String {
+    text.replace('\'', "-prime")
+        .replace('[', "-")
+        .replace(']', "")
 }

@@ -76,7 +76,8 @@ struct Row {
 
 impl Row {
     fn new(rule: &Rule, prefix: &str) -> Self {
-        let figure = Figure::new(Drawing::new(rule));
+        let rule = rule.to_draw();
+        let figure = Figure::new(Drawing::new(&rule));
         let unit = places(&figure);
         let mut scale = scale(&figure, &unit);
         let mut row = Self::drawn(&figure, &unit, scale, prefix);

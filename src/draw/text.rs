@@ -35,7 +35,8 @@ pub fn text_op(op: &Op) -> String {
 }
 
 fn text_rule(rule: &Rule) -> String {
-    let figure = Figure::new(Drawing::new(rule));
+    let rule = rule.to_draw();
+    let figure = Figure::new(Drawing::new(&rule));
     let unit = places(&figure);
     let none = (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN));
     let (low, high) = unit

@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Assignment, Level, NameId, Ref, Require, Type};
+use crate::diagram::{Access, Assignment, Level, NameId, Ref, Require, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
 use super::field::{attribute, attributes_of};
+use super::lists::mention;
 use super::lookup::element_type;
 use super::names::Names;
 use super::report::Report;
@@ -33,6 +34,7 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
                 requires.extend(typed.map(|condition| Require {
                     condition,
                     reason,
+                    index: None,
                     span: *span,
                 }));
             }
@@ -124,6 +126,13 @@ pub(super) fn assignments(
         }
         let whose = format!("`{word}.{}`", attribute.text);
         let value = typing.whole_as(value, ty, &whose);
+        let single = names.get(target.name).role == Role::Single;
+        if let Some(value) = value.as_ref().filter(|value| single && value.has_members()) {
+            let message = format!("{whose} is set once, but its value has a free index");
+            let error = Diagnostic::error("mixed-statement", message, value.span)
+                .note("only what has a subscript is set for every index");
+            typing.report.add(error);
+        }
         assignments.extend(value.map(|value| Assignment {
             target,
             attribute: access,
@@ -157,6 +166,7 @@ fn assigned(
         typing.report.add(error);
         return None;
     };
+    typing.subscript(names, id, target)?;
     let kind = names.get(id).kind;
     let Some(ty) = element_type(kind) else {
         let message = format!("`{word}` is {}, which has no attributes", kind.a_word());
@@ -165,10 +175,7 @@ fn assigned(
         return None;
     };
     let (access, value) = typing.attribute_of(ty, attribute_name)?;
-    let target = Ref {
-        name: id,
-        span: target.span,
-    };
+    let target = mention(id, target);
     Some((target, access, value))
 }
 

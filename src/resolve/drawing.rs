@@ -7,7 +7,7 @@ use crate::diagram::{Edge, Loop, LoopItem, LoopKind, NameId, Ref, Side, Spoke, S
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, LoopKeyword, Statement};
 
-use super::lists::restate;
+use super::lists::{mention, restate};
 use super::mention::path_of;
 use super::names::Names;
 use super::report::Report;
@@ -121,10 +121,7 @@ impl<'a> Drawing<'a> {
 
     pub(super) fn refer(&self, name: &tree::Name) -> Option<Ref> {
         let id = self.names.find(&name.ident.text)?;
-        Some(Ref {
-            name: id,
-            span: name.span,
-        })
+        Some(mention(id, name))
     }
 
     /// Notes where something is stated, and complains the second time.
@@ -158,8 +155,11 @@ impl<'a> Drawing<'a> {
                             .note("give one of them a name: `=P=>`");
                         self.report.add(error);
                     }
+                    let path = self.names.find(&path_of(word))?;
+                    let shift = self.refer(&l.name)?.shift;
                     Ref {
-                        name: self.names.find(&path_of(word))?,
+                        name: path,
+                        shift,
                         span: item.span,
                     }
                 }
@@ -168,8 +168,12 @@ impl<'a> Drawing<'a> {
         }
         // The parser lets no loop pass without a halfedge and an end.
         let first = items.first()?.from;
-        let end = self.refer(l.end.as_ref()?)?;
-        if end.name != first.name {
+        let end = match (&l.end, &l.each) {
+            (Some(end), _) => self.refer(end)?,
+            (None, Some(_)) => first,
+            (None, None) => return None,
+        };
+        if (end.name, end.shift) != (first.name, first.shift) {
             self.open_loop(word, first, end);
         }
         self.side.loops.push(Loop {
@@ -180,6 +184,7 @@ impl<'a> Drawing<'a> {
             },
             face,
             items,
+            each: l.each.is_some(),
             end,
             span: l.span,
         });
@@ -226,6 +231,7 @@ impl<'a> Drawing<'a> {
         self.side.stars.push(Star {
             vertex,
             spokes,
+            each: star.each.is_some(),
             span: star.span,
         });
         Some(())

@@ -1,55 +1,234 @@
-//! Where an op draws a family, which is not understood yet.
+//! Families: which names of a rule have a subscript, and whether its statements make sense.
+//!
+//! A rule has one index. A name has a subscript wherever it stands, or nowhere. A statement
+//! with a free index is about a family, and holds for all of it; `each` repeats its period in
+//! the one orbit of a single name.
 
+use std::collections::HashMap;
+
+use crate::diagnostic::Diagnostic;
 use crate::source::Span;
-use crate::syntax::tree::{Arrow, Name, Op, Side, Spoke, Statement};
+use crate::syntax::tree::{self, Arrow, Ident, Index, Name, Side, Spoke, Statement};
 
-/// The first `each` or subscript of an op.
-pub(super) fn first_family(op: &Op) -> Option<Span> {
-    let param = op.params.iter().find_map(|param| subscript(&param.name));
-    param.or_else(|| {
-        op.rules.iter().find_map(|rule| {
-            let sides = [&rule.before, &rule.after];
-            sides.into_iter().flatten().find_map(in_side)
-        })
-    })
+use super::mention::{Mention, mentions};
+use super::report::Report;
+
+/// The largest constant that a subscript can add to the index: the checker looks at cycles
+/// that are longer than what one statement spans.
+pub(super) const WIDEST: i64 = 4;
+
+/// The index of a rule, as it is being read.
+#[derive(Debug, Default)]
+struct Letter {
+    first: Option<(String, Span)>,
 }
 
-fn in_side(side: &Side) -> Option<Span> {
-    side.statements.iter().find_map(in_statement)
-}
-
-fn subscript(name: &Name) -> Option<Span> {
-    name.index.as_ref().map(|_| name.span)
-}
-
-fn in_statement(statement: &Statement) -> Option<Span> {
-    match statement {
-        Statement::Loop(l) => subscript(&l.name)
-            .or_else(|| l.each.as_ref().map(|each| each.span))
-            .or_else(|| {
-                l.items.iter().find_map(|item| {
-                    subscript(&item.from).or_else(|| match &item.arrow {
-                        Arrow::Halfedge(name) | Arrow::Path(Some(name)) => subscript(name),
-                        Arrow::Path(None) => None,
-                    })
-                })
-            })
-            .or_else(|| l.end.as_ref().and_then(subscript)),
-        Statement::Edge {
-            name, halfedges, ..
-        } => subscript(name).or_else(|| halfedges.iter().find_map(subscript)),
-        Statement::Vertex(star) => subscript(&star.name)
-            .or_else(|| star.each.as_ref().map(|each| each.span))
-            .or_else(|| {
-                star.spokes.iter().find_map(|spoke| match spoke {
-                    Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => subscript(name),
-                    Spoke::Fan(None, _) => None,
-                })
-            }),
-        Statement::New(names, _) | Statement::Erase(names, _) | Statement::Keep(names, _) => {
-            names.iter().find_map(subscript)
+/// Tests the subscripts of a rule; its index, if it has families.
+pub(super) fn read_index(
+    rule: &tree::Rule,
+    params: &[tree::Param],
+    report: &mut Report,
+) -> Option<String> {
+    let mut letter = Letter::default();
+    let mut forms: HashMap<String, (bool, Span)> = HashMap::new();
+    for param in params {
+        let name = &param.name;
+        if let Some(index) = &name.index
+            && (index.variable.is_some() || index.offset != 0)
+        {
+            let message = format!(
+                "a parameter says where its family begins: write `{}[0]`",
+                name.ident.text
+            );
+            report.add(Diagnostic::error("wrong-subscript", message, index.span));
         }
-        Statement::Assign { target, .. } => subscript(target),
-        Statement::Broken(_) => None,
+        let form = (name.index.is_some(), name.span);
+        forms.insert(name.ident.text.clone(), form);
     }
+    for side in [&rule.before, &rule.after].into_iter().flatten() {
+        for mention in mentions(side) {
+            if let Some(index) = mention.index {
+                letter.subscript(index, report);
+            }
+            same_form(&mention, params, &mut forms, report);
+        }
+        for statement in &side.statements {
+            letter.statement(statement, report);
+        }
+    }
+    letter.first.map(|(letter, _)| letter)
+}
+
+/// Whether a name has a subscript here as it has elsewhere.
+fn same_form(
+    mention: &Mention,
+    params: &[tree::Param],
+    forms: &mut HashMap<String, (bool, Span)>,
+    report: &mut Report,
+) {
+    let word = mention.text.as_ref();
+    let here = mention.index.is_some();
+    let first = *forms.entry(word.to_owned()).or_insert((here, mention.span));
+    if first.0 == here || !mention.is_named() {
+        return;
+    }
+    // That a value is no element is told elsewhere.
+    let param = params.iter().find(|param| param.name.ident.text == word);
+    let elements = ["vertex", "halfedge", "edge", "face"];
+    if param.is_some_and(|param| !elements.contains(&param.ty.text.as_str())) {
+        return;
+    }
+    let (message, note) = match here {
+        true => (
+            format!("`{word}` has a subscript here, but not where it comes first"),
+            match param {
+                Some(_) => format!("a parameter that begins a family is written `{word}[0]`"),
+                None => "a name stands for one element, or with a subscript for a family".into(),
+            },
+        ),
+        false => (
+            format!("`{word}` is a family: it needs a subscript here"),
+            format!("write `{word}[i]` for all of it"),
+        ),
+    };
+    let label = match first.0 {
+        true => "a family here",
+        false => "a single name here",
+    };
+    let error = Diagnostic::error("two-forms", message, mention.span)
+        .label(first.1, label)
+        .note(note);
+    report.add(error);
+    // Once is enough.
+    forms.insert(word.to_owned(), (here, mention.span));
+}
+
+impl Letter {
+    fn subscript(&mut self, index: &Index, report: &mut Report) {
+        match &index.variable {
+            Some(variable) => self.meet(variable, report),
+            None => {
+                let message = "a subscript in a drawing is the index plus a constant";
+                let error = Diagnostic::error("wrong-subscript", message, index.span)
+                    .note("`[0]` stands only at a parameter, to say where its family begins");
+                report.add(error);
+            }
+        }
+        if index.offset.abs() > WIDEST {
+            let message = format!("a subscript adds {WIDEST} at most to the index");
+            report.add(Diagnostic::error("wrong-subscript", message, index.span));
+        }
+    }
+
+    /// The index of the rule, which has one.
+    fn meet(&mut self, variable: &Ident, report: &mut Report) {
+        let Some((letter, first)) = &self.first else {
+            self.first = Some((variable.text.clone(), variable.span));
+            return;
+        };
+        if *letter != variable.text {
+            let message = format!(
+                "a rule has one index: `{letter}`, but here `{}`",
+                variable.text
+            );
+            let error = Diagnostic::error("wrong-subscript", message, variable.span)
+                .label(*first, "it is here");
+            report.add(error);
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement, report: &mut Report) {
+        let (each, subject, parts) = match statement {
+            Statement::Loop(orbit) => {
+                let items = orbit.items.iter().filter_map(|item| match &item.arrow {
+                    Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Some(name),
+                    Arrow::Path(None) => None,
+                });
+                (orbit.each.as_ref(), &orbit.name, items.collect::<Vec<_>>())
+            }
+            Statement::Edge {
+                name, halfedges, ..
+            } => (None, name, halfedges.iter().collect()),
+            Statement::Vertex(star) => {
+                let spokes = star.spokes.iter().filter_map(|spoke| match spoke {
+                    Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => Some(name),
+                    Spoke::Fan(None, _) => None,
+                });
+                (star.each.as_ref(), &star.name, spokes.collect())
+            }
+            _ => return,
+        };
+        if let Some(variable) = each {
+            self.meet(variable, report);
+        }
+        if let (Some(each), Some(index)) = (each, &subject.index) {
+            let message = "`each` runs around one face or vertex: its name has no subscript";
+            let error = Diagnostic::error("mixed-statement", message, index.span)
+                .label(each.span, "`each` is here");
+            report.add(error);
+            return;
+        }
+        if let Some(span) = unnamed_in_each(statement) {
+            let message = "a run in `each` needs a name with a subscript";
+            report.add(Diagnostic::error("mixed-statement", message, span));
+        }
+        let free = each.is_some() || subject.index.is_some();
+        let odd = parts.into_iter().find(|part| part.index.is_some() != free);
+        if let Some(part) = odd {
+            report.add(mixed(part, subject, free));
+            return;
+        }
+        // The corners of one loop have no index to run with either.
+        if let Statement::Loop(orbit) = statement
+            && !free
+        {
+            let corners = orbit.items.iter().map(|item| &item.from);
+            let mut corners = corners.chain(&orbit.end);
+            if let Some(corner) = corners.find(|corner| corner.index.is_some()) {
+                report.add(mixed(corner, subject, free));
+            }
+        }
+    }
+}
+
+/// A run without a name in a period.
+fn unnamed_in_each(statement: &Statement) -> Option<Span> {
+    match statement {
+        Statement::Loop(orbit) => {
+            orbit.each.as_ref()?;
+            let mut items = orbit.items.iter();
+            let unnamed = items.find(|item| item.arrow == Arrow::Path(None))?;
+            Some(unnamed.span)
+        }
+        Statement::Vertex(star) => {
+            star.each.as_ref()?;
+            star.spokes.iter().find_map(|spoke| match spoke {
+                Spoke::Fan(None, span) => Some(*span),
+                _ => None,
+            })
+        }
+        _ => None,
+    }
+}
+
+fn mixed(part: &Name, subject: &Name, free: bool) -> Diagnostic {
+    let (word, name) = (&part.ident.text, &subject.ident.text);
+    let message = match free {
+        true => format!("`{word}` is single, but this statement is repeated for every index"),
+        false => format!("`{word}[…]` is a family, but this statement is about `{name}` alone"),
+    };
+    let note = match free {
+        true => "families fill their orbits: single names and families never share one".into(),
+        false => {
+            format!("give `{name}` a subscript too, or draw its whole orbit with `each i {{ … }}`")
+        }
+    };
+    Diagnostic::error("mixed-statement", message, part.span).note(note)
+}
+
+/// What an op may not return: a family, which is many elements.
+pub(super) fn is_family(side: &Side, word: &str) -> bool {
+    mentions(side)
+        .iter()
+        .any(|mention| mention.text == word && mention.index.is_some())
 }

@@ -117,10 +117,7 @@ impl<'a> Reader<'a> {
                 .add(Diagnostic::error("not-an-element", message, name.span));
             return None;
         }
-        Some(Ref {
-            name: id,
-            span: name.span,
-        })
+        Some(mention(id, name))
     }
 
     fn unused_new(&mut self, name: &tree::Name) {
@@ -137,10 +134,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let id = self.drawn("erase", name)?;
-        Some(Ref {
-            name: id,
-            span: name.span,
-        })
+        Some(mention(id, name))
     }
 
     fn kept(&mut self, name: &'a tree::Name) {
@@ -187,6 +181,17 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// A mention, with what its subscript adds.
+pub(super) fn mention(id: NameId, name: &tree::Name) -> Ref {
+    let offset = name.index.as_ref().map_or(0, |index| index.offset);
+    Ref {
+        name: id,
+        // A subscript that is too wide has been refused.
+        shift: i32::try_from(offset).unwrap_or(0),
+        span: name.span,
+    }
+}
+
 /// Repeats in `after` what `before` states of a name, as if it were written where the
 /// name is kept; `false` if it states nothing.
 pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
@@ -199,6 +204,7 @@ pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
         Loop {
             kind: l.kind,
             face: kept,
+            each: l.each,
             items: l
                 .items
                 .iter()
@@ -221,6 +227,7 @@ pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
     after.stars.extend(stars.take(1).map(|star| {
         Star {
             vertex: kept,
+            each: star.each,
             spokes: star
                 .spokes
                 .iter()

@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, ExprKind, Kind, NameId, Type};
+use crate::diagram::{Expr, ExprKind, Kind, NameId, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
+use super::family::WIDEST;
 use super::names::Names;
-use super::report::not_yet;
 use super::sequence::WHOLE_MESH;
 use super::suggestion::suggest;
 use super::typing::{Place, Typing, typed};
@@ -30,12 +30,8 @@ pub(super) fn element_type(kind: Kind) -> Option<Type> {
 impl Typing<'_> {
     /// A name: a variable, a drawn element, a parameter, a constant; the innermost first.
     pub(super) fn name(&mut self, name: &tree::Name) -> Option<Expr> {
-        if name.index.is_some() {
-            self.report.add(not_yet(
-                "families are not supported yet, and a subscript draws one",
-                name.span,
-            ));
-            return None;
+        if let Some(index) = &name.index {
+            return self.member(name, index);
         }
         let (word, span) = (name.ident.text.as_str(), name.span);
         let local = self.scopes.find(word).map(|(number, l)| (number, l.ty));
@@ -43,7 +39,8 @@ impl Typing<'_> {
             && let Some(id) = names.find(word)
             && local.is_none_or(|(number, _)| (number as usize) < names.params())
         {
-            return self.drawn(names, id, span);
+            self.subscript(names, id, name)?;
+            return self.drawn(names, id, span, ExprKind::Element(id));
         }
         if let Some((number, ty)) = local {
             let Some(ty) = ty else {
@@ -59,8 +56,63 @@ impl Typing<'_> {
         None
     }
 
+    /// `v[i+1]`: an element of a family, as it was before the rewrite.
+    fn member(&mut self, name: &tree::Name, index: &tree::Index) -> Option<Expr> {
+        let (word, span) = (name.ident.text.as_str(), name.span);
+        let Place::Rule(names) = self.place else {
+            let message = "subscripts stand in the drawings of an op, and in what it asks and sets";
+            self.report
+                .add(Diagnostic::error("wrong-subscript", message, index.span));
+            return None;
+        };
+        let Some(id) = names.find(word) else {
+            self.unknown_name(word, span);
+            return None;
+        };
+        self.subscript(names, id, name)?;
+        let shift = i32::try_from(index.offset).unwrap_or(0);
+        self.drawn(names, id, span, ExprKind::Member(id, shift))
+    }
+
+    /// Whether a name has the subscript that it should have.
+    pub(super) fn subscript(&mut self, names: &Names, id: NameId, name: &tree::Name) -> Option<()> {
+        let (word, span) = (&name.ident.text, name.span);
+        let drawn = names.get(id);
+        let error = match (&name.index, drawn.role == Role::Family) {
+            (None, false) => return Some(()),
+            (None, true) => {
+                let message = format!("`{word}` is a family: it needs a subscript here");
+                Diagnostic::error("two-forms", message, span)
+                    .label(drawn.span, "a family here")
+                    .note(format!(
+                        "write `{word}[i]`: what is said then holds for all of it"
+                    ))
+            }
+            (Some(_), false) => {
+                let message = format!("`{word}` has a subscript here, but not where it is drawn");
+                Diagnostic::error("two-forms", message, span)
+                    .label(drawn.span, "a single name here")
+            }
+            (Some(index), true) => {
+                let variable = index.variable.as_ref();
+                let variable = variable.map(|variable| variable.text.as_str());
+                if variable.is_some() && variable == names.letter() && index.offset.abs() <= WIDEST
+                {
+                    return Some(());
+                }
+                let letter = names.letter().unwrap_or("i");
+                let message = format!(
+                    "a subscript here is the index `{letter}` plus a constant, {WIDEST} at most"
+                );
+                Diagnostic::error("wrong-subscript", message, index.span)
+            }
+        };
+        self.report.add(error);
+        None
+    }
+
     /// An element of the rule, as it was before the rewrite.
-    fn drawn(&mut self, names: &Names, id: NameId, span: Span) -> Option<Expr> {
+    fn drawn(&mut self, names: &Names, id: NameId, span: Span, meant: ExprKind) -> Option<Expr> {
         let name = names.get(id);
         let word = &name.text;
         let error = if let Some(listed) = names.created(id) {
@@ -74,7 +126,7 @@ impl Typing<'_> {
             );
             Diagnostic::error("reads-new", message, span).label(name.span, "it stands only here")
         } else if let Some(ty) = element_type(name.kind) {
-            return Some(typed(ty, ExprKind::Element(id), span));
+            return Some(typed(ty, meant, span));
         } else {
             let message = format!(
                 "`{word}` is {}; an expression can name vertices, halfedges, edges and faces",

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use crate::diagram::Kind;
 use crate::source::Span;
-use crate::syntax::tree::{Arrow, Name, Side, Spoke, Statement};
+use crate::syntax::tree::{Arrow, Index, Name, Side, Spoke, Statement};
 
 /// One mention.
 #[derive(Clone, Debug)]
@@ -16,6 +16,8 @@ pub(super) struct Mention<'a> {
     pub(super) text: Cow<'a, str>,
     /// What its place makes of it; nothing in a list.
     pub(super) kind: Option<Kind>,
+    /// Its subscript; a path without a name has that of its loop.
+    pub(super) index: Option<&'a Index>,
     /// Where it stands.
     pub(super) span: Span,
 }
@@ -47,6 +49,7 @@ fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) 
         mentions.push(Mention {
             text: Cow::Borrowed(&name.ident.text),
             kind,
+            index: name.index.as_ref(),
             span: name.span,
         });
     };
@@ -68,6 +71,7 @@ fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) 
             mentions.extend(unnamed.map(|item| Mention {
                 text: Cow::Owned(path_of(&l.name.ident.text)),
                 kind: Some(Kind::Path),
+                index: l.name.index.as_ref(),
                 span: item.span,
             }));
         }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Kind, Name, NameId, Type};
+use crate::diagram::{Cycle, Kind, Name, NameId, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree::{Rule, Side, Statement};
 
@@ -24,6 +24,8 @@ pub(super) struct Names {
     /// Where a name stands in `new`.
     created: HashMap<NameId, Span>,
     params: usize,
+    /// The letter of the index, if there are families.
+    letter: Option<String>,
 }
 
 /// What has given a name its kind.
@@ -35,7 +37,12 @@ struct Origin {
 
 impl Names {
     /// Reads the names of a rule. A name used as two kinds is reported and has the first.
-    pub(super) fn of(rule: &Rule, params: &[Parameter], report: &mut Report) -> Self {
+    pub(super) fn of(
+        rule: &Rule,
+        params: &[Parameter],
+        letter: Option<String>,
+        report: &mut Report,
+    ) -> Self {
         let before = rule.before.as_ref().map(mentions).unwrap_or_default();
         let after = rule.after.as_ref().map(mentions).unwrap_or_default();
         let all = || before.iter().chain(&after);
@@ -47,6 +54,7 @@ impl Names {
             after: Vec::new(),
             created: HashMap::new(),
             params: params.len(),
+            letter,
         };
         for mention in all() {
             if let Some(Ok(kind)) = kinds.get(mention.text.as_ref()).map(|o| o.kind) {
@@ -77,6 +85,10 @@ impl Names {
             text,
             kind,
             named: mention.is_named(),
+            role: match mention.index {
+                Some(_) => Role::Family,
+                None => Role::Single,
+            },
             span: mention.span,
         });
         self.readable.push(false);
@@ -136,6 +148,17 @@ impl Names {
     /// How many parameters the op has: variables before the first of an aggregate.
     pub(super) fn params(&self) -> usize {
         self.params
+    }
+
+    /// The letter of the index, if there are families.
+    pub(super) fn letter(&self) -> Option<&str> {
+        self.letter.as_deref()
+    }
+
+    /// The index of the rule, if it has families.
+    pub(super) fn cycle(&self) -> Option<Cycle> {
+        let letter = self.letter.clone()?;
+        Some(Cycle { letter, size: None })
     }
 
     /// The table.

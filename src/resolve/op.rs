@@ -8,12 +8,12 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
-use super::family::first_family;
+use super::family::{is_family, read_index};
 use super::lookup::element_type;
 use super::names::Names;
 use super::parameter::{Owner, Parameter, parameters};
 use super::program;
-use super::report::{Report, not_yet};
+use super::report::Report;
 use super::rule::{Context, resolve_rule};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
@@ -61,7 +61,10 @@ pub(super) fn resolve_op(
         let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
         report.add(Diagnostic::error("missing-side", message, op.name.span));
     }
-    let names = op.rules.iter().map(|rule| Names::of(rule, &params, report));
+    let names = op.rules.iter().map(|rule| {
+        let letter = read_index(rule, &op.params, report);
+        Names::of(rule, &params, letter, report)
+    });
     let names: Vec<Names> = names.collect();
     let result = match &op.result {
         None => Returned::Nothing,
@@ -69,21 +72,19 @@ pub(super) fn resolve_op(
             result_type(name, &names, report).map_or(Returned::Unknown, Returned::Element)
         }
     };
+    if let Some(name) = &op.result {
+        one_result(name, op, report);
+    }
     let mut rules = Vec::new();
-    if let Some(family) = first_family(op) {
-        let what = "families (`each` and subscripts) are not supported yet";
-        report.add(not_yet(what, family));
-    } else {
-        let context = Context {
-            op,
-            params: &params,
-            result,
-            declared,
-            attributes,
-        };
-        for (rule, names) in op.rules.iter().zip(names) {
-            rules.extend(resolve_rule(rule, names, &context, report));
-        }
+    let context = Context {
+        op,
+        params: &params,
+        result,
+        declared,
+        attributes,
+    };
+    for (rule, names) in op.rules.iter().zip(names) {
+        rules.extend(resolve_rule(rule, names, &context, report));
     }
     let result_type = match result {
         Returned::Element(ty) => Some(ty),
@@ -114,6 +115,18 @@ pub(super) fn resolve_op(
         result,
     };
     (signature, resolved)
+}
+
+/// A family is many elements, and an op returns one.
+fn one_result(name: &Ident, op: &tree::Op, report: &mut Report) {
+    let mut sides = op.rules.iter().flat_map(|rule| [&rule.before, &rule.after]);
+    if sides.any(|side| {
+        side.as_ref()
+            .is_some_and(|side| is_family(side, &name.text))
+    }) {
+        let message = format!("`{}` is a family, and an op returns one element", name.text);
+        report.add(Diagnostic::error("two-forms", message, name.span));
+    }
 }
 
 /// The properties that `keeps` claims; `map` is what the checker always proves.

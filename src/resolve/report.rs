@@ -5,7 +5,6 @@
 //! left its reason in the [`Report`].
 
 use crate::diagnostic::Diagnostic;
-use crate::source::Span;
 
 /// The diagnostics of one item.
 #[derive(Debug, Default)]
@@ -35,10 +34,4 @@ impl Report {
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
         self.diagnostics
     }
-}
-
-/// The error for what the language has but this layer does not understand yet.
-/// `what` is the whole sentence.
-pub(super) fn not_yet(what: impl Into<String>, span: Span) -> Diagnostic {
-    Diagnostic::error("not-yet", what, span)
 }

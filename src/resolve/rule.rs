@@ -81,6 +81,7 @@ pub(super) fn resolve_rule(
         assignments,
         attributes: Arc::clone(context.attributes),
         span: rule.span,
+        cycle: names.cycle(),
         names: names.into_list(),
     })
 }
@@ -127,10 +128,7 @@ fn returned(
             .label(erased.span, "it is erased here");
         report.add(error);
     }
-    Some(Ref {
-        name: id,
-        span: name.span,
-    })
+    Some(Ref::plain(id, name.span))
 }
 
 fn not_returned(name: &Ident, rule: &Ident) -> Diagnostic {

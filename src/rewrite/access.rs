@@ -205,6 +205,17 @@ pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Message> {
     })
 }
 
+/// Whether there is room for so many new elements of a kind.
+pub(super) fn has_room(mesh: &Mesh, kind: ElementKind, count: usize) -> bool {
+    let of = |this| if kind == this { count } else { 0 };
+    mesh.can_add(
+        of(ElementKind::Vertex),
+        of(ElementKind::Halfedge),
+        of(ElementKind::Edge),
+        of(ElementKind::Face),
+    )
+}
+
 #[cold]
 fn room_for_one(mesh: &Mesh, kind: ElementKind) -> bool {
     let one = |this| usize::from(kind == this);

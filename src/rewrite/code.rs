@@ -47,6 +47,17 @@ pub enum ElementField {
     Face,
 }
 
+/// The part of a buffer that belongs to an index: another buffer tells where the parts end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Span {
+    /// What is in all parts.
+    pub buffer: u16,
+    /// For each index the end of its part.
+    pub ends: u16,
+    /// What is added to the index, around the cycle.
+    pub shift: i16,
+}
+
 /// How a run of halfedges is walked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Walk {
@@ -667,6 +678,68 @@ pub enum Inst {
         to: Reg,
         buffer: u16,
     },
+    PreviewStoreSpan {
+        field: HalfedgeField,
+        span: Span,
+        index: Reg,
+        value: Reg,
+    },
+
+    // Families: a buffer holds one slot for each index of a cycle.
+    /// The next index of a family, from -1 on; jumps when there is none.
+    NextIndex {
+        buffer: u16,
+        index: Reg,
+        otherwise: Label,
+    },
+    /// `to = buffer[index + shift]`, counted around. Traps if the buffer is empty.
+    Member {
+        buffer: u16,
+        index: Reg,
+        shift: i16,
+        to: Reg,
+    },
+    /// The `width` slots from `index * width` on. Traps out of range.
+    BufferGetWide {
+        buffer: u16,
+        index: Reg,
+        width: u16,
+        to: Reg,
+    },
+    /// Appends a buffer to another.
+    BufferAppend {
+        from: u16,
+        to: u16,
+    },
+    /// Appends every `period`-th slot, from the one at `place` on, to another buffer, turned
+    /// so that what came first stands at the index `turn`.
+    BufferDeal {
+        from: u16,
+        to: u16,
+        place: u16,
+        period: u16,
+        turn: i16,
+    },
+    /// The refusal if two slots of a buffer are the same. Leaves the slots in some order.
+    ExpectAllDistinct {
+        buffer: u16,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// The refusal if the id space has no room for so many new elements of a kind.
+    ExpectRoomFor {
+        kind: ElementKind,
+        count: Reg,
+        refusal: u16,
+        otherwise: Label,
+    },
+    /// Whether a walk from the first halfedge of a buffer, once around, meets all others in
+    /// their order.
+    MeetsAll {
+        walk: Walk,
+        to: Reg,
+        buffer: u16,
+    },
     /// Gives up: the op refuses with the reason noted.
     Refuse,
     /// The op has been applied; its result, if any, is in the register.
@@ -765,6 +838,13 @@ pub enum Inst {
     StoreAll {
         field: HalfedgeField,
         buffer: u16,
+        value: Reg,
+    },
+    /// Writes one pointer of every halfedge in a part of a buffer.
+    StoreSpan {
+        field: HalfedgeField,
+        span: Span,
+        index: Reg,
         value: Reg,
     },
     Erase {
@@ -909,6 +989,9 @@ impl Inst {
             Inst::JumpUnlessLiving { to, .. } => Some(to),
             Inst::NextLiving { otherwise, .. }
             | Inst::BufferNext { otherwise, .. }
+            | Inst::NextIndex { otherwise, .. }
+            | Inst::ExpectAllDistinct { otherwise, .. }
+            | Inst::ExpectRoomFor { otherwise, .. }
             | Inst::DrainStale { otherwise, .. }
             | Inst::DrainLeast { otherwise, .. } => Some(otherwise),
             Inst::ExpectEqual { otherwise, .. }

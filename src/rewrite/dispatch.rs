@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
+use super::around;
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
 use super::observe::Scene;
@@ -378,6 +379,84 @@ impl Machine<'_> {
                     let ends = [w.id(goal), w.id(stop)];
                     w.set_truth(to, or_trap!(access::meets(mesh, walk, w.id(from), ends)));
                 }
+                NextIndex {
+                    buffer,
+                    index,
+                    otherwise,
+                } => {
+                    let next = w.int(index).wrapping_add(1);
+                    match usize::try_from(next) {
+                        Ok(place) if place < buffer!(buffer).len() => w.set_int(index, next),
+                        _ => at = otherwise.0 as usize,
+                    }
+                }
+                Member {
+                    buffer,
+                    index,
+                    shift,
+                    to,
+                } => {
+                    let members = buffer!(buffer);
+                    let place = or_trap!(around::place(members.len(), w.int(index), shift));
+                    w.set_bits(to, members[place]);
+                }
+                BufferGetWide {
+                    buffer,
+                    index,
+                    width,
+                    to,
+                } => {
+                    let width = usize::from(width);
+                    let index = usize::try_from(w.int(index)).unwrap_or(usize::MAX);
+                    let start = index.saturating_mul(width);
+                    let Some(slots) = buffer!(buffer).get(start..start.saturating_add(width))
+                    else {
+                        break Message::OutOfRange;
+                    };
+                    for (part, &bits) in (0..).zip(slots) {
+                        w.set_bits(to.part(part), bits);
+                    }
+                }
+                BufferAppend { from, to } => {
+                    let slots = std::mem::take(buffer!(from));
+                    buffer!(to).extend_from_slice(&slots);
+                    *buffer!(from) = slots;
+                }
+                BufferDeal {
+                    from,
+                    to,
+                    place,
+                    period,
+                    turn,
+                } => {
+                    let slots = std::mem::take(buffer!(from));
+                    around::deal(&slots, [place, period], turn, buffer!(to));
+                    *buffer!(from) = slots;
+                }
+                ExpectAllDistinct {
+                    buffer,
+                    refusal,
+                    otherwise,
+                } => {
+                    if !around::are_distinct(buffer!(buffer)) {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                ExpectRoomFor {
+                    kind,
+                    count,
+                    refusal,
+                    otherwise,
+                } => {
+                    let count = usize::try_from(w.int(count)).unwrap_or(usize::MAX);
+                    if !access::has_room(mesh, kind, count) {
+                        refuse!(refusal, otherwise);
+                    }
+                }
+                MeetsAll { walk, to, buffer } => {
+                    let met = or_trap!(around::meets_all(mesh, walk, buffer!(buffer)));
+                    w.set_truth(to, met);
+                }
                 PreviewClear => self.preview.clear(mesh),
                 PreviewNew { to } => w.set_id(to, self.preview.add()),
                 PreviewStore {
@@ -524,6 +603,29 @@ impl Machine<'_> {
                     buffer,
                     value,
                 } => or_trap!(access::store_all(mesh, field, buffer!(buffer), w.id(value))),
+                StoreSpan {
+                    field,
+                    span,
+                    index,
+                    value,
+                } => {
+                    let ends = std::mem::take(buffer!(span.ends));
+                    let part = around::part(buffer!(span.buffer), &ends, w.int(index), span);
+                    or_trap!(access::store_all(mesh, field, or_trap!(part), w.id(value)));
+                    *buffer!(span.ends) = ends;
+                }
+                PreviewStoreSpan {
+                    field,
+                    span,
+                    index,
+                    value,
+                } => {
+                    let ends = std::mem::take(buffer!(span.ends));
+                    let part = around::part(buffer!(span.buffer), &ends, w.int(index), span);
+                    let part = or_trap!(part);
+                    or_trap!(self.preview.store_all(mesh, field, part, w.id(value)));
+                    *buffer!(span.ends) = ends;
+                }
                 Erase { kind, element } => or_trap!(access::erase(mesh, kind, w.id(element))),
                 Recycle => {
                     if self.holding == 0 {

@@ -19,6 +19,7 @@ mod window;
 
 mod access;
 mod arithmetic;
+mod around;
 mod attribute;
 mod drain;
 mod observe;
@@ -34,7 +35,8 @@ mod watch;
 pub use assembler::{Assembler, Mark, TooLarge};
 pub use call::Outcome;
 pub use code::{
-    Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Traps, Walk,
+    Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Span, Traps,
+    Walk,
 };
 pub use function::Function;
 pub use machine::{Count, Machine};

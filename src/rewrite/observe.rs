@@ -4,6 +4,7 @@
 //! while a key is computed; more may be noted than is read. Every instruction is listed, so
 //! that a new one is not forgotten.
 
+use super::around;
 use super::attribute::{self, Held};
 use super::drain::{Drains, place};
 use super::readers::Place;
@@ -55,6 +56,20 @@ impl Drains {
                 value,
             } => {
                 for &halfedge in scene.buffers.get(usize::from(buffer)).into_iter().flatten() {
+                    self.pointer_set(mesh, field, halfedge as u32, w.id(value));
+                }
+            }
+            Inst::StoreSpan {
+                field,
+                span,
+                index,
+                value,
+            } => {
+                let [all, ends] = [span.buffer, span.ends]
+                    .map(|buffer| scene.buffers.get(usize::from(buffer)).map(Vec::as_slice));
+                let all = all.unwrap_or_default();
+                let part = around::part(all, ends.unwrap_or_default(), w.int(index), span);
+                for &halfedge in part.into_iter().flatten() {
                     self.pointer_set(mesh, field, halfedge as u32, w.id(value));
                 }
             }
@@ -292,7 +307,11 @@ impl Drains {
             | Inst::Fail { .. } | Inst::FailShowing { .. }
             | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
             | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
-            | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. } => {}
+            | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. }
+            | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
+            | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
+            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
+            | Inst::MeetsAll { .. } | Inst::StoreSpan { .. } => {}
         }
     }
 

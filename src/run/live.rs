@@ -213,7 +213,8 @@ impl Liveness<'_> {
             | ExprKind::Int(_)
             | ExprKind::Real(_)
             | ExprKind::Text(_)
-            | ExprKind::Element(_) => {}
+            | ExprKind::Element(_)
+            | ExprKind::Member(..) => {}
         }
     }
 }

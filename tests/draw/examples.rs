@@ -43,9 +43,11 @@ fn every_named_element_has_an_id_and_a_title() {
     for (_, op) in example_ops() {
         let svg = draw_op(&op).svg();
         for rule in &op.rules {
+            let rule = rule.to_draw();
             let label = rule.label.as_ref().map(|label| format!("{label}-"));
             for name in rule.names.iter().filter(|name| name.named) {
                 let word = name.text.replace('\'', "-prime");
+                let word = word.replace('[', "-").replace(']', "");
                 let id = |side| {
                     let label = label.as_deref().unwrap_or("");
                     format!("id=\"{}-{label}{side}-{word}\"", op.name)

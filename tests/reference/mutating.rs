@@ -5,7 +5,7 @@
 //! of what is true, so that there are accepted ops of all shapes.
 
 use hedgerow::diagram::{
-    Edge, Kind, LoopItem, LoopKind, Name, NameId, Op, Ref, Rule, Side, Spoke, Star, Type,
+    Edge, Kind, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side, Spoke, Star, Type,
 };
 use hedgerow::mesh::VertexId;
 use hedgerow::source::Span;
@@ -145,10 +145,7 @@ impl Mutation<'_> {
     }
 
     fn here(&self, name: NameId) -> Ref {
-        Ref {
-            name,
-            span: self.span(),
-        }
+        Ref::plain(name, self.span())
     }
 
     fn span(&self) -> Span {
@@ -170,6 +167,7 @@ impl Mutation<'_> {
             text,
             kind,
             named: true,
+            role: Role::Single,
             span: self.rule.span,
         });
         NameId(number as u32)
@@ -290,7 +288,7 @@ impl Mutation<'_> {
                 spokes.swap(place, other);
             }
             2 => spokes.insert(place, Spoke::Rest(span)),
-            3 => spokes.insert(place, Spoke::Fan(Ref { name: fan, span })),
+            3 => spokes.insert(place, Spoke::Fan(Ref::plain(fan, span))),
             4 => {
                 let is_fan = |spoke: &Spoke| !matches!(spoke, Spoke::Halfedge(_));
                 let fan = spokes.iter_mut().find(|spoke| is_fan(spoke))?;
@@ -301,7 +299,7 @@ impl Mutation<'_> {
                 let fan = spokes.iter().position(is_fan)?;
                 spokes.remove(fan);
             }
-            6 => spokes.insert(place, Spoke::Halfedge(Ref { name: half, span })),
+            6 => spokes.insert(place, Spoke::Halfedge(Ref::plain(half, span))),
             _ => spokes.rotate_left(place),
         }
         *self.random = random;
@@ -600,6 +598,7 @@ impl Mutation<'_> {
                         self.rule.after.stars.push(Star {
                             vertex,
                             spokes,
+                            each: false,
                             span,
                         });
                     }
@@ -631,10 +630,7 @@ impl Mutation<'_> {
             let next_is_unnamed = named(ring[(first + place) % ring.len()].0).is_none();
             if !run && (next_is_unnamed || self.random.once_in(3)) {
                 let fan = match named_fans {
-                    true => Spoke::Fan(Ref {
-                        name: self.fresh(Kind::Fan),
-                        span: self.span(),
-                    }),
+                    true => Spoke::Fan(Ref::plain(self.fresh(Kind::Fan), self.span())),
                     false => Spoke::Rest(self.span()),
                 };
                 spokes.push(fan);
@@ -644,6 +640,7 @@ impl Mutation<'_> {
         Some(Star {
             vertex: self.here(vertex),
             spokes,
+            each: false,
             span: self.span(),
         })
     }
@@ -691,9 +688,10 @@ impl Mutation<'_> {
         self.rule.after.stars.push(Star {
             vertex,
             spokes,
+            each: false,
             span,
         });
-        self.rule.erased.push(Ref { name: from, span });
+        self.rule.erased.push(Ref::plain(from, span));
         Some(())
     }
 }

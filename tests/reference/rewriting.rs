@@ -23,6 +23,8 @@ pub struct Rewritten {
     pub mesh: Mesh,
     /// The match, with the new elements.
     pub at: Match,
+    /// Whether all positions that are assigned were understood.
+    pub placed: bool,
 }
 
 /// The rewrite of a match; `None` if `after` uses a name that nothing binds.
@@ -33,6 +35,7 @@ pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Rewritten> {
         at: at.clone(),
     };
     let positions = rewrite.positions();
+    let placed = positions.len() == rule.assignments.len();
     rewrite.allocate();
     rewrite.reassign()?;
     rewrite.place(&positions)?;
@@ -41,6 +44,7 @@ pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Rewritten> {
     Some(Rewritten {
         mesh: rewrite.mesh,
         at: rewrite.at,
+        placed,
     })
 }
 

@@ -56,6 +56,11 @@ fn check(name: &str) {
 }
 
 #[test]
+fn families() {
+    check("families.md");
+}
+
+#[test]
 fn items() {
     check("items.md");
 }

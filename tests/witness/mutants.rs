@@ -87,7 +87,7 @@ pub fn examples() -> Vec<Op> {
         let file = sources.add("example", fs::read_to_string(&path).unwrap());
         let analysis = Analysis::of(&sources, file);
         let diagrams = analysis.program.ops.into_iter().filter_map(|op| op.diagram);
-        ops.extend(diagrams);
+        ops.extend(diagrams.filter(|op| !op.rules.iter().any(Rule::has_families)));
     }
     ops
 }
@@ -135,7 +135,7 @@ fn missing(rule: &Rule, add: Add) {
     for index in 0..rule.names.len() {
         let (name, span) = (NameId(index as u32), rule.after.span);
         if rule.kind(name) != Kind::Path && rule.kind(name) != Kind::Fan {
-            add(&|rule| rule.erased.push(Ref { name, span }));
+            add(&|rule| rule.erased.push(Ref::plain(name, span)));
         }
     }
 }

@@ -98,6 +98,30 @@ impl Statement {
         }
     }
 
+    /// The same without the list of those whose stars a vertex takes over, which is for the
+    /// reader.
+    pub(in crate::check) fn without_origin(&self) -> Self {
+        let mut statement = self.clone();
+        if let Self::FacesDiffer { from, .. }
+        | Self::OneHole { from, .. }
+        | Self::NeighborsDiffer { from, .. } = &mut statement
+        {
+            from.clear();
+        }
+        if let Self::SingleEdge { ends, halfedge } = &mut statement {
+            *ends = [*halfedge; 2];
+        }
+        statement
+    }
+
+    /// Whether it is tested at every index, though its names are those of one.
+    pub fn is_repeated(&self, rule: &Rule) -> bool {
+        match self {
+            Self::CornerOnce { face, vertex } => rule.is_member(*face) || rule.is_member(*vertex),
+            statement => rule.is_member(statement.subject()),
+        }
+    }
+
     /// What must hold, as a table prints it: without backticks.
     pub fn claim(&self, rule: &Rule) -> String {
         let word = |name: NameId| &rule.name(name).text;

@@ -16,7 +16,8 @@ pub fn lower(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr) -> Reg {
         ExprKind::Int(value) => asm.constant_int(*value),
         ExprKind::Real(value) => asm.constant_real(*value),
         ExprKind::Text(value) => asm.constant_text(value),
-        ExprKind::Element(name) => scope.element(*name),
+        // What is compiled has been unrolled, so members have names of their own.
+        ExprKind::Element(name) | ExprKind::Member(name, _) => scope.element(*name),
         ExprKind::Local(variable) => scope.local(*variable),
         ExprKind::Component(part, vector) => {
             let most = width(vector.ty).saturating_sub(width(expr.ty));
@@ -40,6 +41,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
         | ExprKind::Real(_)
         | ExprKind::Text(_)
         | ExprKind::Element(_)
+        | ExprKind::Member(..)
         | ExprKind::Local(_)
         | ExprKind::Component(..) => {
             let from = lower(asm, scope, expr);

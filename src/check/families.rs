@@ -1,0 +1,189 @@
+//! Rules with families: proved for every size of the cycle at once.
+//!
+//! The rule is unrolled, and turning an unrolled rule by one index gives it again; so what is
+//! found of the members at index 0 holds at every index. It is unrolled far enough that no
+//! statement reaches around the cycle: then a subscript can be read off the names, and the
+//! laws about statements (1 to 6, and 8) say the same on every longer cycle, since each of
+//! them speaks of names that one statement, or two with a name in common, bring together.
+//! On shorter cycles members that differ may be one; the shortest are tested one by one, and
+//! what can only be tested when the op runs is gathered from all short cycles.
+//!
+//! Law 7 looks at rings of any length, and has its own argument: [`voltage`](super::voltage).
+
+use super::facts::Facts;
+use super::fold::{Fold, fold_obligations, fold_pairs};
+use super::guard::{Obligation, obligations};
+use super::matching::Step;
+use super::problem::Problem;
+use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, stop_at};
+use super::witness::{self, Outcome};
+use super::{mend, properties, reach, voltage};
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Drawing, Kind, Level, Loop, LoopKind, Naming, Op, Rule, Spoke, Unrolled};
+
+/// A rule with families, unrolled to the sizes that are looked at.
+pub(super) struct Sizes {
+    /// So large that no statement reaches around the cycle.
+    pub large: Unrolled,
+    /// The short cycles, on which members may coincide.
+    pub small: Vec<Unrolled>,
+}
+
+impl Sizes {
+    pub fn new(rule: &Rule) -> Self {
+        let span = rule.span_of_subscripts();
+        // A name and the vertex it starts at are at most two statements apart, each of which
+        // spans twice the widest subscript.
+        let reach = 4 * span + 2;
+        let unroll = |size| Unrolled::new(rule, size, Naming::Numbers);
+        Self {
+            large: Unrolled::new(rule, 2 * reach + 1, Naming::Relative),
+            small: (1..=reach).map(unroll).collect(),
+        }
+    }
+
+    /// What a level asks on a cycle of some size, of members at index 0.
+    pub fn obligations(&self, level: Level) -> Vec<Obligation> {
+        let mut found = Vec::new();
+        for other in self.all() {
+            let drawing = Drawing::new(&other.rule);
+            if !is_in_a_surface(&drawing) {
+                continue;
+            }
+            let fold = Fold {
+                large: &self.large,
+                other,
+            };
+            fold_obligations(&fold, obligations(&drawing, level), &mut found);
+        }
+        found
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Unrolled> {
+        std::iter::once(&self.large).chain(&self.small)
+    }
+}
+
+/// Whether the drawing can match in a surface: no face has two sides, no vertex one spoke.
+fn is_in_a_surface(drawing: &Drawing) -> bool {
+    let rule = drawing.rule;
+    let halfedges = |orbit: &&Loop| {
+        let mut items = orbit.items.iter();
+        orbit.kind == LoopKind::Face
+            && items.all(|item| rule.kind(item.item.name) == Kind::Halfedge)
+    };
+    let mut faces = rule.before.loops.iter().filter(halfedges);
+    let mut stars = rule.before.stars.iter();
+    faces.all(|orbit| orbit.items.len() > 2)
+        && !stars.any(|star| matches!(star.spokes.as_slice(), [Spoke::Halfedge(_)]))
+}
+
+/// Proves a rule with families for every size, or tells every law it breaks.
+pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Rejected> {
+    let sizes = Sizes::new(rule);
+    match laws(op, &sizes) {
+        Ok(proof) => Ok(proof),
+        Err(broken) => Err(reject(op, rule, &sizes, broken)),
+    }
+}
+
+fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
+    let large = &sizes.large.rule;
+    let drawing = Drawing::new(large);
+    let rings = laws_at_large(op, large)?;
+    for short in sizes.small.iter().take(3) {
+        statements(&Drawing::new(&short.rule))?;
+    }
+    let same = fold_pairs(sizes.all(), &sizes.large);
+    let matching = reach::matching(op, &drawing, &same)?;
+    stop_at(sizes_are_known(&drawing, &matching))?;
+    let guard = match large.guard {
+        Some((level, _)) => sizes.obligations(level),
+        None => Vec::new(),
+    };
+    let facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
+    stop_at(properties::broken_claims(
+        op,
+        &drawing,
+        &facts.keeps,
+        facts.change,
+        &facts.grows_with,
+    ))?;
+    Ok(Proof {
+        matching,
+        guard,
+        facts,
+        rings,
+        unrolled: Some(Box::new(large.clone())),
+    })
+}
+
+/// The laws for a rule that is unrolled far enough.
+fn laws_at_large(_op: &Op, large: &Rule) -> Result<super::vertices_are_orbits::Rings, Broken> {
+    let drawing = Drawing::new(large);
+    statements(&drawing)?;
+    voltage::test(&drawing)
+}
+
+/// A family is as long as an orbit of `before` that is drawn with `each`.
+fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
+    let walks = |step: &Step| matches!(step, Step::Walk { .. });
+    if matching.iter().any(walks) {
+        return Vec::new();
+    }
+    let rule = drawing.rule;
+    let mut names = (0..rule.names.len() as u32).map(crate::diagram::NameId);
+    let Some(family) = names.find(|&name| rule.is_member(name)) else {
+        return Vec::new();
+    };
+    let text = rule.quoted(family);
+    let message = format!("nothing says how many there are of {text}");
+    let problem = Diagnostic::error("unreachable-name", message, rule.name(family).span)
+        .note("draw an orbit of `before` with `each`: `face f: each i { v[i] -h[i]-> }`");
+    vec![problem.into()]
+}
+
+/// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
+fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
+    let mut problems = broken.problems;
+    let mut outcome = Outcome::NotTried;
+    for short in &sizes.small {
+        let Err(mut here) = prove_plain(op, &short.rule) else {
+            continue;
+        };
+        let found = witness::find(op, &short.rule, &mut here);
+        if !matches!(found, Outcome::Breaks(_)) {
+            continue;
+        }
+        let size = short.size();
+        if let Some(first) = problems.first_mut() {
+            let around = format!("on a cycle of {size}");
+            let told = here.problems.into_iter().next();
+            if let Some(told) = told {
+                let notes = told.diagnostic.notes.into_iter();
+                let literal = notes.filter(|note| note.starts_with("carried out literally"));
+                let notes = literal.map(|note| format!("{around}, {note}"));
+                first.diagnostic.notes.extend(notes);
+            }
+        }
+        outcome = found;
+        break;
+    }
+    let at_large = |mended: &Rule| match laws_at_large(op, mended) {
+        Ok(_) => Vec::new(),
+        Err(broken) => broken.problems,
+    };
+    let _ = rule;
+    let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, at_large);
+    let mut seen = Vec::new();
+    diagnostics.retain(|diagnostic| {
+        let key = (diagnostic.code, diagnostic.span());
+        let first = !seen.contains(&key);
+        seen.push(key);
+        first
+    });
+    Rejected {
+        diagnostics,
+        outcome,
+    }
+}

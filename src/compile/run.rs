@@ -1,0 +1,140 @@
+//! The halfedges of paths and fans that move, collected while the mesh is as it was.
+
+use super::collect::Collect;
+use crate::check::matching::{Bound, Source};
+use crate::check::{moved_fans, moved_paths};
+use crate::diagram::{NameId, Spoke};
+use crate::rewrite::{Cell, ElementField, Inst, Walk};
+
+/// Where the halfedges of a path or fan are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Run {
+    /// All of them; of a family those of every index, one after the other.
+    pub buffer: u16,
+    /// Of a family, where those of each index end.
+    pub ends: Option<u16>,
+}
+
+impl Collect<'_, '_, '_, '_> {
+    /// Collects the halfedges of the paths and fans that move.
+    pub(super) fn runs(&mut self) -> Vec<Option<Run>> {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        let mut runs = vec![None; rule.names.len()];
+        let first = |run: &NameId| rule.is_first(*run);
+        for path in moved_paths(drawing).filter(first) {
+            runs[path.index()] = Some(self.collect_path(path));
+        }
+        for fan in moved_fans(drawing).filter(first) {
+            runs[fan.index()] = Some(self.collect_run(fan, Self::collect_fan));
+            let text = &rule.name(fan).text;
+            self.row(Cell::Note(format!("collect the spokes of {text}")));
+        }
+        runs
+    }
+
+    /// Collects the halfedges of a path.
+    pub(super) fn collect_path(&mut self, path: NameId) -> Run {
+        let text = &self.drawing.rule.name(path).text;
+        self.row(Cell::Note(format!("collect the halfedges of {text}")));
+        self.collect_run(path, Self::collect_one_path)
+    }
+
+    /// Collects a run, or each of a family of runs.
+    fn collect_run(&mut self, run: NameId, one: impl FnOnce(&mut Self, NameId, u16)) -> Run {
+        let buffer = self.buffer();
+        if !self.drawing.rule.is_member(run) {
+            one(self, run, buffer);
+            return Run { buffer, ends: None };
+        }
+        let ends = self.buffer();
+        let turns = self.registers.begin_turns(&mut self.output.asm);
+        one(self, run, buffer);
+        let to = self.output.asm.reg();
+        self.output.asm.emit(Inst::BufferLength { buffer, to });
+        self.output.asm.emit(Inst::BufferPush {
+            buffer: ends,
+            from: to,
+        });
+        self.registers.end_turns(&mut self.output.asm, turns);
+        Run {
+            buffer,
+            ends: Some(ends),
+        }
+    }
+
+    fn collect_one_path(&mut self, path: NameId, buffer: u16) {
+        let from = self.element(path);
+        let next = self
+            .drawing
+            .before
+            .item_after(path)
+            .expect("a path of `before` lies in a loop");
+        let until = self.element(next);
+        let whole = next == path;
+        self.output.asm.emit(Inst::Collect {
+            walk: Walk::Loop,
+            buffer,
+            from,
+            until,
+            whole,
+        });
+    }
+
+    fn collect_fan(&mut self, fan: NameId, buffer: u16) {
+        let vertex = self
+            .drawing
+            .before
+            .star_of_spoke(fan)
+            .expect("a fan of `before` lies in a star");
+        let star = self
+            .drawing
+            .before
+            .star(vertex)
+            .expect("its vertex has a statement");
+        let count = star.spokes.len();
+        let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
+        let at = star
+            .spokes
+            .iter()
+            .position(is_fan)
+            .expect("the statement lists the fan");
+        let half = |spoke: &Spoke| match spoke {
+            Spoke::Halfedge(half) => Some(half.name),
+            Spoke::Fan(_) | Spoke::Rest(_) => None,
+        };
+        let from = self.output.asm.reg();
+        let before = half(&star.spokes[(at + count - 1) % count]);
+        let after = half(&star.spokes[(at + 1) % count]);
+        let walk = Walk::Star;
+        let inst = match (before, after) {
+            (Some(before), Some(after)) => {
+                self.load(Source::Counterclockwise(Bound::Element(before)), from);
+                Inst::Collect {
+                    walk,
+                    buffer,
+                    from,
+                    until: self.element(after),
+                    whole: false,
+                }
+            }
+            // The fan is the whole star.
+            _ => {
+                let element = self.element(vertex);
+                self.output.asm.emit(Inst::LoadHalfedge {
+                    of: ElementField::Vertex,
+                    to: from,
+                    element,
+                });
+                Inst::Collect {
+                    walk,
+                    buffer,
+                    from,
+                    until: from,
+                    whole: true,
+                }
+            }
+        };
+        self.output.asm.emit(inst);
+    }
+}

@@ -1,0 +1,219 @@
+//! Families in phase 1: the walk that binds them, and what is claimed of all of them at once.
+
+use super::collect::Collect;
+use super::operation::kind_of_element;
+use super::registers::Home;
+use crate::check::matching::Claim;
+use crate::diagram::{Kind, NameId};
+use crate::rewrite::{Cell, Inst, Phase, Reg, Walk};
+
+/// How a claim about families is tested.
+pub(super) enum Around {
+    /// A register says whether it holds.
+    Holds(Reg),
+    /// All slots of a buffer must differ.
+    Distinct(u16),
+}
+
+impl Collect<'_, '_, '_, '_> {
+    /// Walks an orbit once around and deals its halfedges out to the families of a period.
+    pub(super) fn walk(&mut self, orbit: NameId, halfedges: &[NameId]) {
+        let rule = self.drawing.rule;
+        let (walk, around) = match rule.kind(orbit) {
+            Kind::Vertex => (Walk::Star, "around"),
+            _ => (Walk::Loop, "along"),
+        };
+        let text = rule.name(orbit).text.clone();
+        let words: Vec<_> = halfedges
+            .iter()
+            .map(|&half| rule.name(half).text.as_str())
+            .collect();
+        self.row(Cell::Note(format!(
+            "walk once {around} {text}: {} at each index",
+            words.join(", ")
+        )));
+        let from = self.registers.begin(&mut self.output.asm, halfedges[0]);
+        let buffer = self.buffer();
+        self.output.asm.emit(Inst::Collect {
+            walk,
+            buffer,
+            from,
+            until: from,
+            whole: true,
+        });
+        let period = u16::try_from(halfedges.len()).unwrap_or(u16::MAX);
+        if period > 1 {
+            self.test_period(buffer, period, &text, walk);
+        }
+        for (place, &half) in (0..).zip(halfedges) {
+            let Home::Member { buffer: to, .. } = self.registers.home(half) else {
+                continue;
+            };
+            self.output.asm.emit(Inst::BufferClear { buffer: to });
+            self.output.asm.emit(Inst::BufferDeal {
+                from: buffer,
+                to,
+                place,
+                period,
+                turn: i16::try_from(rule.offset(half)).unwrap_or(0),
+            });
+            match self.registers.cycle {
+                None => self.registers.cycle = Some(to),
+                Some(cycle) if place == 0 => self.test_size(cycle, to, orbit),
+                Some(_) => {}
+            }
+        }
+    }
+
+    /// The halfedges must make whole periods.
+    fn test_period(&mut self, buffer: u16, period: u16, text: &str, walk: Walk) {
+        let mark = self.output.asm.mark();
+        let length = self.output.asm.reg();
+        self.output
+            .asm
+            .emit(Inst::BufferLength { buffer, to: length });
+        let right = self.output.asm.constant_int(i64::from(period));
+        let to = self.output.asm.reg();
+        self.output.asm.emit(Inst::ModInt {
+            to,
+            left: length,
+            right,
+        });
+        let what = match walk {
+            Walk::Loop => "sides",
+            Walk::Star => "spokes",
+        };
+        let reason = format!("the number of {what} of `{text}` is no multiple of {period}");
+        let zero = self.output.asm.constant_int(0);
+        self.row(Cell::Test {
+            claim: format!("its {what} come in groups of {period}"),
+            reason: reason.clone(),
+        });
+        self.expect_equal([to, zero], reason);
+        self.output.asm.release(mark);
+    }
+
+    /// All families are of one size.
+    fn test_size(&mut self, cycle: u16, other: u16, orbit: NameId) {
+        let mark = self.output.asm.mark();
+        let lengths = [cycle, other].map(|buffer| {
+            let to = self.output.asm.reg();
+            self.output.asm.emit(Inst::BufferLength { buffer, to });
+            to
+        });
+        let orbit = self.drawing.rule.quoted(orbit);
+        let reason = format!("{orbit} is longer, or shorter, than the families before");
+        self.row(Cell::Test {
+            claim: "as many as before".into(),
+            reason: reason.clone(),
+        });
+        self.expect_equal(lengths, reason);
+        self.output.asm.release(mark);
+    }
+
+    fn expect_equal(&mut self, [left, right]: [Reg; 2], reason: String) {
+        let refusal = self.output.refusal(reason, Phase::Match);
+        let otherwise = self.fail;
+        self.output.asm.emit(Inst::ExpectEqual {
+            left,
+            right,
+            refusal,
+            otherwise,
+        });
+    }
+
+    /// The code for a claim about families as a whole.
+    pub(super) fn around(&mut self, claim: &Claim) -> Around {
+        match claim {
+            Claim::Begins(name) => {
+                let right = self.registers.begin(&mut self.output.asm, *name);
+                let left = self.element(*name);
+                let to = self.output.asm.reg();
+                self.output.asm.emit(Inst::Equal { to, left, right });
+                Around::Holds(to)
+            }
+            Claim::AllDistinct(names) => Around::Distinct(self.all_of(names)),
+            Claim::AroundInOrder {
+                along_loop,
+                halfedges,
+            } => {
+                let buffer = self.buffer();
+                let turns = self.registers.begin_turns(&mut self.output.asm);
+                for &half in halfedges {
+                    let from = self.element(half);
+                    self.output.asm.emit(Inst::BufferPush { buffer, from });
+                }
+                self.registers.end_turns(&mut self.output.asm, turns);
+                let walk = if *along_loop { Walk::Loop } else { Walk::Star };
+                let to = self.output.asm.reg();
+                self.output.asm.emit(Inst::MeetsAll { walk, to, buffer });
+                Around::Holds(to)
+            }
+            Claim::NotAllEmptyAround(paths) => {
+                let all = self.output.asm.reg();
+                self.output.asm.emit(Inst::Const { to: all, bits: 1 });
+                let turns = self.registers.begin_turns(&mut self.output.asm);
+                let here = self.are_empty(paths);
+                self.output.asm.emit(Inst::And {
+                    to: all,
+                    left: all,
+                    right: here,
+                });
+                self.registers.end_turns(&mut self.output.asm, turns);
+                Around::Holds(self.not(all))
+            }
+            // The others speak of one index.
+            _ => Around::Holds(self.output.asm.constant_bool(true)),
+        }
+    }
+
+    /// A buffer with all these elements, and all members of the families among them.
+    fn all_of(&mut self, names: &[NameId]) -> u16 {
+        let to = self.buffer();
+        for &name in names {
+            match self.registers.home(name) {
+                Home::Reg(from) => self.output.asm.emit(Inst::BufferPush { buffer: to, from }),
+                Home::Member { buffer: from, .. } => {
+                    self.output.asm.emit(Inst::BufferAppend { from, to });
+                }
+            }
+        }
+        to
+    }
+
+    /// Tests the room for new elements of a kind: so many once, and so many for each index.
+    pub(super) fn room_around(&mut self, kind: Kind, [once, each]: [u16; 2], refusal: u16) {
+        let (Some(kind), Some(cycle)) = (kind_of_element(kind), self.registers.cycle) else {
+            return;
+        };
+        if once == 0 && each == 0 {
+            return;
+        }
+        let asm = &mut self.output.asm;
+        let mark = asm.mark();
+        let count = asm.reg();
+        asm.emit(Inst::BufferLength {
+            buffer: cycle,
+            to: count,
+        });
+        let right = asm.constant_int(i64::from(each));
+        asm.emit(Inst::MulInt {
+            to: count,
+            left: count,
+            right,
+        });
+        let right = asm.constant_int(i64::from(once));
+        asm.emit(Inst::AddInt {
+            to: count,
+            left: count,
+            right,
+        });
+        asm.emit(Inst::ExpectRoomFor {
+            kind,
+            count,
+            refusal,
+            otherwise: self.fail,
+        });
+        asm.release(mark);
+    }
+}

@@ -1,0 +1,93 @@
+//! Around the cycle of a rule that was unrolled: its members turned, and their indices.
+//!
+//! Turning all names of an unrolled rule by one index gives the same rule again, so whatever
+//! is found out at index 0 holds at every index. In a rule without families nothing turns.
+
+use super::{NameId, Ref, Role, Rule, Side, Spoke};
+
+impl Rule {
+    /// Whether it has families that are not unrolled.
+    pub fn has_families(&self) -> bool {
+        self.cycle
+            .as_ref()
+            .is_some_and(|cycle| cycle.size.is_none())
+    }
+
+    /// The size that it was unrolled to, if it was.
+    pub fn size(&self) -> Option<u32> {
+        self.cycle.as_ref()?.size
+    }
+
+    /// Whether a name is a member of a family.
+    pub fn is_member(&self, name: NameId) -> bool {
+        matches!(self.name(name).role, Role::Member { .. })
+    }
+
+    /// The index of a member; 0 of anything else.
+    pub fn index(&self, name: NameId) -> u32 {
+        match self.name(name).role {
+            Role::Member { index, .. } => index,
+            Role::Single | Role::Family => 0,
+        }
+    }
+
+    /// The index of a member, counted from the nearest side: -1 is the last before 0.
+    pub fn offset(&self, name: NameId) -> i64 {
+        let (index, size) = (self.index(name), self.size().unwrap_or(1));
+        match index <= size / 2 {
+            true => i64::from(index),
+            false => i64::from(index) - i64::from(size),
+        }
+    }
+
+    /// The member of the same family that is `by` further around the cycle; anything else
+    /// stays what it is.
+    pub fn turned(&self, name: NameId, by: i64) -> NameId {
+        let (Role::Member { index, .. }, Some(size)) = (self.name(name).role, self.size()) else {
+            return name;
+        };
+        let around = (i64::from(index) + by).rem_euclid(i64::from(size));
+        NameId(name.0 - index + around as u32)
+    }
+
+    /// The member at index 0 of the same family; of anything else the name itself.
+    pub fn first_member(&self, name: NameId) -> NameId {
+        self.turned(name, -i64::from(self.index(name)))
+    }
+
+    /// Whether a name is single, or a member at index 0.
+    pub fn is_first(&self, name: NameId) -> bool {
+        self.index(name) == 0
+    }
+
+    /// The most that a subscript adds to the index, or takes from it; `each` adds one, for
+    /// the way from a period to the next.
+    pub fn span_of_subscripts(&self) -> u32 {
+        let mut widest = 1;
+        let mut see = |mention: &Ref| widest = widest.max(mention.shift.unsigned_abs());
+        for side in [&self.before, &self.after] {
+            mentions(side).for_each(&mut see);
+        }
+        widest
+    }
+}
+
+/// All mentions on one side.
+fn mentions(side: &Side) -> impl Iterator<Item = &Ref> {
+    let loops = side.loops.iter().flat_map(|orbit| {
+        let items = orbit.items.iter().flat_map(|item| [&item.from, &item.item]);
+        items.chain([&orbit.face, &orbit.end])
+    });
+    let edges = side
+        .edges
+        .iter()
+        .flat_map(|edge| edge.halfedges.iter().chain([&edge.edge]));
+    let stars = side.stars.iter().flat_map(|star| {
+        let spokes = star.spokes.iter().filter_map(|spoke| match spoke {
+            Spoke::Halfedge(mention) | Spoke::Fan(mention) => Some(mention),
+            Spoke::Rest(_) => None,
+        });
+        spokes.chain([&star.vertex])
+    });
+    loops.chain(edges).chain(stars)
+}
