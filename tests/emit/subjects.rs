@@ -11,7 +11,11 @@ use hedgerow::source::Sources;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 2] = [
+const NOT_EMITTED: [&str; 6] = [
+    "families_inset: a drawing with `each`",
+    "families_poke: a drawing with `each`",
+    "families_dissolve_vertex: a drawing with `each`",
+    "families_bevel_vertex: a drawing with `each`",
     "polygon_weld: a guard that follows the paths of `f` to several faces",
     "simple_part_vertex: a guard that follows the spokes of `v` to several vertices",
 ];
