@@ -7,6 +7,8 @@ mod pages;
 use hedgerow::analysis::{Analysis, Reader, verdicts};
 use hedgerow::diagnostic::{Rendering, render};
 use hedgerow::library;
+use hedgerow::rewrite::Unwatched;
+use hedgerow::run::test;
 use hedgerow::source::Sources;
 
 const PLAIN: Rendering = Rendering {
@@ -81,4 +83,23 @@ fn the_library_is_proved() {
         }
     }
     assert!(proved >= 3, "only {proved} ops");
+}
+
+#[test]
+fn the_tests_of_the_library_pass() {
+    let mut passed = 0;
+    for file in library::files() {
+        let mut sources = Sources::new();
+        let root = sources.add(file.name, file.text);
+        let analysis = Analysis::with(&mut sources, root, &mut Pages(Vec::new()));
+        let (program, plans) = (&analysis.program, &analysis.plans);
+        for number in 0..program.tests.len() {
+            let mut load = |_: &str, _| Err("the library loads nothing".to_owned());
+            if let Err(failed) = test(program, number, plans, &mut load, &mut Unwatched) {
+                panic!("{}", render(&[failed.diagnostic], &sources, PLAIN));
+            }
+            passed += 1;
+        }
+    }
+    assert!(passed >= 6, "only {passed} tests");
 }

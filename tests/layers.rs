@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
     ("draw", &["source", "diagram", "mesh"]),
+    ("emit", &["source", "diagram", "check", "compile"]),
     ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (
@@ -77,6 +78,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "resolve",
             "run",
             "draw",
+            "emit",
             "format",
             "analysis",
             "lsp",

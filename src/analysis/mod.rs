@@ -28,7 +28,7 @@ mod tokens;
 mod verdict;
 mod words;
 
-pub use crate::check::{Argument, Counterexample};
+pub use crate::check::{Argument, Counterexample, Proved};
 pub use action::{Action, Purpose, actions};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};

@@ -43,6 +43,8 @@ pub(super) enum Command {
     Lsp(LspArguments),
     /// Format programs, so that their drawings stand in columns
     Fmt(FmtArguments),
+    /// Run the tests of programs
+    Test(TestArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
 }
@@ -86,6 +88,9 @@ pub(super) struct RunArguments {
     /// Where to write the result (.obj)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// Where to write a picture of the result (.png or .svg)
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -124,9 +129,38 @@ pub(super) struct ApplyArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct PlanArguments {
-    /// A program and an operation in it
-    #[arg(value_name = "FILE::OP")]
+    /// A program, and an operation in it; without one, all of them
+    #[arg(value_name = "FILE[::OP]")]
     pub op: String,
+    /// What to show it as
+    #[arg(long = "as", value_enum, value_name = "KIND", default_value_t)]
+    pub shown: Shown,
+    /// How C++ is spelled: fields (h->next), accessors (h->next()),
+    /// or a pattern, such as erase_vertex=delete_vertex({of})
+    #[arg(
+        long = "style",
+        value_name = "STYLE",
+        allow_hyphen_values = true,
+        verbatim_doc_comment
+    )]
+    pub style: Vec<String>,
+    /// Where to write it, if not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What a plan is shown as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Shown {
+    /// Four phases, to read
+    #[default]
+    Table,
+    /// The same as data
+    Json,
+    /// A function over a mesh of pointers
+    Cpp,
+    /// A function over hedgerow::mesh
+    Rust,
 }
 
 #[derive(Debug, Args)]
@@ -224,6 +258,19 @@ pub(super) struct FmtArguments {
     /// Change nothing; exit code 1 if something is not formatted
     #[arg(long)]
     pub check: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct TestArguments {
+    /// Programs (.hedge)
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Only tests whose name holds this text
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+    /// What the answer looks like
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 #[derive(Debug, Args)]

@@ -206,7 +206,7 @@ struct FileReport {
 
 /// A diagnostic as data; lines and columns are 1-based, columns count characters.
 #[derive(Serialize)]
-struct DiagnosticReport {
+pub(super) struct DiagnosticReport {
     severity: &'static str,
     code: &'static str,
     message: String,
@@ -243,7 +243,7 @@ struct Place {
     end_column: usize,
 }
 
-fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
+pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticReport {
     let place = |span: Span| {
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);

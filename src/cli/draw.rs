@@ -5,6 +5,8 @@ use std::path::Path;
 use super::arguments::{DrawArguments, Drawn};
 use super::check::show_rule;
 use super::failure::Failure;
+use super::files::write;
+use super::meshes::expect_place;
 use super::output::{complain_of, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
@@ -87,20 +89,28 @@ fn show_verdict(verdict: &Verdict) -> String {
     format!("proved: {}", rules.collect::<Vec<_>>().join("; "))
 }
 
+/// Whether a picture can go to a place: asked before anybody waits for it.
+pub(super) fn expect_picture(path: &Path) -> Result<(), Failure> {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    match extension {
+        Some("svg" | "png") => expect_place(path),
+        _ => Err(no_kind(path)),
+    }
+}
+
+fn no_kind(path: &Path) -> Failure {
+    Failure::usage(format!(
+        "cannot tell what `{}` is to be: its name ends in neither .svg nor .png",
+        path.display()
+    ))
+}
+
 /// Writes a picture as what the end of the file's name says.
 pub(super) fn write_picture(picture: &Picture, path: &Path, pixels: f64) -> Result<(), Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str());
     match extension {
         Some("svg") => write(path, picture.svg().as_bytes()),
         Some("png") => write(path, &picture.png(pixels).map_err(Failure::usage)?),
-        _ => Err(Failure::usage(format!(
-            "cannot tell what `{}` is to be: its name ends in neither .svg nor .png",
-            path.display()
-        ))),
+        _ => Err(no_kind(path)),
     }
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    std::fs::write(path, bytes)
-        .map_err(|error| Failure::usage(format!("cannot write `{}`: {error}", path.display())))
 }

@@ -12,6 +12,7 @@ mod counts;
 mod draw;
 mod explain;
 mod failure;
+mod files;
 mod fmt;
 mod info;
 mod library;
@@ -23,6 +24,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod test;
 mod view;
 mod witness;
 
@@ -53,6 +55,7 @@ pub fn main() -> ExitCode {
         Command::View(arguments) => view::view(&arguments),
         Command::Lsp(arguments) => lsp::lsp(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
+        Command::Test(arguments) => test::test(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     };
     match done {

@@ -2,23 +2,203 @@
 
 use std::mem::discriminant;
 
-use super::arguments::PlanArguments;
-use super::failure::Failure;
-use super::output::{complain_of, say, table};
-use super::program;
-use crate::rewrite::{Cell, Plan, Row, Stage};
+use serde::Serialize;
 
-/// Shows an operation as pointer assignments, in four phases.
+use super::arguments::{PlanArguments, Shown};
+use super::failure::Failure;
+use super::files;
+use super::output::{complain_of, say, table};
+use super::program::{self, Program};
+use crate::analysis::Proved;
+use crate::diagnostic::Diagnostic;
+use crate::emit::{NotEmitted, Style, cpp, rust};
+use crate::rewrite::{Cell, Phase, Plan, Row, Stage};
+
+/// Shows operations as pointer assignments: as a table, as data, or as code.
 pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
+    let mut style = Style::default();
+    for text in &arguments.style {
+        style.set(text).map_err(Failure::usage)?;
+    }
+    if !arguments.style.is_empty() && arguments.shown != Shown::Cpp {
+        return Err(Failure::usage("a style is for C++: write --as cpp"));
+    }
     let (path, name) = program::part(&arguments.op);
     let program = program::read(path)?;
-    let op = program::find_op(&program, name)?;
-    let Some(plan) = &program.analysis.plans[op] else {
-        complain_of(&program.analysis.diagnostics, &program.sources);
-        return Err(Failure::NotProved);
+    let ops: Vec<_> = match name {
+        Some(_) => vec![program::find_op(&program, name)?],
+        // A table of everything is more than anybody reads.
+        None if arguments.shown == Shown::Table => vec![program::find_op(&program, None)?],
+        None => {
+            let ops = program.analysis.program.ops.iter().enumerate();
+            let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);
+            own.map(|(at, _)| at).collect()
+        }
     };
-    say(&show(plan));
-    Ok(())
+    if ops.is_empty() {
+        program::find_op(&program, None)?;
+    }
+    let (mut plans, mut proved) = (Vec::new(), Vec::new());
+    for &op in &ops {
+        let known = program.analysis.plans[op].as_ref();
+        let Some((plan, proof)) = known.zip(program.analysis.proved[op].as_ref()) else {
+            complain_of(&program.analysis.diagnostics, &program.sources);
+            return Err(Failure::NotProved);
+        };
+        plans.push(plan);
+        proved.push(proof);
+    }
+    let text = match arguments.shown {
+        Shown::Table => tables(&plans),
+        Shown::Json => data(&program, &ops, &plans)?,
+        Shown::Cpp => emitted(&program, cpp(&proved, &style), &proved)?,
+        Shown::Rust => emitted(&program, rust(&proved), &proved)?,
+    };
+    match &arguments.output {
+        Some(output) => files::write(output, text.as_bytes()),
+        None => {
+            say(text.trim_end());
+            Ok(())
+        }
+    }
+}
+
+fn tables(plans: &[&Plan]) -> String {
+    let plans: Vec<_> = plans.iter().map(|plan| show(plan)).collect();
+    plans.join("\n\n\n") + "\n"
+}
+
+/// Emitted code; or what cannot be emitted, with its place.
+fn emitted(
+    program: &Program,
+    text: Result<String, NotEmitted>,
+    proved: &[&Proved],
+) -> Result<String, Failure> {
+    text.map_err(|NotEmitted { what, span }| {
+        let inside = |proved: &&&Proved| {
+            let op = proved.op().span;
+            op.file == span.file && op.touches(span.start as usize)
+        };
+        let op = proved.iter().find(inside);
+        let op = op.map_or_else(String::new, |proved| format!("`{}`: ", proved.op().name));
+        let message = format!("{op}{what} cannot be emitted");
+        let note = "`hedgerow plan` shows the operation as a table, and `hedgerow apply` and `run` carry it out";
+        let error = Diagnostic::error("not-emitted", message, span).note(note);
+        complain_of(&[error], &program.sources);
+        Failure::Silent(1.into())
+    })
+}
+
+/// Plans as data: what the reference documents.
+fn data(program: &Program, ops: &[usize], plans: &[&Plan]) -> Result<String, Failure> {
+    let plans = ops.iter().zip(plans).map(|(&op, plan)| {
+        let op = &program.analysis.program.ops[op];
+        let params = op.params.iter().map(|param| ParamData {
+            name: &param.name,
+            kind: param.ty.word(),
+        });
+        PlanData {
+            op: &plan.name,
+            params: params.collect(),
+            result: plan.result.map(|kind| kind.name()),
+            level: plan.level.name(),
+            rules: plan.stages.iter().map(RuleData::from).collect(),
+            refusals: plan
+                .refusals
+                .iter()
+                .map(|refusal| RefusalData {
+                    reason: &refusal.reason,
+                    phase: match refusal.phase {
+                        Phase::Match => "match",
+                        Phase::Require => "require",
+                        Phase::Guard => "guard",
+                        Phase::Evaluate => "evaluate",
+                    },
+                })
+                .collect(),
+        }
+    });
+    let plans = Plans {
+        plans: plans.collect(),
+    };
+    serde_json::to_string_pretty(&plans)
+        .map(|text| text + "\n")
+        .map_err(Failure::usage)
+}
+
+#[derive(Serialize)]
+struct Plans<'a> {
+    plans: Vec<PlanData<'a>>,
+}
+
+#[derive(Serialize)]
+struct PlanData<'a> {
+    op: &'a str,
+    params: Vec<ParamData<'a>>,
+    result: Option<&'static str>,
+    level: &'static str,
+    rules: Vec<RuleData<'a>>,
+    refusals: Vec<RefusalData<'a>>,
+}
+
+#[derive(Serialize)]
+struct ParamData<'a> {
+    name: &'a str,
+    #[serde(rename = "type")]
+    kind: &'static str,
+}
+
+#[derive(Serialize)]
+struct RuleData<'a> {
+    rule: Option<&'a str>,
+    collect: Vec<RowData<'a>>,
+    allocate: Vec<RowData<'a>>,
+    reassign: Vec<RowData<'a>>,
+    erase: Vec<RowData<'a>>,
+}
+
+#[derive(Serialize)]
+struct RefusalData<'a> {
+    reason: &'a str,
+    phase: &'static str,
+}
+
+#[derive(Serialize)]
+struct RowData<'a> {
+    #[serde(flatten)]
+    cell: CellData<'a>,
+    executed: bool,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum CellData<'a> {
+    Set { target: &'a str, value: &'a str },
+    Test { claim: &'a str, reason: &'a str },
+    Note { text: &'a str },
+}
+
+impl<'a> From<&'a Stage> for RuleData<'a> {
+    fn from(stage: &'a Stage) -> Self {
+        let rows = |rows: &'a [Row]| {
+            let row = |row: &'a Row| RowData {
+                cell: match &row.cell {
+                    Cell::Set { target, value } => CellData::Set { target, value },
+                    Cell::Test { claim, reason } => CellData::Test { claim, reason },
+                    Cell::Note(text) => CellData::Note { text },
+                },
+                executed: row.executed,
+            };
+            rows.iter().map(row).collect()
+        };
+        Self {
+            rule: stage.rule.as_deref(),
+            collect: rows(&stage.collect),
+            allocate: rows(&stage.allocate),
+            reassign: rows(&stage.reassign),
+            erase: rows(&stage.erase),
+        }
+    }
 }
 
 /// The four phases of every rule.

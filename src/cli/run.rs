@@ -6,11 +6,13 @@ use serde::Serialize;
 
 use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
+use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
 use super::meshes;
 use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
+use crate::draw::{View, draw_mesh};
 use crate::mesh::write_obj;
 use crate::run::{self, OpReport, prepare};
 
@@ -31,6 +33,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .map_err(|errors| complain(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
     meshes::expect_place(&arguments.output)?;
+    if let Some(picture) = &arguments.picture {
+        expect_picture(picture)?;
+    }
 
     let started = Instant::now();
     let mut obj = meshes::read(&arguments.mesh)?;
@@ -47,6 +52,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 
     let started = Instant::now();
     write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
+    if let Some(picture) = &arguments.picture {
+        write_picture(&draw_mesh(&obj.mesh, &View::default()), picture, 1.0)?;
+    }
     let save = started.elapsed().as_secs_f64();
 
     let report = Report {

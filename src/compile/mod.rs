@@ -22,3 +22,4 @@ pub use expression::{
     lower_into, width,
 };
 pub use operation::compile;
+pub use reason::refusal as why_refused;

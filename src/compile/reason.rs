@@ -65,7 +65,7 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
 }
 
 /// Why a claim fails, as a refusal says it.
-pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
+pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
     let rule = drawing.rule;
     let tick = |text: String| format!("`{text}`");
     match claim {

@@ -25,6 +25,30 @@ const FILES: &[LibraryFile] = &[
         name: "std/triangle.hedge",
         text: include_str!("std/triangle.hedge"),
     },
+    LibraryFile {
+        name: "std/subdivide.hedge",
+        text: include_str!("std/subdivide.hedge"),
+    },
+    LibraryFile {
+        name: "std/remesh.hedge",
+        text: include_str!("std/remesh.hedge"),
+    },
+    LibraryFile {
+        name: "std/simplify.hedge",
+        text: include_str!("std/simplify.hedge"),
+    },
+    LibraryFile {
+        name: "std/triangulate.hedge",
+        text: include_str!("std/triangulate.hedge"),
+    },
+    LibraryFile {
+        name: "std/smooth.hedge",
+        text: include_str!("std/smooth.hedge"),
+    },
+    LibraryFile {
+        name: "std/repair.hedge",
+        text: include_str!("std/repair.hedge"),
+    },
 ];
 
 /// All files, in the order in which they are best read.

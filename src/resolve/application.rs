@@ -1,7 +1,7 @@
 //! Calls of ops in scripts.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, ExprKind, Type};
+use crate::diagram::{Expr, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
@@ -10,7 +10,6 @@ use super::program::{Block, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::suggestion::suggest;
-use super::typing::typed;
 use super::words::a_type;
 
 /// `must split(e)` as a value.
@@ -29,10 +28,7 @@ impl Applied {
     /// refusal.
     pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
         let refused = Statement {
-            kind: StatementKind::Assert {
-                condition: typed(Type::Bool, ExprKind::Bool(false), self.span),
-                reason: format!("`{}` was refused", self.name),
-            },
+            kind: StatementKind::Refused { op: self.op },
             span: self.span,
         };
         StatementKind::IfApply {

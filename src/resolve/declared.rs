@@ -14,7 +14,7 @@ use crate::syntax::tree::{self, Ident, Item};
 use super::attribute::{Head, head};
 use super::builtin::function_names;
 use super::file::Unit;
-use super::report::{Report, not_yet};
+use super::report::Report;
 use super::routine::FunctionSignature;
 use super::sequence::fold_names;
 use super::words::a_type;
@@ -128,15 +128,7 @@ impl Declared {
                 Item::Attr(attr) => {
                     self.declare_attribute(attr, numbers, diagnostics);
                 }
-                Item::Test(test) => {
-                    let what = "`test` blocks are not supported yet";
-                    let head = Span {
-                        end: test.body.span.start.max(test.span.start),
-                        ..test.span
-                    };
-                    diagnostics.push(not_yet(what, head));
-                }
-                Item::Use(_) | Item::Broken(_) => {}
+                Item::Test(_) | Item::Use(_) | Item::Broken(_) => {}
             }
         }
     }

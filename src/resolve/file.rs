@@ -10,6 +10,7 @@ use super::op::resolve_op;
 use super::program::Program;
 use super::report::Report;
 use super::script::resolve_script;
+use super::testing::resolve_test;
 
 /// A program, and what is wrong with it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -78,6 +79,12 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
                 let mut report = Report::default();
                 let resolved = resolve_script(script, &signatures, declared, &mut report);
                 program.scripts.extend(resolved);
+                diagnostics.extend(report.into_diagnostics());
+            }
+            if let Item::Test(test) = item {
+                let mut report = Report::default();
+                let resolved = resolve_test(test, &signatures, declared, &mut report);
+                program.tests.extend(resolved);
                 diagnostics.extend(report.into_diagnostics());
             }
         }

@@ -6,8 +6,7 @@
 //! It assumes nothing of the tree, which may be broken anywhere, and leaves to the checker
 //! whether a drawing makes sense.
 //!
-//! An item with an error is lost, and only that item. What the language has but this
-//! layer does not understand yet is an error of its own, `not-yet`.
+//! An item with an error is lost, and only that item.
 //!
 //! A program is one file or several. What a file declares can be named in it, and in the files
 //! that use it; those do not pass it on.
@@ -53,11 +52,12 @@ mod routine;
 mod application;
 mod script;
 mod statement;
+mod testing;
 
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
-    Variable,
+    Test, TestMesh, Variable,
 };
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,

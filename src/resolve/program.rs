@@ -17,6 +17,8 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// The scripts that could be resolved.
     pub scripts: Vec<Script>,
+    /// The tests that could be resolved.
+    pub tests: Vec<Test>,
 }
 
 /// An operation, or what is known of one that could not be resolved.
@@ -76,6 +78,31 @@ pub struct Script {
     pub variables: Vec<Variable>,
     /// What it does.
     pub body: Block,
+}
+
+/// A test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Test {
+    /// The mesh that it begins with.
+    pub begin: TestMesh,
+    /// The meshes that its statements name by number.
+    pub meshes: Vec<TestMesh>,
+    /// What it does: a script without parameters, named as the test is.
+    pub script: Script,
+}
+
+/// A mesh of a test.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TestMesh {
+    /// One without elements: nothing has been kept there yet.
+    Empty,
+    /// `grid(3, 4)`; the sizes are such as the constructor can take.
+    Made {
+        constructor: String,
+        sizes: Vec<u32>,
+    },
+    /// `load("cube.obj")`
+    Loaded { path: String, span: Span },
 }
 
 /// A variable of a script.
@@ -167,6 +194,22 @@ pub enum StatementKind {
     Print(Vec<Print>),
     /// `assert c else "…"`
     Assert { condition: Expr, reason: String },
+    /// The op called last has refused, and must not: the script stops with its reason
+    Refused { op: usize },
+    /// `let start = mesh`, in tests
+    KeepMesh { mesh: u16 },
+    /// `assert mesh == start`, `assert mesh != cube()`, in tests
+    AssertMesh {
+        mesh: u16,
+        same: bool,
+        reason: String,
+    },
+    /// `assert refuses(flip(e), "…")`, in tests
+    AssertRefuses {
+        op: usize,
+        args: Vec<Expr>,
+        reason: Option<String>,
+    },
     /// `break`, of the innermost loop
     Break,
     /// `continue`, with the innermost loop

@@ -36,9 +36,3 @@ impl Report {
         self.diagnostics
     }
 }
-
-/// The error for what the language has but this layer does not understand yet.
-/// `what` is the whole sentence.
-pub(super) fn not_yet(what: impl Into<String>, span: Span) -> Diagnostic {
-    Diagnostic::error("not-yet", what, span)
-}

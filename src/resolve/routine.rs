@@ -124,6 +124,7 @@ fn body(
         loops: 0,
         updating: false,
         returns: Returns::of_function(signature, cycles),
+        testing: None,
     };
     let block = scripting.body(&function.body);
     let value = scripting.returns.value();

@@ -11,6 +11,7 @@ use super::program::{Block, Script, Statement, StatementKind};
 use super::report::Report;
 use super::returns::Returns;
 use super::scopes::{Binding, Local, Scopes};
+use super::testing::Meshes;
 use super::typing::{Place, Typing};
 
 /// Resolving the statements of one script.
@@ -24,6 +25,8 @@ pub(super) struct Scripting<'a> {
     pub(super) updating: bool,
     /// What `return` gives.
     pub(super) returns: Returns,
+    /// The meshes of the test, if this is one.
+    pub(super) testing: Option<Meshes>,
 }
 
 /// The head of `for` or `update`, and what it repeats.
@@ -73,6 +76,7 @@ pub(super) fn resolve_script(
         loops: 0,
         updating: false,
         returns: Returns::nothing(),
+        testing: None,
     };
     let body = scripting.block(&script.body);
     let scopes = scripting.typing.scopes;
@@ -104,11 +108,25 @@ impl Scripting<'_> {
             match &action.kind {
                 // A block in a block is nothing but a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
+                _ if self.testing.is_some() => {
+                    statements.extend(self.tested(action).map(|kind| Statement {
+                        kind,
+                        span: action.span,
+                    }));
+                }
                 _ => statements.extend(self.action(action).map(|kind| Statement {
                     kind,
                     span: action.span,
                 })),
             }
+        }
+    }
+
+    /// A statement, perhaps one that only tests have.
+    fn tested(&mut self, action: &Action) -> Option<StatementKind> {
+        match self.testing_action(action) {
+            Some(of_test) => of_test,
+            None => self.action(action),
         }
     }
 

@@ -948,6 +948,29 @@ pub enum Inst {
         from: Reg,
     },
     PrintEnd,
+    /// Prints why an op refused that was called last.
+    PrintReason {
+        op: u16,
+    },
+    /// Whether the op that was called last refused for this reason.
+    RefusedFor {
+        op: u16,
+        text: u32,
+        to: Reg,
+    },
+    /// Keeps the mesh as it is now, to compare it later (tests).
+    MeshKeep {
+        mesh: u16,
+    },
+    /// Whether the mesh is one that is kept, up to renumbering (tests).
+    MeshSame {
+        mesh: u16,
+        to: Reg,
+    },
+    /// Traps with a constant text, and with what was printed since the last line ended.
+    FailShowing {
+        text: u32,
+    },
     /// Traps with a constant text: an assertion, or an aggregate of nothing.
     Fail {
         text: u32,

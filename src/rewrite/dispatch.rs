@@ -16,7 +16,10 @@ use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::wide;
 use super::window::{Window, reserve};
 use super::{Inst, Machine, Message, Outcome, Reg, Trap, Watch};
-use crate::mesh::{ElementKind, Mesh, VertexId};
+use crate::mesh::{ElementKind, Mesh, VertexId, same_up_to_renumbering};
+
+/// How far apart the coordinates of meshes may lie that count as the same.
+const NEAR: f64 = 1e-9;
 
 /// The value, or out of the loop with the message.
 macro_rules! or_trap {
@@ -766,6 +769,39 @@ impl Machine<'_> {
                 PrintEnd => {
                     watch.print(&self.line);
                     self.line.clear();
+                }
+                PrintReason { op } => {
+                    let reason = self.last_reason(op).unwrap_or_default().to_owned();
+                    self.line.push_str(&reason);
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                }
+                RefusedFor { op, text, to } => {
+                    let reason = self.last_reason(op);
+                    let wanted = call.texts.get(text as usize).map(String::as_str);
+                    let same = reason.is_some() && reason == wanted;
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                    w.set_truth(to, same);
+                }
+                MeshKeep { mesh: number } => match self.meshes.get_mut(usize::from(number)) {
+                    Some(kept) => kept.clone_from(mesh),
+                    None => break Message::Malformed,
+                },
+                MeshSame { mesh: number, to } => match self.meshes.get(usize::from(number)) {
+                    Some(kept) => w.set_truth(to, same_up_to_renumbering(mesh, kept, NEAR)),
+                    None => break Message::Malformed,
+                },
+                FailShowing { text } => {
+                    let values = std::mem::take(&mut self.line);
+                    break match call.texts.get(text as usize).cloned() {
+                        Some(said) => Message::Asserted { said, values },
+                        None => Message::Malformed,
+                    };
                 }
                 Fail { text } => {
                     let text = call.texts.get(text as usize).cloned();

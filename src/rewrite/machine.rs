@@ -37,6 +37,8 @@ pub struct Machine<'p> {
     last_reason: Option<u16>,
     /// How many running calls need that no id is given out again.
     pub(super) holding: u32,
+    /// Meshes to compare with, by number.
+    pub(super) meshes: Vec<Mesh>,
     /// What was created, if anybody wants to know.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
 }
@@ -72,6 +74,7 @@ impl<'p> Machine<'p> {
             level: Level::Map,
             last_reason: None,
             holding: 0,
+            meshes: Vec::new(),
             created: None,
         }
     }
@@ -87,6 +90,11 @@ impl<'p> Machine<'p> {
     /// left a lower one.
     pub fn trust_level(&mut self, level: Level) {
         self.level = level;
+    }
+
+    /// Gives the meshes that the next run compares with, by number; it may replace them.
+    pub fn use_meshes(&mut self, meshes: Vec<Mesh>) {
+        self.meshes = meshes;
     }
 
     /// From now on remembers what each run creates.
@@ -201,17 +209,21 @@ impl<'p> Machine<'p> {
         }
     }
 
+    /// Why an operation refused, if it was the last to do so.
+    pub(super) fn last_reason(&self, op: u16) -> Option<&str> {
+        let plan = self.plans.get(usize::from(op))?.as_ref()?;
+        let refusal = plan.refusals.get(usize::from(self.last_reason?))?;
+        Some(&refusal.reason)
+    }
+
     /// The trap of an operation that refused and must not.
     #[cold]
     pub(super) fn must_not_refuse(&self, op: u16) -> Message {
         let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
-        let refusal = plan.zip(self.last_reason).and_then(|(plan, reason)| {
-            let refusal = plan.refusals.get(usize::from(reason))?;
-            Some(refusal.reason.clone())
-        });
+        let reason = self.last_reason(op).unwrap_or("it gives no reason");
         Message::Refused {
             op: plan.map_or_else(String::new, |plan| plan.name.clone()),
-            reason: refusal.unwrap_or_else(|| "it gives no reason".to_owned()),
+            reason: reason.to_owned(),
         }
     }
 }

@@ -302,7 +302,9 @@ impl Drains {
             | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
             | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintVec { .. } | Inst::PrintWide { .. } | Inst::PrintElement { .. }
-            | Inst::PrintEnd | Inst::Fail { .. }
+            | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
+            | Inst::MeshKeep { .. } | Inst::MeshSame { .. }
+            | Inst::Fail { .. } | Inst::FailShowing { .. }
             | Inst::DrainOpen { .. } | Inst::DrainAllStale | Inst::DrainStale { .. }
             | Inst::DrainKey { .. } | Inst::DrainLeast { .. } | Inst::DrainTake
             | Inst::DrainClose | Inst::Call { .. } | Inst::Give { .. }

@@ -52,6 +52,13 @@ pub enum Message {
     Endless,
     /// What the program says itself.
     Said(String),
+    /// An assertion does not hold.
+    Asserted {
+        /// What the program says.
+        said: String,
+        /// The values that were compared, in words; perhaps nothing.
+        values: String,
+    },
     /// An op refused that must not.
     Refused {
         /// Its name.
@@ -89,7 +96,7 @@ impl fmt::Display for Message {
             Message::WildPointer(kind) => write!(f, "a pointer would lead to no {kind}"),
             Message::OutOfRange => f.write_str("the index is out of range"),
             Message::Endless => f.write_str("the mesh is broken: a walk does not end"),
-            Message::Said(text) => f.write_str(text),
+            Message::Said(text) | Message::Asserted { said: text, .. } => f.write_str(text),
             Message::Refused { op, reason } => write!(f, "`{op}` refused: {reason}"),
             Message::BelowLevel { op, level } => write!(
                 f,

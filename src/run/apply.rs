@@ -118,6 +118,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
         attributes: Arc::clone(&program.attributes),
         ops: Vec::new(),
         functions: program.functions.clone(),
+        tests: Vec::new(),
         scripts: scripts.into_iter().collect(),
     }
 }

@@ -62,8 +62,13 @@ impl Lowering<'_> {
             condition: applied,
             to,
         });
-        self.trap_at(span, Inst::Refused { op: number(op) });
+        self.stop_refused(op, span);
         self.asm.bind(to);
+    }
+
+    /// Ends the script: the operation just called has refused, and must not.
+    pub(super) fn stop_refused(&mut self, op: usize, span: Span) {
+        self.trap_at(span, Inst::Refused { op: number(op) });
     }
 }
 

@@ -128,7 +128,9 @@ impl Liveness<'_> {
                 let live = union(live, &self.before_block(otherwise, exits));
                 self.reading([condition], live)
             }
-            StatementKind::Apply { args, .. } => self.reading(args, exits.next.clone()),
+            StatementKind::Apply { args, .. } | StatementKind::AssertRefuses { args, .. } => {
+                self.reading(args, exits.next.clone())
+            }
             StatementKind::IfApply {
                 args,
                 variable,
@@ -153,6 +155,8 @@ impl Liveness<'_> {
             StatementKind::Assert { condition, .. } => {
                 self.reading([condition], exits.next.clone())
             }
+            StatementKind::KeepMesh { .. } | StatementKind::AssertMesh { .. } => exits.next.clone(),
+            StatementKind::Refused { .. } => Live::new(),
             StatementKind::Break => exits.broken.clone(),
             StatementKind::Continue => exits.continued.clone(),
             StatementKind::Return(value) => self.reading(value, Live::new()),
@@ -230,6 +234,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
     match &statement.kind {
         StatementKind::Apply { .. }
         | StatementKind::IfApply { .. }
+        | StatementKind::AssertRefuses { .. }
         | StatementKind::Call { .. } => true,
         StatementKind::Set { value, .. } | StatementKind::Return(Some(value)) => {
             matches!(value.kind, ExprKind::Invoke(..))
@@ -245,6 +250,9 @@ pub(super) fn calls(statement: &Statement) -> bool {
         StatementKind::Write { .. }
         | StatementKind::Print(_)
         | StatementKind::Assert { .. }
+        | StatementKind::KeepMesh { .. }
+        | StatementKind::Refused { .. }
+        | StatementKind::AssertMesh { .. }
         | StatementKind::Break
         | StatementKind::Continue
         | StatementKind::Return(None) => false,

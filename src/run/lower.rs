@@ -240,6 +240,16 @@ impl<'p> Lowering<'p> {
             }
             StatementKind::Print(pieces) => self.print(pieces),
             StatementKind::Assert { condition, reason } => self.assert(condition, reason, span),
+            StatementKind::Refused { op } => self.stop_refused(*op, span),
+            StatementKind::KeepMesh { mesh } => {
+                self.trap_at(span, Inst::MeshKeep { mesh: *mesh });
+            }
+            StatementKind::AssertMesh { mesh, same, reason } => {
+                self.assert_mesh(*mesh, *same, reason, span);
+            }
+            StatementKind::AssertRefuses { op, args, reason } => {
+                self.assert_refuses(*op, args, reason.as_deref(), span);
+            }
             StatementKind::Break => self.jump(|around| around.end),
             StatementKind::Continue => self.jump(|around| around.again),
             StatementKind::Return(value) => self.leave(value.as_ref(), exits),
@@ -388,17 +398,6 @@ impl<'p> Lowering<'p> {
         }
     }
 
-    fn assert(&mut self, condition: &Expr, reason: &str, span: Span) {
-        let condition = self.value(condition);
-        let to = self.asm.label();
-        self.asm.emit(Inst::JumpIf { condition, to });
-        let text = self.asm.text(reason);
-        let place = self.names.place(span);
-        self.assertions.push(place);
-        self.asm.trap_at(place, Inst::Fail { text });
-        self.asm.bind(to);
-    }
-
     fn print(&mut self, pieces: &[Print]) {
         for (at, piece) in pieces.iter().enumerate() {
             if at > 0 {
@@ -417,13 +416,13 @@ impl<'p> Lowering<'p> {
         self.asm.emit(Inst::PrintEnd);
     }
 
-    fn print_text(&mut self, text: &str) {
+    pub(super) fn print_text(&mut self, text: &str) {
         let text = self.asm.text(text);
         self.asm.emit(Inst::PrintText { text });
     }
 }
 
-fn print_value(ty: Type, from: Reg) -> Inst {
+pub(super) fn print_value(ty: Type, from: Reg) -> Inst {
     use crate::mesh::ElementKind::{Edge, Face, Halfedge, Vertex};
     match ty {
         Type::Bool => Inst::PrintBool { from },

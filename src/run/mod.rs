@@ -26,9 +26,11 @@ mod visit;
 mod apply;
 mod argument;
 mod report;
+mod testing;
 
 pub use apply::{Applied, apply, arguments};
 pub use argument::Argument;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
+pub use testing::{Load, test};

@@ -52,6 +52,16 @@ pub fn prepare<'p>(
     if !too_large.is_empty() {
         return Err(too_large);
     }
+    prepare_script(program, script, plans, functions)
+}
+
+/// The same for a script that need not stand among those of the program.
+pub(super) fn prepare_script<'p>(
+    program: &'p Program,
+    script: &'p Script,
+    plans: &'p [Option<Plan>],
+    functions: Functions,
+) -> Result<Prepared<'p>, Vec<Diagnostic>> {
     let mut lowering = Lowering::of_script(routine(script), functions.texts());
     lowering.body(routine(script));
     let reached = functions.reached(&lowering.functions);

@@ -45,6 +45,17 @@ pub fn run(
     arguments: &[(String, Argument)],
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
+    run_with(prepared, mesh, arguments, Vec::new(), watch)
+}
+
+/// The same with meshes that a test names by number.
+pub(super) fn run_with(
+    prepared: &Prepared,
+    mesh: &mut Mesh,
+    arguments: &[(String, Argument)],
+    meshes: Vec<Mesh>,
+    watch: &mut dyn Watch,
+) -> Result<Report, Box<Failure>> {
     let mut code = prepared.code.clone();
     let slots = prepared.slots(mesh, arguments, &mut code.texts);
     let slots = slots.map_err(|diagnostic| {
@@ -68,6 +79,7 @@ pub fn run(
     let mut machine = Machine::new(prepared.plans);
     machine.trust_level(level);
     machine.use_columns(columns);
+    machine.use_meshes(meshes);
     let outcome = machine.run(mesh, &code, &slots, watch);
     prepared.columns.release(mesh);
     let report = report(prepared, machine.counts());
@@ -149,6 +161,11 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         None => (prepared.script.span, known.as_slice()),
     };
     let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
+    if let Message::Asserted { values, .. } = &trap.message
+        && !values.is_empty()
+    {
+        diagnostic = diagnostic.note(values.clone());
+    }
     let mut told = vec![first];
     for (_, span) in calls {
         if told.len() <= MOST_CALLERS && !told.contains(span) {
@@ -202,7 +219,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::KeyNotANumber => "key-not-a-number",
         Message::NoRoom(_) => "no-room",
         Message::Endless => "broken-mesh",
-        Message::Said(_) => match asserted(prepared, trap) {
+        Message::Said(_) | Message::Asserted { .. } => match asserted(prepared, trap) {
             true => "assertion-failed",
             false => "aggregate-of-nothing",
         },

@@ -23,6 +23,53 @@ fn a_used_file_lies_beside_the_one_that_uses_it() {
 }
 
 #[test]
+fn tests_are_run_and_told() {
+    let bench = Bench::new();
+    let said = bench.run(&["test", "std/triangle.hedge"]);
+    assert_eq!((said.code, said.err.as_str()), (0, ""), "{said:?}");
+    assert!(
+        said.out
+            .contains("ok      a tetrahedron refuses every flip")
+    );
+    assert!(said.out.ends_with(" passed, 0 failed\n"), "{said:?}");
+
+    bench.write("mesh.obj", TETRAHEDRON);
+    bench.write(
+        "bad.hedge",
+        "use \"std/triangle.hedge\"
+        test \"sums\" { print 7 assert 1 + 1 == 3 }
+        test \"loads\" { mesh = load(\"mesh.obj\") assert mesh == load(\"mesh.obj\") }
+        test \"keeps\" { mesh = cube() let start = mesh assert mesh != start }
+        test \"reason\" { mesh = tetrahedron() for e in edges { assert refuses(flip(e), \"no\") } }
+        test \"applies\" { mesh = octahedron() for e in edges { assert refuses(flip(e)) } }
+        test \"must\" { mesh = tetrahedron() for e in edges { let m = must collapse(e) } }
+        test \"missing\" { mesh = load(\"no.obj\") }
+        test \"level\" { mesh = pillow(3) for e in edges { flip(e) } }",
+    );
+    let said = bench.fails(
+        1,
+        &["test", "bad.hedge"],
+        "the left side is 2, the right side 3",
+    );
+    assert!(said.out.ends_with("1 passed, 7 failed\n"), "{said:?}");
+    for words in [
+        "the mesh is the same",
+        "the reason is: two edges would join `v2` and `v3`",
+        "the operation was applied",
+        "`collapse` refused: ",
+        "`no.obj` cannot be loaded",
+        "is for meshes of level simple",
+    ] {
+        assert!(said.err.contains(words), "{words}: {said:?}");
+    }
+    assert!(said.out.contains("FAILED  sums\n          7\n"), "{said:?}");
+    let json = bench.json(&["test", "bad.hedge", "--filter", "load"]);
+    assert_eq!(json["passed"], 1);
+    assert_eq!(json["files"][0]["tests"][0]["test"], "loads");
+    bench.fails(2, &["test", "nothing.hedge"], "nothing.hedge");
+}
+
+#[test]
 fn the_library_is_listed_printed_copied_and_run() {
     let bench = Bench::new();
     bench.write("mesh.obj", TETRAHEDRON);

@@ -3,6 +3,7 @@
 
 mod bench;
 mod commands;
+mod emitted;
 mod formatting;
 mod library;
 mod meshes;

@@ -189,5 +189,5 @@ fn must_gives_a_value_or_stops() {
         panic!("the op is asked");
     };
     assert_eq!(script.variables[variable.unwrap() as usize].name, "w");
-    assert!(matches!(otherwise[0].kind, StatementKind::Assert { .. }));
+    assert!(matches!(otherwise[0].kind, StatementKind::Refused { .. }));
 }

@@ -104,3 +104,8 @@ fn scripts() {
 fn functions() {
     check("functions.md");
 }
+
+#[test]
+fn tests() {
+    check("tests.md");
+}

@@ -20,4 +20,4 @@ mod write;
 pub use error::{Indexed, ObjError, ObjReason};
 pub use numbers::{Obj, WrittenNumbers};
 pub use read::{read_obj, read_obj_from};
-pub use write::{write_obj, write_obj_to};
+pub use write::{replace_file, write_obj, write_obj_to};

@@ -19,7 +19,7 @@ use crate::mesh::id::{FaceId, HalfedgeId};
 /// Writes `obj` to `path`. A symbolic link stays one: what it leads to is replaced. The
 /// permissions of an old file are kept.
 pub fn write_obj(path: &Path, obj: &Obj) -> Result<(), ObjError> {
-    replace(path, obj).map_err(|reason| ObjError {
+    replace_file(path, |mut output| write_obj_to(&mut output, obj)).map_err(|reason| ObjError {
         file: path.display().to_string(),
         line: None,
         reason,
@@ -33,7 +33,15 @@ pub fn write_obj_to(output: &mut impl Write, obj: &Obj) -> Result<(), ObjReason>
     write_text(output, obj, &numbers).map_err(ObjReason::Io)
 }
 
-fn replace(path: &Path, obj: &Obj) -> Result<(), ObjReason> {
+/// Writes a file: all of it, or not at all. What is to stand in it is written by `write`.
+///
+/// # Errors
+/// [`ObjReason::NoFolder`] and [`ObjReason::Io`], and what `write` fails with; the old file, if
+/// there was one, is as it was.
+pub fn replace_file(
+    path: &Path,
+    write: impl Fn(&mut dyn Write) -> Result<(), ObjReason>,
+) -> Result<(), ObjReason> {
     let target = followed(path).map_err(ObjReason::Io)?;
     let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
@@ -43,7 +51,7 @@ fn replace(path: &Path, obj: &Obj) -> Result<(), ObjReason> {
             .open(&target)
             .map_err(ObjReason::Io)?;
         let mut output = BufWriter::new(file);
-        write_obj_to(&mut output, obj)?;
+        write(&mut output)?;
         return output.flush().map_err(ObjReason::Io);
     }
     let folder = match target.parent() {
@@ -56,7 +64,7 @@ fn replace(path: &Path, obj: &Obj) -> Result<(), ObjReason> {
     let mut file = new_file(folder).map_err(ObjReason::Io)?;
     {
         let mut output = BufWriter::with_capacity(1 << 16, file.as_file_mut());
-        write_obj_to(&mut output, obj)?;
+        write(&mut output)?;
         output.flush().map_err(ObjReason::Io)?;
     }
     if let Some(old) = old {

@@ -1,0 +1,144 @@
+//! `hedgerow test`
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::arguments::{Format, TestArguments};
+use super::check::{DiagnosticReport, report};
+use super::failure::Failure;
+use super::output::{complain_of, say, say_json};
+use super::program::{self, Program};
+use crate::diagnostic::Diagnostic;
+use crate::mesh::{Mesh, read_obj};
+use crate::rewrite::Watch;
+use crate::run;
+use crate::source::Span;
+
+/// Runs the tests of files, and says which fail.
+pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
+    let mut files = Vec::new();
+    let mut unreadable = None;
+    for path in &arguments.files {
+        match program::read(path) {
+            Ok(program) => files.push(run_file(&program, path, arguments)),
+            Err(failure) => {
+                // The other files are still worth a run.
+                failure.tell();
+                unreadable = Some(failure.exit_code());
+            }
+        }
+    }
+    let all = || files.iter().flat_map(|file| &file.tests);
+    let failed = all().filter(|test| !test.passed).count();
+    let passed = all().count() - failed;
+    let sound = files.iter().all(|file| file.sound);
+    match arguments.format {
+        Format::Json => say_json(&Summary {
+            passed,
+            failed,
+            files,
+        })?,
+        Format::Human => say(&format!("{passed} passed, {failed} failed")),
+    }
+    match unreadable {
+        Some(code) => Err(Failure::Silent(code)),
+        None if failed > 0 || !sound => Err(Failure::NotProved),
+        None => Ok(()),
+    }
+}
+
+fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileReport {
+    let is_human = arguments.format == Format::Human;
+    let analysis = &program.analysis;
+    let mut tests = Vec::new();
+    let shown = path.display().to_string();
+    if is_human {
+        complain_of(&analysis.diagnostics, &program.sources);
+        say(&shown);
+    }
+    let own = analysis.program.tests.iter().enumerate();
+    let own = own.filter(|(_, test)| test.script.span.file == analysis.file);
+    for (number, test) in own {
+        let name = test.script.name.clone();
+        let wanted = |filter: &String| name.contains(filter.as_str());
+        if !arguments.filter.as_ref().is_none_or(wanted) {
+            continue;
+        }
+        let mut printed = Lines::default();
+        let mut load = |path: &str, span: Span| load(program, path, span);
+        let (resolved, plans) = (&analysis.program, &analysis.plans);
+        let done = run::test(resolved, number, plans, &mut load, &mut printed);
+        let failed = done.err().map(|failure| failure.diagnostic);
+        if is_human {
+            let word = if failed.is_some() { "FAILED" } else { "ok" };
+            say(&format!("  {word:6}  {name}"));
+            if let Some(failed) = &failed {
+                printed
+                    .0
+                    .iter()
+                    .for_each(|line| say(&format!("          {line}")));
+                complain_of(std::slice::from_ref(failed), &program.sources);
+            }
+        }
+        let source = program.sources.get(test.script.span.file);
+        tests.push(TestReport {
+            test: name,
+            passed: failed.is_none(),
+            line: source.line_column(test.script.span.start as usize).0,
+            printed: printed.0,
+            failure: failed.map(|failed| report(&failed, &program.sources)),
+        });
+    }
+    let told = analysis.diagnostics.iter();
+    FileReport {
+        file: shown,
+        sound: analysis.is_sound(),
+        diagnostics: told
+            .map(|told: &Diagnostic| report(told, &program.sources))
+            .collect(),
+        tests,
+    }
+}
+
+/// The mesh of a path that is written in some file: beside it.
+fn load(program: &Program, path: &str, span: Span) -> Result<Mesh, String> {
+    let home = Path::new(program.sources.get(span.file).name());
+    let folder = home.parent().unwrap_or(Path::new(""));
+    let obj = read_obj(&folder.join(path)).map_err(|error| error.to_string())?;
+    Ok(obj.mesh)
+}
+
+/// What a test prints; it is shown only if the test fails.
+#[derive(Default)]
+struct Lines(Vec<String>);
+
+impl Watch for Lines {
+    fn print(&mut self, line: &str) {
+        self.0.push(line.to_owned());
+    }
+}
+
+#[derive(Serialize)]
+struct Summary {
+    passed: usize,
+    failed: usize,
+    files: Vec<FileReport>,
+}
+
+#[derive(Serialize)]
+struct FileReport {
+    file: String,
+    sound: bool,
+    diagnostics: Vec<DiagnosticReport>,
+    tests: Vec<TestReport>,
+}
+
+#[derive(Serialize)]
+struct TestReport {
+    test: String,
+    passed: bool,
+    line: usize,
+    printed: Vec<String>,
+    failure: Option<DiagnosticReport>,
+}

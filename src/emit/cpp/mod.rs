@@ -1,0 +1,10 @@
+//! Routines as C++17.
+
+mod function;
+mod spelling;
+mod style;
+mod support;
+mod types;
+
+pub use function::cpp;
+pub use style::{Style, StyleError};

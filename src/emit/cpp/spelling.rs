@@ -1,0 +1,230 @@
+//! Terms as C++.
+
+use super::super::routine::{Around, Fold, Function};
+use super::super::spell::{Language, Level, Spelled, number, spell};
+use super::function::Printer;
+use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
+
+impl Language for Printer<'_> {
+    fn real(&self, value: f64) -> Spelled {
+        number(value)
+    }
+
+    fn int(&self, value: i64) -> Spelled {
+        match value {
+            i64::MIN => Spelled::new("(-9223372036854775807 - 1)", Level::Whole),
+            0.. => Spelled::whole(value.to_string()),
+            _ => Spelled::new(value.to_string(), Level::Prefix),
+        }
+    }
+
+    fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled {
+        let of = of.at(Level::Whole);
+        match (pointer, self.style.read(&of, pointer)) {
+            (_, Some(text)) => Spelled::whole(text),
+            (Pointer::Target, None) => Spelled::whole(
+                self.style
+                    .chained(&self.style.chained(&of, "twin"), "vertex"),
+            ),
+            (_, None) => Spelled::whole(self.support("prev", vec![of])),
+        }
+    }
+
+    fn position(&mut self, of: Spelled) -> Spelled {
+        Spelled::whole(self.style.position(&of.at(Level::Whole)))
+    }
+
+    fn hole(&mut self, of: Spelled) -> Spelled {
+        Spelled::whole(self.style.boundary(&of.at(Level::Whole)))
+    }
+
+    fn component(&mut self, part: u8, of: Spelled) -> Spelled {
+        let name = ["x", "y", "z"][usize::from(part.min(2))];
+        Spelled::whole(format!("{}.{name}", of.at(Level::Whole)))
+    }
+
+    fn vector(&mut self, parts: [Spelled; 3]) -> Spelled {
+        let parts = parts.map(|part| part.text).join(", ");
+        Spelled::whole(format!("{}({parts})", self.style.name("Vector")))
+    }
+
+    fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
+        let (condition, then) = (condition.at(Level::Or), then.at(Level::Or));
+        Spelled::new(
+            format!("{condition} ? {then} : {}", otherwise.text),
+            Level::Choice,
+        )
+    }
+
+    fn to_real(&mut self, of: Spelled) -> Spelled {
+        Spelled::whole(format!(
+            "static_cast<{}>({})",
+            self.style.name("real"),
+            of.text
+        ))
+    }
+
+    fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
+        let mut texts: Vec<String> = args.into_iter().map(|arg| arg.at(Level::Or)).collect();
+        let builtin = match function {
+            Function::Builtin(builtin) => builtin,
+            function => {
+                let name = match function {
+                    Function::InOrderAlongLoop => "in_order_along_loop",
+                    Function::InOrderAroundVertex => "in_order_around_vertex",
+                    Function::AllDiffer => "all_differ",
+                    Function::Holds => "holds",
+                    Function::SameElements => "same_elements",
+                    Function::IsFinite | Function::Builtin(_) => "is_finite",
+                };
+                return Spelled::whole(self.support(name, texts));
+            }
+        };
+        let real = self.style.name("real").to_string();
+        let name = match builtin {
+            Builtin::DegreeVertex => "degree",
+            Builtin::DegreeFace => "sides",
+            Builtin::BoundaryVertex => "on_boundary",
+            Builtin::BoundaryEdge => "is_boundary_edge",
+            Builtin::BoundaryHalfedge => {
+                let face = self.style.chained(&texts[0], "face");
+                return Spelled::whole(self.style.boundary(&face));
+            }
+            Builtin::IsHole => return Spelled::whole(self.style.boundary(&texts[0])),
+            Builtin::Adjacent => "adjacent",
+            Builtin::LinkCondition => "link_condition",
+            Builtin::LengthEdge => {
+                let half = self.style.chained(&texts[0], "halfedge");
+                texts = vec![self.support("edge_vector", vec![half])];
+                "length"
+            }
+            Builtin::LengthHalfedge => {
+                texts = vec![self.support("edge_vector", texts)];
+                "length"
+            }
+            Builtin::LengthVector => "length",
+            Builtin::Area => {
+                texts = vec![self.support("vector_area", texts)];
+                "length"
+            }
+            Builtin::NormalFace => {
+                texts = vec![self.support("vector_area", texts)];
+                "normalize"
+            }
+            Builtin::NormalVertex => "vertex_normal",
+            Builtin::CentroidFace => "centroid",
+            Builtin::CentroidEdge => "midpoint",
+            Builtin::MixReal => {
+                self.used.push("mix");
+                return Spelled::whole(format!("hedgerow::mix<{real}>({})", texts.join(", ")));
+            }
+            Builtin::MixVector => "mix",
+            Builtin::Dot => "dot",
+            Builtin::Cross => "cross",
+            Builtin::Normalize => "normalize",
+            Builtin::Distance => {
+                texts = vec![texts.join(" - ")];
+                "length"
+            }
+            Builtin::Angle => "angle",
+            Builtin::AbsInt => return self.std("cstdlib", "llabs", texts),
+            Builtin::AbsReal => return self.std("cmath", "fabs", texts),
+            Builtin::MinInt => return self.std("algorithm", "min<long long>", texts),
+            Builtin::MaxInt => return self.std("algorithm", "max<long long>", texts),
+            Builtin::MinReal => return self.std("algorithm", &format!("min<{real}>"), texts),
+            Builtin::MaxReal => return self.std("algorithm", &format!("max<{real}>"), texts),
+            Builtin::Sqrt => return self.std("cmath", "sqrt", texts),
+            Builtin::Sin => return self.std("cmath", "sin", texts),
+            Builtin::Cos => return self.std("cmath", "cos", texts),
+            Builtin::Tan => return self.std("cmath", "tan", texts),
+            Builtin::Asin => return self.std("cmath", "asin", texts),
+            Builtin::Acos => return self.std("cmath", "acos", texts),
+            Builtin::Atan2 => return self.std("cmath", "atan2", texts),
+            Builtin::Exp => return self.std("cmath", "exp", texts),
+            Builtin::Log => return self.std("cmath", "log", texts),
+            Builtin::Pow => return self.std("cmath", "pow", texts),
+            Builtin::Floor => return self.std("cmath", "floor", texts),
+            Builtin::Ceil => return self.std("cmath", "ceil", texts),
+            Builtin::IsNan => return self.std("cmath", "isnan", texts),
+            Builtin::IsFinite => return self.std("cmath", "isfinite", texts),
+            // None of these is built.
+            Builtin::StarShaped
+            | Builtin::KernelCentroid
+            | Builtin::CrossPlane
+            | Builtin::Diagonal
+            | Builtin::UpperLeft
+            | Builtin::Outer
+            | Builtin::Transpose
+            | Builtin::Inverse
+            | Builtin::Determinant
+            | Builtin::Solve => return Spelled::whole(""),
+            Builtin::Round => {
+                let rounded = self.std("cmath", "nearbyint", texts);
+                return Spelled::whole(format!("static_cast<long long>({})", rounded.text));
+            }
+        };
+        Spelled::whole(self.support(name, texts))
+    }
+
+    fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
+        let args = args.map(|arg| arg.at(Level::Or)).to_vec();
+        let name = match operator {
+            Binary::Div => "floor_div",
+            Binary::Mod => "floor_mod",
+            Binary::MultiplyVector => "multiply",
+            _ => "equal",
+        };
+        Spelled::whole(self.support(name, args))
+    }
+
+    fn fold(&mut self, fold: &Fold) -> Spelled {
+        let element = self.text(&fold.element);
+        let name = match fold.around {
+            Around::VertexHalfedges => "spokes",
+            Around::VertexEdges => "edges_of_vertex",
+            Around::VertexFaces => "faces_of_vertex",
+            Around::VertexNeighbors => "neighbors",
+            Around::FaceHalfedges => "halfedges",
+            Around::FaceVertices => "vertices",
+            Around::FaceEdges => "edges_of_face",
+            Around::EdgeVertices => "ends",
+            Around::EdgeFaces => "faces_of_edge",
+        };
+        let mut all = self.support(name, vec![element]);
+        let head = format!("[&]({} {})", self.ty(fold.variable.ty), fold.variable.name);
+        if let Some(filter) = &fold.filter {
+            let filter = self.text(filter);
+            all = self.support("only", vec![all, format!("{head} {{ return {filter}; }}")]);
+        }
+        let zero = match fold.ty {
+            Type::Vec3 => format!("{}(0, 0, 0)", self.style.name("Vector")),
+            Type::Int => "0LL".into(),
+            ty => format!("{}(0)", self.ty(ty)),
+        };
+        let body = match (fold.body_type, fold.ty) {
+            (Type::Int, Type::Real) => {
+                let body = spell(self, &fold.body);
+                self.to_real(body).text
+            }
+            _ => self.text(&fold.body),
+        };
+        let mut reads = false;
+        let variable = &fold.variable.name;
+        fold.body.names(&mut |name| reads |= name == variable);
+        let head = match reads {
+            true => head,
+            false => format!("[&]({})", self.ty(fold.variable.ty)),
+        };
+        let body = format!("{head} {{ return {body}; }}");
+        let (name, args) = match fold.function {
+            FoldFunction::Count => ("count", vec![all, body]),
+            FoldFunction::Any => ("any", vec![all, body]),
+            FoldFunction::All => ("all", vec![all, body]),
+            FoldFunction::Sum => ("sum", vec![all, zero, body]),
+            FoldFunction::Mean => ("mean", vec![all, zero, body]),
+            FoldFunction::Min => ("least", vec![all, zero, body]),
+            FoldFunction::Max => ("greatest", vec![all, zero, body]),
+        };
+        Spelled::whole(self.support(name, args))
+    }
+}

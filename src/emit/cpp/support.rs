@@ -1,0 +1,123 @@
+//! The functions of the language in C++, written out where they are used.
+//!
+//! `[h.twin.next]` stands for pointers as the style reads them, `[v.position]` and
+//! `[f.boundary]` for those; `$Vertex` and the like for types.
+
+/// Each behind a line with its name. Those that a text calls stand before it.
+const TEXTS: &str = include_str!("functions.txt");
+
+/// The names and texts of all functions, in order.
+fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let parts = TEXTS.split("//@ ").skip(1);
+    parts.filter_map(|part| part.split_once('\n'))
+}
+
+/// The text of a function.
+fn text(name: &str) -> Option<&'static str> {
+    let found = functions().find(|(known, _)| *known == name);
+    found.map(|(_, text)| text.trim_end())
+}
+
+/// The names of the functions that these need, themselves included, each behind those it calls.
+pub(super) fn needed(names: &[&'static str]) -> Vec<&'static str> {
+    let mut order = Vec::new();
+    for &name in names {
+        need(name, &mut order);
+    }
+    order
+}
+
+fn need(name: &'static str, order: &mut Vec<&'static str>) {
+    if order.contains(&name) {
+        return;
+    }
+    let body = text(name).unwrap_or("");
+    for (other, _) in functions() {
+        if other != name && calls(body, other) {
+            need(other, order);
+        }
+    }
+    order.push(name);
+}
+
+/// Whether a text calls a function: its name as a whole word, with a bracket behind it.
+fn calls(text: &str, name: &str) -> bool {
+    let call = format!("{name}(");
+    text.match_indices(&call).any(|(at, _)| {
+        let before = text[..at].chars().next_back();
+        !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == ':' || c == '.')
+    })
+}
+
+/// The text of a function with its pointers and types spelled.
+pub(super) fn spelled(
+    name: &str,
+    chain: &dyn Fn(&str, &str) -> String,
+    ty: &dyn Fn(&str) -> String,
+) -> String {
+    let mut out = String::new();
+    let mut rest = text(name).unwrap_or("");
+    while let Some(at) = rest.find(['[', '$']) {
+        out.push_str(&rest[..at]);
+        if rest[at..].starts_with('$') {
+            let word = &rest[at + 1..];
+            let end = word
+                .find(|c: char| !c.is_ascii_alphabetic())
+                .unwrap_or(word.len());
+            out.push_str(&ty(&word[..end]));
+            rest = &word[end..];
+            continue;
+        }
+        let inside = &rest[at + 1..];
+        let end = inside.find(']').unwrap_or(inside.len());
+        match inside[..end].split_once('.') {
+            // A chain of pointers; a lambda or an index is left alone.
+            Some((of, pointers)) => {
+                let mut term = of.to_string();
+                for pointer in pointers.split('.') {
+                    term = chain(&term, pointer);
+                }
+                out.push_str(&term);
+                rest = inside.get(end + 1..).unwrap_or("");
+            }
+            None => {
+                out.push('[');
+                rest = inside;
+            }
+        }
+    }
+    qualified(name, &(out + rest))
+}
+
+/// Calls of the other functions get their namespace, or C++ would look elsewhere too.
+fn qualified(name: &str, text: &str) -> String {
+    let mut text = text.to_string();
+    for (other, _) in functions().filter(|(other, _)| *other != name) {
+        let call = format!("{other}(");
+        let mut from = 0;
+        while let Some(found) = text[from..].find(&call) {
+            let at = from + found;
+            from = at + call.len();
+            if calls(&text[at.saturating_sub(1)..from], other) {
+                text.insert_str(at, "hedgerow::");
+                from += "hedgerow::".len();
+            }
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn functions_stand_behind_what_they_call() {
+        let order = needed(&["link_condition", "vertex_normal"]);
+        let at = |name: &str| order.iter().position(|known| *known == name);
+        assert!(at("spokes") < at("neighbors") && at("neighbors") < at("link_condition"));
+        assert!(at("holds") < at("link_condition") && at("holds").is_some());
+        assert!(at("cross") < at("vector_area") && at("normalize") < at("vertex_normal"));
+        assert_eq!(at("mean"), None);
+    }
+}

@@ -1,0 +1,179 @@
+//! Typed expressions to terms.
+
+use super::NotEmitted;
+use super::names::Names;
+use super::routine::{Around, Fold, Function, Parameter, Term};
+use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Type, Unary};
+
+/// Writes expressions.
+pub(super) struct Expressions<'n> {
+    pub names: &'n mut Names,
+}
+
+impl Expressions<'_> {
+    /// The term of an expression.
+    pub fn term(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
+        if !is_spelled(expr.ty) {
+            let what = format!("a value of type `{}`", expr.ty.word());
+            return Err(NotEmitted::new(what, expr.span));
+        }
+        Ok(match &expr.kind {
+            ExprKind::Bool(value) => Term::Bool(*value),
+            ExprKind::Int(value) => Term::Int(*value),
+            ExprKind::Real(value) => Term::Real(*value),
+            ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
+            ExprKind::Invoke(..) | ExprKind::Let(..) => {
+                return Err(NotEmitted::new("a function of the program", expr.span));
+            }
+            ExprKind::Member(..) => {
+                return Err(NotEmitted::new("a name with an index", expr.span));
+            }
+            ExprKind::Read(Access::Declared(_), _) => {
+                return Err(NotEmitted::new("an attribute of the program", expr.span));
+            }
+            ExprKind::Element(name) => Term::name(self.names.word(*name)),
+            ExprKind::Local(number) => Term::name(self.names.local(*number)),
+            ExprKind::Follow(pointer, base) => self.term(base)?.follow(*pointer),
+            ExprKind::Read(Access::Position, base) => Term::Position(Box::new(self.term(base)?)),
+            ExprKind::Component(part, vector) => {
+                Term::Component(*part, Box::new(self.term(vector)?))
+            }
+            ExprKind::Vector(parts) => {
+                let [x, y, z] = parts.as_slice() else {
+                    return Err(NotEmitted::new("a vector of vectors", expr.span));
+                };
+                Term::Vector(Box::new([self.term(x)?, self.term(y)?, self.term(z)?]))
+            }
+            ExprKind::Unary(Unary::ToReal, operand) => match &operand.kind {
+                // Exact: an int of the source that stands for a real.
+                ExprKind::Int(value) => Term::Real(*value as f64),
+                ExprKind::Unary(Unary::NegateInt, inner) => match inner.kind {
+                    ExprKind::Int(value) => Term::Real(-(value as f64)),
+                    _ => Term::Unary(Unary::ToReal, Box::new(self.term(operand)?)),
+                },
+                _ => Term::Unary(Unary::ToReal, Box::new(self.term(operand)?)),
+            },
+            ExprKind::Unary(operator, operand) => {
+                Term::Unary(*operator, Box::new(self.term(operand)?))
+            }
+            ExprKind::Binary(operator, left, right) => Term::Binary(
+                *operator,
+                Box::new(self.term(left)?),
+                Box::new(self.term(right)?),
+            ),
+            ExprKind::Call(Builtin::IsFinite, args)
+                if args.len() == 1 && args[0].ty == Type::Vec3 =>
+            {
+                Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
+            }
+            ExprKind::Call(builtin, args) => {
+                let of_vector = args.first().is_some_and(|arg| arg.ty != Type::Real);
+                let unknown = match builtin {
+                    Builtin::StarShaped | Builtin::KernelCentroid => true,
+                    Builtin::IsNan => of_vector,
+                    _ => false,
+                };
+                if unknown {
+                    return Err(NotEmitted::new("this function", expr.span));
+                }
+                let args = args.iter().map(|arg| self.term(arg));
+                Term::Call(Function::Builtin(*builtin), args.collect::<Result<_, _>>()?)
+            }
+            ExprKind::If(condition, then, otherwise) => {
+                let condition = self.term(condition)?;
+                condition.then(self.term(then)?, self.term(otherwise)?)
+            }
+            ExprKind::Fold(fold) => {
+                let (around, element) = around(&fold.collection)
+                    .ok_or_else(|| NotEmitted::new("a sequence of the whole mesh", expr.span))?;
+                let element = self.term(element)?;
+                let ty = fold.collection.element();
+                let name = self.names.declare(fold.variable, ty);
+                let filter = fold.filter.as_ref().map(|filter| self.term(filter));
+                Term::Fold(Box::new(Fold {
+                    function: fold.function,
+                    ty: expr.ty,
+                    variable: Parameter { name, ty },
+                    around,
+                    element,
+                    filter: filter.transpose()?,
+                    body: self.term(&fold.body)?,
+                    body_type: fold.body.ty,
+                }))
+            }
+        })
+    }
+}
+
+fn around(collection: &Collection) -> Option<(Around, &Expr)> {
+    Some(match collection {
+        Collection::VertexHalfedges(v) => (Around::VertexHalfedges, v),
+        Collection::VertexEdges(v) => (Around::VertexEdges, v),
+        Collection::VertexFaces(v) => (Around::VertexFaces, v),
+        Collection::VertexNeighbors(v) => (Around::VertexNeighbors, v),
+        Collection::FaceHalfedges(f) => (Around::FaceHalfedges, f),
+        Collection::FaceVertices(f) => (Around::FaceVertices, f),
+        Collection::FaceEdges(f) => (Around::FaceEdges, f),
+        Collection::EdgeVertices(e) => (Around::EdgeVertices, e),
+        Collection::EdgeFaces(e) => (Around::EdgeFaces, e),
+        Collection::Vertices
+        | Collection::Halfedges
+        | Collection::Edges
+        | Collection::Faces
+        | Collection::Holes => return None,
+    })
+}
+
+/// Whether a value is finite for all finite positions of ordinary size: sums, differences,
+/// means and mixtures, and quotients by a number that is written out and not zero.
+pub(super) fn is_surely_finite(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Int(_) | ExprKind::Read(..) => true,
+        ExprKind::Real(value) => value.is_finite(),
+        ExprKind::Component(_, of) | ExprKind::Unary(_, of) => is_surely_finite(of),
+        ExprKind::Vector(parts) => parts.iter().all(is_surely_finite),
+        ExprKind::Binary(operator, left, right) => match operator {
+            Binary::AddReal
+            | Binary::SubtractReal
+            | Binary::MultiplyReal
+            | Binary::AddVector
+            | Binary::SubtractVector
+            | Binary::MultiplyVector
+            | Binary::ScaleVector => is_surely_finite(left) && is_surely_finite(right),
+            Binary::DivideReal | Binary::DivideVector => {
+                is_surely_finite(left) && is_not_zero(right)
+            }
+            _ => false,
+        },
+        ExprKind::Call(builtin, args) => match builtin {
+            Builtin::CentroidEdge | Builtin::CentroidFace => true,
+            Builtin::MixReal | Builtin::MixVector => args.iter().all(is_surely_finite),
+            _ => false,
+        },
+        ExprKind::If(_, then, otherwise) => is_surely_finite(then) && is_surely_finite(otherwise),
+        ExprKind::Bool(_)
+        | ExprKind::Text(_)
+        | ExprKind::Element(_)
+        | ExprKind::Local(_)
+        | ExprKind::Member(..)
+        | ExprKind::Follow(..)
+        | ExprKind::Invoke(..)
+        | ExprKind::Let(..)
+        | ExprKind::Fold(_) => false,
+    }
+}
+
+fn is_not_zero(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Real(value) => *value != 0.0 && value.is_finite(),
+        ExprKind::Int(value) => *value != 0,
+        ExprKind::Unary(Unary::ToReal, of) => is_not_zero(of),
+        _ => false,
+    }
+}
+
+/// Whether emitted code has a type for these values.
+pub(super) fn is_spelled(ty: Type) -> bool {
+    let wide = matches!(ty, Type::Vec2 | Type::Vec4 | Type::Mat3 | Type::Mat4);
+    !wide
+}

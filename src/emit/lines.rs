@@ -1,0 +1,72 @@
+//! Indented lines.
+
+/// A text that grows line by line.
+#[derive(Debug, Default)]
+pub(super) struct Lines {
+    text: String,
+    depth: usize,
+    unit: usize,
+}
+
+impl Lines {
+    /// An empty text whose blocks are indented by so many spaces.
+    pub fn new(unit: usize) -> Self {
+        Self {
+            unit,
+            ..Self::default()
+        }
+    }
+
+    /// A line.
+    pub fn line(&mut self, text: &str) {
+        if !text.is_empty() {
+            self.text.push_str(&" ".repeat(self.depth * self.unit));
+            self.text.push_str(text);
+        }
+        self.text.push('\n');
+    }
+
+    /// A line that opens a block.
+    pub fn open(&mut self, text: &str) {
+        self.line(text);
+        self.depth += 1;
+    }
+
+    /// A line that closes a block.
+    pub fn close(&mut self, text: &str) {
+        self.depth = self.depth.saturating_sub(1);
+        self.line(text);
+    }
+
+    /// An empty line, unless a block has just begun.
+    pub fn blank(&mut self) {
+        let last = self.text.trim_end_matches('\n');
+        if !last.ends_with('{') && !self.text.ends_with("\n\n") {
+            self.text.push('\n');
+        }
+    }
+
+    /// The text.
+    pub fn finish(self) -> String {
+        self.text
+    }
+
+    /// A comment of words, broken where lines would become too long.
+    pub fn comment(&mut self, mark: &str, text: &str) {
+        let width = 96usize
+            .saturating_sub(self.depth * self.unit + mark.len() + 1)
+            .max(20);
+        let mut line = String::new();
+        for word in text.split_whitespace() {
+            if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
+                self.line(&format!("{mark} {line}"));
+                line.clear();
+            }
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+        self.line(format!("{mark} {line}").trim_end());
+    }
+}

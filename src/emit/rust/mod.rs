@@ -1,0 +1,6 @@
+//! Routines as Rust.
+
+mod function;
+mod spelling;
+
+pub use function::rust;

@@ -1,0 +1,288 @@
+//! Terms as Rust.
+
+use super::super::routine::{Around, Fold, Function};
+use super::super::spell::{Language, Level, Spelled, number, spell};
+use super::function::{Printer, names, ty};
+use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
+
+impl Language for Printer {
+    fn real(&self, value: f64) -> Spelled {
+        number(value)
+    }
+
+    fn int(&self, value: i64) -> Spelled {
+        match value {
+            0.. => Spelled::whole(value.to_string()),
+            _ => Spelled::new(value.to_string(), Level::Prefix),
+        }
+    }
+
+    fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled {
+        let name = match pointer {
+            Pointer::Next => "next",
+            Pointer::Prev => "prev",
+            Pointer::Twin => "twin",
+            Pointer::Vertex => "vertex",
+            Pointer::Target => "target",
+            Pointer::Edge => "edge",
+            Pointer::Face => "face",
+            Pointer::VertexHalfedge => "vertex_halfedge",
+            Pointer::EdgeHalfedge => "edge_halfedge",
+            Pointer::FaceHalfedge => "face_halfedge",
+        };
+        Spelled::whole(format!("mesh.{name}({})", of.text))
+    }
+
+    fn position(&mut self, of: Spelled) -> Spelled {
+        Spelled::whole(format!("mesh.position({})", of.text))
+    }
+
+    fn hole(&mut self, of: Spelled) -> Spelled {
+        Spelled::whole(format!("mesh.is_hole({})", of.text))
+    }
+
+    fn component(&mut self, part: u8, of: Spelled) -> Spelled {
+        let name = ["x", "y", "z"][usize::from(part.min(2))];
+        Spelled::whole(format!("{}.{name}", of.at(Level::Whole)))
+    }
+
+    fn vector(&mut self, parts: [Spelled; 3]) -> Spelled {
+        let parts = parts.map(|part| part.text).join(", ");
+        Spelled::whole(format!("DVec3::new({parts})"))
+    }
+
+    fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
+        let text = format!(
+            "if {} {{ {} }} else {{ {} }}",
+            condition.text, then.text, otherwise.text
+        );
+        Spelled::new(text, Level::Choice)
+    }
+
+    fn to_real(&mut self, of: Spelled) -> Spelled {
+        // `as` binds more tightly than a comparison, but `x as f64 < y` reads as a type.
+        Spelled::new(format!("{} as f64", of.at(Level::Prefix)), Level::Compare)
+    }
+
+    fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
+        let builtin = match function {
+            Function::Builtin(builtin) => builtin,
+            function => return self.own(function, args),
+        };
+        let first = |args: &[Spelled]| {
+            args.first()
+                .map_or_else(String::new, |arg| arg.text.clone())
+        };
+        let of_mesh = |name: &str, args: &[Spelled]| {
+            let args: Vec<_> = args.iter().map(|arg| arg.text.clone()).collect();
+            Spelled::whole(format!("mesh.{name}({})", args.join(", ")))
+        };
+        let count = |name: &str| {
+            let text = format!("mesh.{name}({}) as i64", first(&args));
+            Spelled::new(text, Level::Compare)
+        };
+        let name = match builtin {
+            Builtin::DegreeVertex => return count("degree"),
+            Builtin::DegreeFace => return count("face_size"),
+            Builtin::BoundaryVertex => return of_mesh("is_boundary_vertex", &args),
+            Builtin::BoundaryHalfedge => return of_mesh("is_boundary_halfedge", &args),
+            Builtin::BoundaryEdge => return of_mesh("is_boundary_edge", &args),
+            Builtin::IsHole => return of_mesh("is_hole", &args),
+            Builtin::Adjacent => return of_mesh("adjacent", &args),
+            Builtin::LinkCondition => return of_mesh("link_condition", &args),
+            Builtin::LengthEdge => return of_mesh("length", &args),
+            Builtin::LengthHalfedge => {
+                return Spelled::whole(format!("mesh.vector({}).length()", first(&args)));
+            }
+            Builtin::Area => return of_mesh("area", &args),
+            Builtin::NormalFace => return of_mesh("normal", &args),
+            Builtin::NormalVertex => return of_mesh("vertex_normal", &args),
+            Builtin::CentroidFace => return of_mesh("centroid", &args),
+            Builtin::CentroidEdge => {
+                let half = format!("mesh.edge_halfedge({})", first(&args));
+                return Spelled::whole(format!(
+                    "mesh.position(mesh.vertex({half})).lerp(mesh.position(mesh.target({half})), 0.5)"
+                ));
+            }
+            Builtin::MixVector => "lerp",
+            Builtin::MixReal => {
+                let [a, b, t] =
+                    [0, 1, 2].map(|at| args.get(at).cloned().unwrap_or_else(|| Spelled::whole("")));
+                let t = t.at(Level::Product);
+                let text = format!(
+                    "{} * (1.0 - {t}) + {} * {t}",
+                    a.at(Level::Product),
+                    b.at(Level::Product)
+                );
+                return Spelled::new(text, Level::Sum);
+            }
+            Builtin::LengthVector => "length",
+            Builtin::Dot => "dot",
+            Builtin::Cross => "cross",
+            Builtin::Normalize => "normalize_or_zero",
+            Builtin::Distance => "distance",
+            Builtin::Angle => {
+                let (a, b) = (
+                    first(&args),
+                    args.get(1).map_or_else(String::new, |b| b.text.clone()),
+                );
+                return Spelled::whole(format!(
+                    "f64::atan2(DVec3::cross({a}, {b}).length(), DVec3::dot({a}, {b}))"
+                ));
+            }
+            Builtin::Round => {
+                let value = args
+                    .into_iter()
+                    .next()
+                    .map_or_else(String::new, |arg| arg.at(Level::Whole));
+                let text = format!("{value}.round_ties_even() as i64");
+                return Spelled::new(text, Level::Compare);
+            }
+            Builtin::AbsInt | Builtin::AbsReal => "abs",
+            Builtin::MinInt | Builtin::MinReal => "min",
+            Builtin::MaxInt | Builtin::MaxReal => "max",
+            Builtin::Sqrt => "sqrt",
+            Builtin::Sin => "sin",
+            Builtin::Cos => "cos",
+            Builtin::Tan => "tan",
+            Builtin::Asin => "asin",
+            Builtin::Acos => "acos",
+            Builtin::Atan2 => "atan2",
+            Builtin::Exp => "exp",
+            Builtin::Log => "ln",
+            Builtin::Pow => "powf",
+            Builtin::Floor => "floor",
+            Builtin::Ceil => "ceil",
+            Builtin::IsNan => "is_nan",
+            Builtin::IsFinite => "is_finite",
+            // None of these is built.
+            Builtin::StarShaped
+            | Builtin::KernelCentroid
+            | Builtin::CrossPlane
+            | Builtin::Diagonal
+            | Builtin::UpperLeft
+            | Builtin::Outer
+            | Builtin::Transpose
+            | Builtin::Inverse
+            | Builtin::Determinant
+            | Builtin::Solve => return Spelled::whole(""),
+        };
+        let whose = match builtin {
+            Builtin::MixVector
+            | Builtin::LengthVector
+            | Builtin::Dot
+            | Builtin::Cross
+            | Builtin::Normalize
+            | Builtin::Distance => "DVec3",
+            Builtin::AbsInt | Builtin::MinInt | Builtin::MaxInt => "i64",
+            _ => "f64",
+        };
+        let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
+        Spelled::whole(format!("{whose}::{name}({})", args.join(", ")))
+    }
+
+    fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
+        let [left, right] = args;
+        match operator {
+            // Rounded down: Euclid's division is that for a positive divisor only.
+            Binary::Div => {
+                let (left, right) = (left.at(Level::Whole), right.at(Level::Whole));
+                Spelled::whole(format!(
+                    "({left} / {right} - i64::from({left} % {right} != 0 && ({left} < 0) != ({right} < 0)))"
+                ))
+            }
+            Binary::Mod => {
+                let (left, right) = (left.at(Level::Whole), right.at(Level::Whole));
+                Spelled::whole(format!("(({left} % {right} + {right}) % {right})"))
+            }
+            Binary::MultiplyVector => {
+                let text = format!("{} * {}", left.at(Level::Product), right.at(Level::Prefix));
+                Spelled::new(text, Level::Product)
+            }
+            _ => {
+                let text = format!("{} == {}", left.at(Level::Sum), right.at(Level::Sum));
+                Spelled::new(text, Level::Compare)
+            }
+        }
+    }
+
+    fn fold(&mut self, fold: &Fold) -> Spelled {
+        let element = self.text(&fold.element);
+        let half = format!("mesh.edge_halfedge({element})");
+        let sides = format!("[{half}, mesh.twin({half})].into_iter()");
+        let real = ".filter(|&f| !mesh.is_hole(f))";
+        let mut all = match fold.around {
+            Around::VertexHalfedges => format!("mesh.spokes({element})"),
+            Around::VertexEdges => format!("mesh.spokes({element}).map(|h| mesh.edge(h))"),
+            Around::VertexFaces => format!("mesh.spokes({element}).map(|h| mesh.face(h)){real}"),
+            Around::VertexNeighbors => format!("mesh.neighbors({element})"),
+            Around::FaceHalfedges => format!("mesh.face_halfedges({element})"),
+            Around::FaceVertices => format!("mesh.face_vertices({element})"),
+            Around::FaceEdges => format!("mesh.face_halfedges({element}).map(|h| mesh.edge(h))"),
+            Around::EdgeVertices => format!("{sides}.map(|h| mesh.vertex(h))"),
+            Around::EdgeFaces => format!("{sides}.map(|h| mesh.face(h)){real}"),
+        };
+        let variable = &fold.variable.name;
+        if let Some(filter) = &fold.filter {
+            let filter = self.text(filter);
+            all = format!("{all}.filter(|&{variable}| {filter})");
+        }
+        let body = spell(self, &fold.body);
+        let body = match (fold.body_type, fold.ty) {
+            (Type::Int, Type::Real) => self.to_real(body),
+            _ => body,
+        };
+        // Nothing but the variable is wanted of a count of all.
+        let (body, of) = (body.text, ty(fold.ty));
+        let bound = match names(&body, variable) {
+            true => variable.as_str(),
+            false => "_",
+        };
+        let (nothing, values) = ("a value of nothing", format!("{all}.map(|{bound}| {body})"));
+        Spelled::whole(match fold.function {
+            FoldFunction::Any => format!("{all}.any(|{bound}| {body})"),
+            FoldFunction::All => format!("{all}.all(|{bound}| {body})"),
+            FoldFunction::Count => {
+                format!("({all}.filter(|&{bound}| {body}).count() as i64)").replace("|&_|", "|_|")
+            }
+            FoldFunction::Sum => format!("{values}.sum::<{of}>()"),
+            FoldFunction::Mean => {
+                let values = format!("{values}.collect::<Vec<{of}>>()");
+                format!(
+                    "{{ let all = {values}; assert!(!all.is_empty(), \"{nothing}\"); all.iter().copied().sum::<{of}>() / all.len() as f64 }}"
+                )
+            }
+            FoldFunction::Min => format!("{values}.reduce({of}::min).expect(\"{nothing}\")"),
+            FoldFunction::Max => format!("{values}.reduce({of}::max).expect(\"{nothing}\")"),
+        })
+    }
+}
+
+impl Printer {
+    /// A function that is written out, or a method of a list or vector.
+    fn own(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
+        let mut args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
+        let name = match function {
+            Function::InOrderAlongLoop => "in_order_along_loop",
+            Function::InOrderAroundVertex => "in_order_around_vertex",
+            Function::AllDiffer => "all_differ",
+            Function::SameElements => "same_elements",
+            Function::Holds => {
+                let (list, item) = (args.first().cloned(), args.get(1).cloned());
+                let (list, item) = (list.unwrap_or_default(), item.unwrap_or_default());
+                return Spelled::whole(format!("{list}.contains(&{item})"));
+            }
+            Function::IsFinite | Function::Builtin(_) => {
+                return Spelled::whole(format!("{}.is_finite()", args.join(", ")));
+            }
+        };
+        self.used.insert(name);
+        match function {
+            Function::InOrderAlongLoop | Function::InOrderAroundVertex => {
+                args.insert(0, "mesh".to_string());
+            }
+            _ => args.iter_mut().for_each(|arg| arg.insert(0, '&')),
+        }
+        Spelled::whole(format!("{name}({})", args.join(", ")))
+    }
+}

@@ -1,0 +1,311 @@
+//! Tests: the mesh that one begins with, and what only a test can ask.
+//!
+//! ```text
+//! test "a flip there and back" {
+//!   mesh = octahedron()
+//!   let start = mesh
+//!   …
+//!   assert mesh == start
+//! }
+//! ```
+
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+use crate::syntax::tree::{self, Action, ActionKind, BinaryOp, ExprKind, Ident};
+
+use super::declared::{Declared, duplicate};
+use super::depth::shallow_block;
+use super::op::Signature;
+use super::program::{Script, StatementKind, Test, TestMesh};
+use super::report::Report;
+use super::returns::Returns;
+use super::scopes::Scopes;
+use super::script::Scripting;
+use super::suggestion::suggest;
+use super::typing::{Place, Typing};
+use super::words::{arguments, quoted};
+
+/// What makes a mesh: its name, and the least that each of its sizes can be.
+const CONSTRUCTORS: [(&str, &[i64]); 13] = [
+    ("tetrahedron", &[]),
+    ("cube", &[]),
+    ("octahedron", &[]),
+    ("icosahedron", &[]),
+    ("icosphere", &[0]),
+    ("grid", &[1, 1]),
+    ("triangle_grid", &[1, 1]),
+    ("torus", &[3, 3]),
+    ("triangle_torus", &[3, 3]),
+    ("cylinder", &[3, 1]),
+    ("disk", &[3]),
+    ("polygon", &[3]),
+    ("pillow", &[3]),
+];
+
+/// How large a size may be, and how often an icosphere is split at most.
+const MOST: i64 = 1000;
+const MOST_SPLIT: i64 = 8;
+
+/// The meshes of a test.
+#[derive(Debug, Default)]
+pub(super) struct Meshes {
+    all: Vec<TestMesh>,
+    /// Those that were given a name.
+    kept: Vec<(Ident, u16)>,
+}
+
+/// Resolves a test; `None` if the report has an error.
+pub(super) fn resolve_test(
+    test: &tree::Test,
+    ops: &[Signature],
+    declared: &Declared,
+    report: &mut Report,
+) -> Option<Test> {
+    if !shallow_block(&test.body, report) {
+        return None;
+    }
+    let mut scopes = Scopes::default();
+    scopes.enter();
+    let mut scripting = Scripting {
+        typing: Typing {
+            place: Place::Script,
+            declared,
+            scopes,
+            report,
+            may_change: false,
+        },
+        ops,
+        loops: 0,
+        updating: false,
+        returns: Returns::nothing(),
+        testing: Some(Meshes::default()),
+    };
+    let mut body = Vec::new();
+    let statements = test.body.statements.as_slice();
+    let (begin, rest) = match statements.split_first() {
+        Some((first, rest)) if let Some(value) = begins(first) => (scripting.mesh(value), rest),
+        _ => (Some(TestMesh::Empty), statements),
+    };
+    scripting.actions(rest, &mut body);
+    let meshes = scripting.testing.take().unwrap_or_default().all;
+    let scopes = scripting.typing.scopes;
+    if report.failed() {
+        return None;
+    }
+    let span = Span {
+        end: test.body.span.start.max(test.span.start),
+        ..test.span
+    };
+    Some(Test {
+        begin: begin?,
+        meshes,
+        script: Script {
+            name: test.name.clone(),
+            span,
+            docs: Vec::new(),
+            params: Vec::new(),
+            variables: scopes.into_variables()?,
+            body,
+        },
+    })
+}
+
+/// The right side of `mesh = …`.
+fn begins(action: &Action) -> Option<&tree::Expr> {
+    match &action.kind {
+        ActionKind::Assign { target, value } if is_mesh(target) => Some(value),
+        _ => None,
+    }
+}
+
+fn is_mesh(expr: &tree::Expr) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) if name.index.is_none() && name.ident.text == "mesh")
+}
+
+impl Scripting<'_> {
+    /// A statement that only tests have; `None` if this is none.
+    pub(super) fn testing_action(&mut self, action: &Action) -> Option<Option<StatementKind>> {
+        self.testing.as_ref()?;
+        match &action.kind {
+            ActionKind::Assign { target, .. } if is_mesh(target) => {
+                let message = "`mesh = …` stands once, at the beginning of the test";
+                let error = Diagnostic::error("test-mesh", message, action.span);
+                self.typing.report.add(error);
+                Some(None)
+            }
+            ActionKind::Let { name, value, .. } if is_mesh(value) => Some(self.kept(name)),
+            ActionKind::Assert { condition, reason } => {
+                let reason = reason.as_ref().map(|(text, _)| text.as_str());
+                match &condition.kind {
+                    ExprKind::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right)
+                        if is_mesh(left) =>
+                    {
+                        let same = *op == BinaryOp::Equal;
+                        Some(self.compared(right, same, reason))
+                    }
+                    ExprKind::Call { function, args } if function.text == "refuses" => {
+                        Some(self.refuses(args, condition.span))
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// `let start = mesh`
+    fn kept(&mut self, name: &Ident) -> Option<StatementKind> {
+        let meshes = self.testing.as_mut()?;
+        if let Some((first, _)) = meshes
+            .kept
+            .iter()
+            .find(|(known, _)| known.text == name.text)
+        {
+            let error = duplicate("a mesh", name, first.span);
+            self.typing.report.add(error);
+            return None;
+        }
+        let mesh = meshes.add(TestMesh::Empty);
+        meshes.kept.push((name.clone(), mesh));
+        Some(StatementKind::KeepMesh { mesh })
+    }
+
+    /// `assert mesh == …`
+    fn compared(
+        &mut self,
+        other: &tree::Expr,
+        same: bool,
+        reason: Option<&str>,
+    ) -> Option<StatementKind> {
+        let known = match &other.kind {
+            ExprKind::Name(name) => {
+                let kept = &self.testing.as_ref()?.kept;
+                let known = kept.iter().find(|(known, _)| known.text == name.ident.text);
+                known.map(|(_, mesh)| *mesh)
+            }
+            _ => None,
+        };
+        let mesh = match known {
+            Some(mesh) => mesh,
+            None => {
+                let mesh = self.mesh(other)?;
+                self.testing.as_mut()?.add(mesh)
+            }
+        };
+        let reason = reason.unwrap_or(match same {
+            true => "the mesh is another",
+            false => "the mesh is the same",
+        });
+        Some(StatementKind::AssertMesh {
+            mesh,
+            same,
+            reason: reason.to_owned(),
+        })
+    }
+
+    /// `assert refuses(flip(e), "the edge is there")`
+    fn refuses(&mut self, args: &[tree::Expr], span: Span) -> Option<StatementKind> {
+        let (call, reason) = match args {
+            [call] => (call, None),
+            [call, reason] => match &reason.kind {
+                ExprKind::Text(text) => (call, Some(text.clone())),
+                _ => {
+                    self.wrong_refuses(reason.span);
+                    return None;
+                }
+            },
+            _ => {
+                self.wrong_refuses(span);
+                return None;
+            }
+        };
+        let ExprKind::Call { function, args } = &call.kind else {
+            self.wrong_refuses(call.span);
+            return None;
+        };
+        let (op, args) = self.application(function, args, call.span)?;
+        Some(StatementKind::AssertRefuses { op, args, reason })
+    }
+
+    fn wrong_refuses(&mut self, span: Span) {
+        let message = "`refuses` wants the call of an op, and perhaps the reason as a text";
+        self.typing
+            .report
+            .add(Diagnostic::error("not-an-op", message, span));
+    }
+
+    /// What makes a mesh: `cube()`, `load("cube.obj")`.
+    fn mesh(&mut self, expr: &tree::Expr) -> Option<TestMesh> {
+        let ExprKind::Call { function, args } = &expr.kind else {
+            let message = "a mesh is made here, as by `cube()`, or loaded: `load(\"cube.obj\")`";
+            let error = Diagnostic::error("test-mesh", message, expr.span);
+            self.typing.report.add(error);
+            return None;
+        };
+        let word = function.text.as_str();
+        if word == "load" {
+            return match args.as_slice() {
+                [
+                    tree::Expr {
+                        kind: ExprKind::Text(path),
+                        span,
+                    },
+                ] => Some(TestMesh::Loaded {
+                    path: path.clone(),
+                    span: *span,
+                }),
+                _ => {
+                    let message = "`load` wants the path of a mesh as a text";
+                    let error = Diagnostic::error("test-mesh", message, expr.span);
+                    self.typing.report.add(error);
+                    None
+                }
+            };
+        }
+        let Some((_, least)) = CONSTRUCTORS.iter().find(|(known, _)| *known == word) else {
+            let message = format!("nothing makes a mesh under the name `{word}`");
+            let error = Diagnostic::error("test-mesh", message, function.span);
+            let known = CONSTRUCTORS.map(|(known, _)| known);
+            let error = suggest(error, word, function.span, known);
+            let note = format!("there are {} and `load`", quoted(&known));
+            self.typing.report.add(error.note(note));
+            return None;
+        };
+        if least.len() != args.len() {
+            let message = format!("`{word}` takes {}", arguments(least.len()));
+            self.typing
+                .report
+                .add(Diagnostic::error("wrong-count", message, expr.span));
+            return None;
+        }
+        let most = if word == "icosphere" {
+            MOST_SPLIT
+        } else {
+            MOST
+        };
+        let mut sizes = Vec::new();
+        for (arg, &least) in args.iter().zip(*least) {
+            match arg.kind {
+                ExprKind::Int(size) if (least..=most).contains(&size) => sizes.push(size as u32),
+                _ => {
+                    let message = format!("`{word}` wants a number from {least} to {most} here");
+                    let error = Diagnostic::error("test-mesh", message, arg.span);
+                    self.typing.report.add(error);
+                    return None;
+                }
+            }
+        }
+        Some(TestMesh::Made {
+            constructor: word.to_owned(),
+            sizes,
+        })
+    }
+}
+
+impl Meshes {
+    /// The number of one more mesh.
+    fn add(&mut self, mesh: TestMesh) -> u16 {
+        self.all.push(mesh);
+        u16::try_from(self.all.len() - 1).unwrap_or(u16::MAX)
+    }
+}

@@ -1,0 +1,181 @@
+//! Tests: a script on a mesh of its own, and what only a test can ask of it.
+
+use super::function::Functions;
+use super::lower::Lowering;
+use super::prepare::prepare_script;
+use super::report::{Failure, Report, run_with};
+use crate::compile::Scope;
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Binary, Expr, ExprKind, Unary};
+use crate::mesh::{Mesh, shape};
+use crate::resolve::{Program, TestMesh};
+use crate::rewrite::{Inst, Plan, Watch};
+use crate::source::Span;
+
+/// Gives the mesh of a file that a test loads, by its path as it is written.
+pub type Load<'l> = dyn FnMut(&str, Span) -> Result<Mesh, String> + 'l;
+
+/// Runs a test of a program, by its number.
+///
+/// # Errors
+/// It fails; or it cannot be run, because a mesh cannot be loaded or an operation is not
+/// proved.
+pub fn test(
+    program: &Program,
+    test: usize,
+    plans: &[Option<Plan>],
+    load: &mut Load,
+    watch: &mut dyn Watch,
+) -> Result<Report, Box<Failure>> {
+    let failure = |diagnostic| {
+        Box::new(Failure {
+            diagnostic,
+            report: Report::default(),
+        })
+    };
+    let Some(test) = program.tests.get(test) else {
+        let message = "there is no such test";
+        let error = Diagnostic::error("unknown-script", message, Span::default());
+        return Err(failure(error));
+    };
+    let (functions, mut too_large) = Functions::of(program);
+    if let Some(error) = too_large.pop() {
+        return Err(failure(error));
+    }
+    let prepared = prepare_script(program, &test.script, plans, functions);
+    let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
+    let mut made = Vec::new();
+    for mesh in std::iter::once(&test.begin).chain(&test.meshes) {
+        made.push(make(mesh, load).map_err(failure)?);
+    }
+    let mut mesh = made.remove(0);
+    run_with(&prepared, &mut mesh, &[], made, watch)
+}
+
+fn make(mesh: &TestMesh, load: &mut Load) -> Result<Mesh, Diagnostic> {
+    match mesh {
+        TestMesh::Empty => Ok(Mesh::default()),
+        TestMesh::Made { constructor, sizes } => Ok(constructed(constructor, sizes)),
+        TestMesh::Loaded { path, span } => load(path, *span).map_err(|why| {
+            let message = format!("`{path}` cannot be loaded: {why}");
+            Diagnostic::error("test-mesh", message, *span)
+        }),
+    }
+}
+
+/// The mesh of a constructor, whose sizes have been looked at.
+fn constructed(constructor: &str, sizes: &[u32]) -> Mesh {
+    match (constructor, sizes) {
+        ("tetrahedron", []) => shape::tetrahedron(),
+        ("cube", []) => shape::cube(),
+        ("octahedron", []) => shape::octahedron(),
+        ("icosahedron", []) => shape::icosahedron(),
+        ("icosphere", &[k]) => shape::icosphere(k),
+        ("grid", &[n, m]) => shape::grid(n, m),
+        ("triangle_grid", &[n, m]) => shape::triangle_grid(n, m),
+        ("torus", &[n, m]) => shape::torus(n, m),
+        ("triangle_torus", &[n, m]) => shape::triangle_torus(n, m),
+        ("cylinder", &[n, m]) => shape::tube(n, m),
+        ("disk", &[n]) => shape::fan(n),
+        ("polygon", &[n]) => shape::single_polygon(n),
+        ("pillow", &[n]) => shape::pillow(n),
+        _ => Mesh::default(),
+    }
+}
+
+impl Lowering<'_> {
+    /// `assert c`; of a comparison that does not hold both sides are shown.
+    pub(super) fn assert(&mut self, condition: &Expr, reason: &str, span: Span) {
+        let mark = self.asm.mark();
+        let test = self.value(condition);
+        let to = self.asm.label();
+        self.asm.emit(Inst::JumpIf {
+            condition: test,
+            to,
+        });
+        if let Some([left, right]) = sides(condition) {
+            self.show("the left side is ", left);
+            self.show(", the right side ", right);
+        }
+        self.fail(reason, span);
+        self.asm.bind(to);
+        self.asm.release(mark);
+    }
+
+    /// `assert mesh == cube()`
+    pub(super) fn assert_mesh(&mut self, mesh: u16, same: bool, reason: &str, span: Span) {
+        let to = self.asm.reg();
+        self.trap_at(span, Inst::MeshSame { mesh, to });
+        let fine = self.asm.label();
+        self.asm.emit(match same {
+            true => Inst::JumpIf {
+                condition: to,
+                to: fine,
+            },
+            false => Inst::JumpUnless {
+                condition: to,
+                to: fine,
+            },
+        });
+        self.fail(reason, span);
+        self.asm.bind(fine);
+    }
+
+    /// `assert refuses(flip(e), "the edge is there")`
+    pub(super) fn assert_refuses(
+        &mut self,
+        op: usize,
+        args: &[Expr],
+        reason: Option<&str>,
+        span: Span,
+    ) {
+        let (applied, _) = self.apply(op, args, span);
+        let (refused, fine) = (self.asm.label(), self.asm.label());
+        self.asm.emit(Inst::JumpUnless {
+            condition: applied,
+            to: refused,
+        });
+        self.fail("the operation was applied", span);
+        self.asm.bind(refused);
+        if let Some(reason) = reason {
+            let (to, text) = (self.asm.reg(), self.asm.text(reason));
+            let op = u16::try_from(op).unwrap_or(u16::MAX);
+            self.asm.emit(Inst::RefusedFor { op, text, to });
+            self.asm.emit(Inst::JumpIf {
+                condition: to,
+                to: fine,
+            });
+            self.print_text("the reason is: ");
+            self.asm.emit(Inst::PrintReason { op });
+            self.fail("the operation was refused for another reason", span);
+        }
+        self.asm.bind(fine);
+    }
+
+    fn show(&mut self, text: &str, value: &Expr) {
+        self.print_text(text);
+        let mark = self.asm.mark();
+        let from = self.value(value);
+        self.asm.emit(super::lower::print_value(value.ty, from));
+        self.asm.release(mark);
+    }
+
+    fn fail(&mut self, reason: &str, span: Span) {
+        let text = self.asm.text(reason);
+        let place = self.names.place(span);
+        self.assertions.push(place);
+        self.asm.trap_at(place, Inst::FailShowing { text });
+    }
+}
+
+/// The sides of a comparison.
+fn sides(condition: &Expr) -> Option<[&Expr; 2]> {
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, inner) => sides(inner),
+        ExprKind::Binary(operator, left, right) => match operator {
+            Binary::And | Binary::Or | Binary::EqualBool => None,
+            _ => Some([left, right]),
+        },
+        _ => None,
+    }
+}

@@ -1,0 +1,166 @@
+//! `plan` as code and as data; what `draw` and `view` write.
+
+use crate::bench::{Bench, example, flip};
+
+#[test]
+fn a_plan_as_data() {
+    let bench = Bench::new();
+    let said = bench.succeeds(&["plan", &flip(), "--as", "json"]);
+    let told: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let plan = &told["plans"][0];
+    assert_eq!(
+        (&plan["op"], &plan["params"][0]["type"]),
+        (&"flip".into(), &"edge".into())
+    );
+    let rows = plan["rules"][0]["reassign"].as_array().unwrap();
+    let sets = |row: &&serde_json::Value| row["kind"] == "set" && row["executed"] == true;
+    assert!(rows.iter().filter(sets).count() > 10, "{said}");
+    assert_eq!(plan["refusals"][0]["phase"], "match");
+}
+
+#[test]
+fn a_plan_as_code() {
+    let bench = Bench::new();
+    let cpp = bench.succeeds(&["plan", &flip(), "--as", "cpp"]);
+    assert!(
+        cpp.contains("    a->next = c;\n    a->vertex = v3;\n"),
+        "{cpp}"
+    );
+    let style = ["--style", "accessors", "--style", "member=yes"];
+    let cpp = bench.succeeds(&[&["plan", &flip(), "--as", "cpp"], &style[..]].concat());
+    assert!(
+        cpp.contains("bool Halfedge_Mesh::flip(EdgeRef e) {"),
+        "{cpp}"
+    );
+    assert!(cpp.contains("a->next() = c;"), "{cpp}");
+    // Without an operation, all of the file.
+    bench.succeeds(&[
+        "plan",
+        &example("remesh.hedge"),
+        "--as",
+        "rust",
+        "-o",
+        "remesh.rs",
+    ]);
+    let rust = std::fs::read_to_string(bench.path("remesh.rs")).unwrap();
+    for op in ["split", "collapse", "flip"] {
+        assert!(
+            rust.contains(&format!("pub fn {op}(mesh: &mut Mesh, e: EdgeId")),
+            "{rust}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_emitted_has_a_place() {
+    let bench = Bench::new();
+    bench.write(
+        "text.hedge",
+        "op f(e: edge) {\n  before { edge e: a | b  loop f: v -a-> w =P=> v }\n  require \"a\" == \"b\"\n  after { keep e f }\n}\n",
+    );
+    let said = bench.fails(
+        1,
+        &["plan", "text.hedge", "--as", "cpp"],
+        "error[not-emitted]",
+    );
+    assert!(said.err.contains("text.hedge:3:11"), "{}", said.err);
+    assert_eq!(said.out, "");
+    bench.fails(
+        2,
+        &["plan", &flip(), "--as", "cpp", "--style", "x=y"],
+        "a style has no `x`",
+    );
+    bench.fails(2, &["plan", &flip(), "--style", "fields"], "--as cpp");
+    bench.fails(
+        2,
+        &["plan", &flip(), "--as", "cpp", "-o", "no/a.cpp"],
+        "the folder `no` does not exist",
+    );
+}
+
+#[test]
+fn draw_writes_pictures() {
+    let bench = Bench::new();
+    bench.succeeds(&["draw", &flip(), "-o", "flip.svg"]);
+    let svg = std::fs::read_to_string(bench.path("flip.svg")).unwrap();
+    assert!(
+        svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"),
+        "{svg}"
+    );
+    bench.succeeds(&["draw", &flip(), "-o", "flip.png"]);
+    assert!(
+        std::fs::read(bench.path("flip.png"))
+            .unwrap()
+            .starts_with(b"\x89PNG")
+    );
+    let text = bench.succeeds(&["draw", &flip(), "--as", "text"]);
+    assert!(text.contains("v0"), "{text}");
+    let page = bench.succeeds(&["draw", &example("split.hedge"), "--html"]);
+    assert!(page.contains("<svg") && page.contains("proved: "), "{page}");
+    let before = bench.files();
+    bench.fails(
+        2,
+        &["draw", &flip(), "-o", "nowhere/p.svg"],
+        "nowhere/p.svg: the folder `nowhere` does not exist",
+    );
+    bench.fails(
+        2,
+        &["draw", &flip(), "-o", "flip.gif"],
+        "neither .svg nor .png",
+    );
+    bench.fails(2, &["draw", &flip()], "where should the picture go?");
+    assert_eq!(bench.files(), before);
+}
+
+#[test]
+fn run_writes_a_picture_of_the_result() {
+    let bench = Bench::with_square();
+    let remesh = example("remesh.hedge");
+    let run = [
+        "run",
+        &remesh,
+        "square.obj",
+        "-o",
+        "out.obj",
+        "--set",
+        "iterations=1",
+        "--picture",
+    ];
+    bench.succeeds(&[&run[..], &["out.svg"]].concat());
+    assert!(
+        std::fs::read_to_string(bench.path("out.svg"))
+            .unwrap()
+            .starts_with("<svg")
+    );
+    std::fs::remove_file(bench.path("out.obj")).unwrap();
+    let before = bench.files();
+    bench.fails(
+        2,
+        &[&run[..], &["out.gif"]].concat(),
+        "neither .svg nor .png",
+    );
+    bench.fails(
+        2,
+        &[&run[..], &["no/out.png"]].concat(),
+        "the folder `no` does not exist",
+    );
+    assert_eq!(bench.files(), before, "nothing is done in vain");
+}
+
+#[test]
+fn view_writes_pictures() {
+    let bench = Bench::with_square();
+    for name in ["square.svg", "square.png"] {
+        bench.succeeds(&["view", "square.obj", "-o", name, "--size", "64"]);
+        assert!(bench.path(name).metadata().unwrap().len() > 100);
+    }
+    let view = ["view", "square.obj", "-o", "v.png", "--from"];
+    bench.succeeds(&[&view[..], &["-1,-2,3"]].concat());
+    bench.fails(2, &[&view[..], &["0,0,0"]].concat(), "is no direction");
+    bench.fails(
+        2,
+        &["view", "square.obj", "-o", "no/v.png"],
+        "the folder `no` does not exist",
+    );
+    bench.fails(2, &["view", "nothing.obj", "-o", "w.png"], "nothing.obj");
+}

@@ -1,0 +1,291 @@
+//! Emitted C++, compiled with g++.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use glam::DVec3;
+use hedgerow::diagram::Type;
+use hedgerow::emit::{Style, cpp};
+use hedgerow::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
+use tempfile::TempDir;
+
+use crate::meshes::Dice;
+use crate::places::{Argument, Done, Tally, arguments, by_machine, compare, places, report};
+use crate::subjects::{Subject, folder, subjects};
+
+/// Whether there is a compiler. In CI there has to be one.
+fn has_compiler() -> bool {
+    let found = Command::new("g++").arg("--version").output().is_ok();
+    if !found {
+        assert!(std::env::var_os("CI").is_none(), "CI needs g++");
+        eprintln!("SKIPPED: there is no g++, so emitted C++ is neither compiled nor run");
+    }
+    found
+}
+
+fn compile(folder: &Path) {
+    let output = Command::new("g++")
+        .args([
+            "-std=c++17",
+            "-O0",
+            "-Wall",
+            "-Wextra",
+            "-Werror",
+            "-pedantic",
+        ])
+        .args(["-o", "driver", "driver.cpp"])
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "g++ says\n{said}");
+}
+
+/// The function that calls an op by its number.
+fn calls(subjects: &[Subject]) -> String {
+    let mut text =
+        String::from("bool call(int op, Built& b) {\n  Mesh& mesh = b.mesh;\n  switch (op) {\n");
+    for (at, subject) in subjects.iter().enumerate() {
+        let mut reads = String::new();
+        let mut args = Vec::new();
+        for (number, param) in subject.proved.op().params.iter().enumerate() {
+            let read = match param.ty {
+                Type::Vertex => "b.v[number()]",
+                Type::Halfedge => "b.h[number()]",
+                Type::Edge => "b.e[number()]",
+                Type::Face => "b.f[number()]",
+                Type::Real => "real()",
+                Type::Vec3 => "Vector(0, 0, 0)",
+                _ => "number()",
+            };
+            writeln!(reads, "      auto x{number} = {read};").unwrap();
+            if param.ty == Type::Vec3 {
+                for part in ["x", "y", "z"] {
+                    writeln!(reads, "      x{number}.{part} = real();").unwrap();
+                }
+            }
+            args.push(format!("x{number}"));
+        }
+        let (name, args) = (&subject.name, args.join(", "));
+        writeln!(text, "    case {at}: {{\n{reads}      return applied(mesh, OPERATION({name}, {args}));\n    }}").unwrap();
+    }
+    text + "  }\n  return false;\n}\n"
+}
+
+fn table(mesh: &Mesh) -> String {
+    let capacity = |kind| mesh.capacity(kind) as u32;
+    let counts = [
+        ElementKind::Vertex,
+        ElementKind::Halfedge,
+        ElementKind::Edge,
+        ElementKind::Face,
+    ];
+    let mut text = String::from("mesh");
+    for kind in counts {
+        assert!(
+            (0..capacity(kind)).all(|id| mesh.is_alive(kind, id)),
+            "no gaps"
+        );
+        write!(text, " {}", capacity(kind)).unwrap();
+    }
+    text.push('\n');
+    for h in mesh.halfedges() {
+        let (next, twin) = (mesh.next(h).0, mesh.twin(h).0);
+        let (vertex, edge, face) = (mesh.vertex(h).0, mesh.edge(h).0, mesh.face(h).0);
+        writeln!(text, "{next} {twin} {vertex} {edge} {face}").unwrap();
+    }
+    for v in mesh.vertices() {
+        let DVec3 { x, y, z } = mesh.position(v);
+        writeln!(text, "{} {x:?} {y:?} {z:?}", mesh.vertex_halfedge(v).0).unwrap();
+    }
+    for e in mesh.edges() {
+        writeln!(text, "{}", mesh.edge_halfedge(e).0).unwrap();
+    }
+    for f in mesh.faces() {
+        writeln!(
+            text,
+            "{} {}",
+            mesh.face_halfedge(f).0,
+            u8::from(mesh.is_hole(f))
+        )
+        .unwrap();
+    }
+    text
+}
+
+/// The mesh of the tables that the driver prints.
+fn mesh_of<'t>(words: &mut impl Iterator<Item = &'t str>) -> Mesh {
+    let mut mesh = Mesh::default();
+    let mut number = || words.next().unwrap().parse::<f64>().unwrap();
+    let mut id = || number() as i64 as u32;
+    let [vertices, halfedges, edges, faces] = [id(), id(), id(), id()];
+    (0..vertices).for_each(|_| _ = mesh.add_vertex());
+    (0..halfedges).for_each(|_| _ = mesh.add_halfedge());
+    (0..edges).for_each(|_| _ = mesh.add_edge());
+    (0..faces).for_each(|_| _ = mesh.add_face());
+    for h in (0..halfedges).map(HalfedgeId) {
+        let next = HalfedgeId(id());
+        mesh.set_next(h, next);
+        mesh.set_prev(next, h);
+        mesh.set_twin(h, HalfedgeId(id()));
+        mesh.set_vertex(h, VertexId(id()));
+        mesh.set_edge(h, EdgeId(id()));
+        mesh.set_face(h, FaceId(id()));
+    }
+    for v in (0..vertices).map(VertexId) {
+        mesh.set_vertex_halfedge(v, HalfedgeId(number() as u32));
+        mesh.set_position(v, DVec3::new(number(), number(), number()));
+    }
+    for e in (0..edges).map(EdgeId) {
+        mesh.set_edge_halfedge(e, HalfedgeId(number() as u32));
+    }
+    for f in (0..faces).map(FaceId) {
+        mesh.set_face_halfedge(f, HalfedgeId(number() as u32));
+        mesh.set_hole(f, number() != 0.0);
+    }
+    mesh
+}
+
+/// What the driver has done with one call.
+fn done<'t>(words: &mut impl Iterator<Item = &'t str>) -> Done {
+    match words.next() {
+        Some("applied") => {
+            let result: i64 = words.next().unwrap().parse().unwrap();
+            Some((mesh_of(words), u32::try_from(result).ok()))
+        }
+        Some("refused") => None,
+        word => panic!("the driver says {word:?}"),
+    }
+}
+
+/// Compiles the ops in a style and holds the driver against the machine.
+fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
+    let mut subjects = subjects();
+    // Refusals that hang by the last bit of a length fall the other way for short reals.
+    subjects.retain(|subject| tolerance < 1e-8 || !hangs_by_a_bit(subject));
+    let bench = TempDir::new().unwrap();
+    let proved: Vec<_> = subjects.iter().map(|subject| &subject.proved).collect();
+    let text = cpp(&proved, style).unwrap();
+    let signature = |line: &&str| {
+        line.contains(" HalfEdgeMesh::") && line.ends_with(") {") && !line.starts_with([' ', 'i'])
+    };
+    let declared = text.lines().filter(signature);
+    let declared: String = declared
+        .map(|line| line.replacen(" HalfEdgeMesh::", " ", 1))
+        .map(|line| line.replace(") {", ");\n").replace("HalfEdgeMesh::", ""))
+        .collect();
+    let write = |name: &str, text: &str| fs::write(bench.path().join(name), text).unwrap();
+    write("declared.h", &declared);
+    write(
+        "mesh.h",
+        &fs::read_to_string(folder("tests/emit").join(header)).unwrap(),
+    );
+    write(
+        "driver.h",
+        &fs::read_to_string(folder("tests/emit/driver.h")).unwrap(),
+    );
+    let calls = calls(&subjects);
+    write(
+        "driver.cpp",
+        &format!("#include \"mesh.h\"\n{text}\n#include \"driver.h\"\n{calls}"),
+    );
+    compile(bench.path());
+
+    let mut dice = Dice(5);
+    let mut input = String::new();
+    let mut expected = Vec::new();
+    for place in places() {
+        input.push_str(&table(&place.mesh));
+        for (at, subject) in subjects.iter().enumerate() {
+            if place.level < subject.plan.level {
+                continue;
+            }
+            for arguments in arguments(subject, &place.mesh, most, &mut dice) {
+                write!(input, "call {at}").unwrap();
+                for argument in &arguments {
+                    match argument {
+                        Argument::Element(id) => write!(input, " {id}").unwrap(),
+                        Argument::Bool(value) => write!(input, " {}", u8::from(*value)).unwrap(),
+                        Argument::Int(value) => write!(input, " {value}").unwrap(),
+                        Argument::Real(value) => write!(input, " {value:?}").unwrap(),
+                        Argument::Vec3([x, y, z]) => write!(input, " {x:?} {y:?} {z:?}").unwrap(),
+                    }
+                }
+                input.push('\n');
+                let machine = by_machine(subject, &place.mesh, &arguments);
+                expected.push((at, arguments, machine));
+            }
+        }
+    }
+    let mut driver = Command::new(bench.path().join("driver"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut stdin = driver.stdin.take().unwrap();
+    let feed = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
+    let output = driver.wait_with_output().unwrap();
+    assert!(
+        output.status.success(),
+        "the driver ends with {}",
+        output.status
+    );
+    feed.join().unwrap().unwrap();
+    let output = String::from_utf8(output.stdout).unwrap();
+    let mut words = output.split_whitespace();
+    let mut tallies = vec![Tally::default(); subjects.len()];
+    for (at, arguments, machine) in &expected {
+        let emitted = done(&mut words);
+        let tally = &mut tallies[*at];
+        compare(
+            &subjects[*at],
+            arguments,
+            tally,
+            tolerance,
+            [machine, &emitted],
+        );
+    }
+    assert_eq!(words.next(), None);
+    let tallies: Vec<_> = subjects.iter().zip(tallies).collect();
+    report(title, &tallies);
+}
+
+fn hangs_by_a_bit(subject: &Subject) -> bool {
+    subject.name.starts_with("values_") || subject.name.starts_with("remesh_")
+}
+
+#[test]
+fn cpp_with_fields_does_what_the_machine_does() {
+    if has_compiler() {
+        run("C++, fields", &Style::default(), "fields.h", 1e-9, 40);
+    }
+}
+
+#[test]
+fn cpp_with_accessors_does_what_the_machine_does() {
+    if !has_compiler() {
+        return;
+    }
+    let mut style = Style::default();
+    for text in [
+        "accessors",
+        "mesh=HalfEdgeMesh",
+        "member=yes",
+        "halfedge=half_edge",
+        "Vertex=V",
+        "Halfedge=H",
+        "Edge=E",
+        "Face=F",
+        "Vector=course::Vec",
+        "erase_vertex=delete_vertex({of})",
+        "erase_halfedge=delete_halfedge({of})",
+        "erase_edge=delete_edge({of})",
+        "erase_face=delete_face({of})",
+    ] {
+        style.set(text).unwrap();
+    }
+    run("C++, accessors", &style, "accessors.h", 1e-4, 8);
+}

@@ -1,0 +1,156 @@
+// Reads meshes and calls, carries each call out on a fresh copy of the mesh, and prints what
+// has become of it. Numbers are those of the tables that were read; what is new counts on.
+#pragma once
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#if ACCESSORS
+#define HALFEDGE half_edge
+#else
+#define HALFEDGE halfedge
+#endif
+
+struct Table {
+  int vertices, halfedges, edges, faces;
+  std::vector<std::vector<int>> half;  // next twin vertex edge face
+  std::vector<int> vertex, edge, face, hole;
+  std::vector<Vector> position;
+};
+
+using VRef = decltype(Mesh().new_vertex());
+using HRef = decltype(Mesh().new_halfedge());
+using ERef = decltype(Mesh().new_edge());
+using FRef = decltype(Mesh().new_face());
+
+struct Built {
+  Mesh mesh;
+  std::vector<VRef> v;
+  std::vector<HRef> h;
+  std::vector<ERef> e;
+  std::vector<FRef> f;
+};
+
+inline int number() {
+  int n;
+  if (std::scanf("%d", &n) != 1) std::exit(3);
+  return n;
+}
+
+inline double real() {
+  double x;
+  if (std::scanf("%lf", &x) != 1) std::exit(3);
+  return x;
+}
+
+inline Table read_table() {
+  Table t;
+  t.vertices = number();
+  t.halfedges = number();
+  t.edges = number();
+  t.faces = number();
+  for (int i = 0; i < t.halfedges; ++i) {
+    t.half.push_back({});
+    for (int k = 0; k < 5; ++k) t.half.back().push_back(number());
+  }
+  for (int i = 0; i < t.vertices; ++i) {
+    t.vertex.push_back(number());
+    double x = real(), y = real(), z = real();
+    t.position.push_back(Vector(x, y, z));
+  }
+  for (int i = 0; i < t.edges; ++i) t.edge.push_back(number());
+  for (int i = 0; i < t.faces; ++i) {
+    t.face.push_back(number());
+    t.hole.push_back(number());
+  }
+  return t;
+}
+
+inline void build(const Table& t, Built& b) {
+  for (int i = 0; i < t.vertices; ++i) b.v.push_back(b.mesh.new_vertex());
+  for (int i = 0; i < t.halfedges; ++i) b.h.push_back(b.mesh.new_halfedge());
+  for (int i = 0; i < t.edges; ++i) b.e.push_back(b.mesh.new_edge());
+  for (int i = 0; i < t.faces; ++i) b.f.push_back(b.mesh.new_face());
+  for (int i = 0; i < t.halfedges; ++i) {
+    SET(b.h[i], next, b.h[t.half[i][0]]);
+    SET(b.h[i], twin, b.h[t.half[i][1]]);
+    SET(b.h[i], vertex, b.v[t.half[i][2]]);
+    SET(b.h[i], edge, b.e[t.half[i][3]]);
+    SET(b.h[i], face, b.f[t.half[i][4]]);
+  }
+  for (int i = 0; i < t.vertices; ++i) {
+    SET(b.v[i], HALFEDGE, b.h[t.vertex[i]]);
+    POSITION(b.v[i]) = t.position[i];
+  }
+  for (int i = 0; i < t.edges; ++i) SET(b.e[i], HALFEDGE, b.h[t.edge[i]]);
+  for (int i = 0; i < t.faces; ++i) {
+    SET(b.f[i], HALFEDGE, b.h[t.face[i]]);
+    BOUNDARY(b.f[i]) = t.hole[i];
+  }
+}
+
+#if ACCESSORS
+template <class L>
+bool lives(const Mesh& mesh, L x) { return !mesh.gone.count(x); }
+#define EACH(x, list) for (auto& x##_ : mesh.list) if (auto x = &x##_; lives(mesh, x))
+#else
+#define EACH(x, list) for (auto x = mesh.list.begin(); x != mesh.list.end(); ++x)
+#endif
+
+struct Counts {
+  int v = 0, h = 0, e = 0, f = 0;
+};
+
+inline Counts numbered(Mesh& mesh) {
+  Counts n;
+  EACH(v, vertices) v->number = n.v++;
+  EACH(h, halfedges) h->number = n.h++;
+  EACH(e, edges) e->number = n.e++;
+  EACH(f, faces) f->number = n.f++;
+  return n;
+}
+
+inline void print(Mesh& mesh) {
+  Counts n = numbered(mesh);
+  std::printf("%d %d %d %d\n", n.v, n.h, n.e, n.f);
+  EACH(h, halfedges) {
+    std::printf("%d %d %d %d %d\n", GET(h, next)->number, GET(h, twin)->number,
+                GET(h, vertex)->number, GET(h, edge)->number, GET(h, face)->number);
+  }
+  EACH(v, vertices) {
+    Vector p = POSITION(v);
+    std::printf("%d %.17g %.17g %.17g\n", GET(v, HALFEDGE)->number, double(p.x), double(p.y), double(p.z));
+  }
+  EACH(e, edges) std::printf("%d\n", GET(e, HALFEDGE)->number);
+  EACH(f, faces) std::printf("%d %d\n", GET(f, HALFEDGE)->number, int(BOUNDARY(f)));
+}
+
+// What an operation without a result, and one with a result, have done.
+inline bool applied(Mesh&, bool done) { std::printf(done ? "applied -1\n" : "refused\n"); return done; }
+template <class T>
+bool applied(Mesh& mesh, const std::optional<T>& result) {
+  if (!result) {
+    std::printf("refused\n");
+    return false;
+  }
+  numbered(mesh);
+  std::printf("applied %d\n", (*result)->number);
+  return true;
+}
+
+bool call(int op, Built& built);
+
+int main() {
+  Table table;
+  char word[16];
+  while (std::scanf("%15s", word) == 1) {
+    if (std::string(word) == "mesh") {
+      table = read_table();
+    } else {
+      Built built;
+      build(table, built);
+      if (call(number(), built)) print(built.mesh);
+    }
+  }
+}

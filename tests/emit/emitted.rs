@@ -1,0 +1,5951 @@
+// Written by the test `rust_is_as_committed` with UPDATE=1.
+use glam::DVec3;
+use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
+
+/// Merges the two ends of an edge between triangles at its midpoint; v1 goes.
+///
+/// The two triangles vanish, and of each the two other edges become one. All other spokes
+/// of `v1`, the fan `S`, move to `v0`.
+pub fn collapse_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let c_ = mesh.twin(c);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let g_ = mesh.twin(g);
+        let h_ = mesh.twin(h);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(c_);
+        let v1 = mesh.vertex(h_);
+        let v2 = mesh.vertex(b_);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(g_);
+        let eb = mesh.edge(b);
+        let ec = mesh.edge(c);
+        let eg = mesh.edge(g);
+        let eh = mesh.edge(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if !mesh.link_condition(e) {
+            continue; // the link condition does not hold
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h_2 = mesh.next(b_);
+        while h_2 != h_ {
+            mesh.set_vertex(h_2, v0);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+        mesh.set_twin(b_, c_);
+        mesh.set_twin(c_, b_);
+        mesh.set_edge(c_, eb);
+        mesh.set_twin(g_, h_);
+        mesh.set_twin(h_, g_);
+        mesh.set_vertex(h_, v0);
+        mesh.set_edge(h_, eg);
+        mesh.set_vertex_halfedge(v0, h_);
+        mesh.set_vertex_halfedge(v2, b_);
+        mesh.set_vertex_halfedge(v3, g_);
+        mesh.set_edge_halfedge(eb, b_);
+        mesh.set_edge_halfedge(eg, g_);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_halfedge(g);
+        mesh.erase_halfedge(h);
+        mesh.erase_face(f0);
+        mesh.erase_face(f1);
+        mesh.erase_edge(ec);
+        mesh.erase_edge(eh);
+        return Some(v0);
+    }
+    None
+}
+
+/// Merges the two ends of an edge between any polygons at its midpoint; v1 goes.
+///
+/// A triangle at the edge would be left with two sides: it vanishes, as in `collapse`. A
+/// larger polygon loses a side. An edge parameter is tried both ways around, so one drawing
+/// serves a triangle on either side.
+pub fn collapse_collapse_polygon(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    collapse_collapse_polygon_triangles(mesh, e).or_else(|| collapse_collapse_polygon_triangle(mesh, e)).or_else(|| collapse_collapse_polygon_polygons(mesh, e))
+}
+
+fn collapse_collapse_polygon_triangles(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let c_ = mesh.twin(c);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let g_ = mesh.twin(g);
+        let h_ = mesh.twin(h);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(c_);
+        let v1 = mesh.vertex(h_);
+        let v2 = mesh.vertex(b_);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(g_);
+        let eb = mesh.edge(b);
+        let ec = mesh.edge(c);
+        let eg = mesh.edge(g);
+        let eh = mesh.edge(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if !mesh.link_condition(e) {
+            continue; // the link condition does not hold
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h_2 = mesh.next(b_);
+        while h_2 != h_ {
+            mesh.set_vertex(h_2, v0);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+        mesh.set_twin(b_, c_);
+        mesh.set_twin(c_, b_);
+        mesh.set_edge(c_, eb);
+        mesh.set_twin(g_, h_);
+        mesh.set_twin(h_, g_);
+        mesh.set_vertex(h_, v0);
+        mesh.set_edge(h_, eg);
+        mesh.set_vertex_halfedge(v0, h_);
+        mesh.set_vertex_halfedge(v2, b_);
+        mesh.set_vertex_halfedge(v3, g_);
+        mesh.set_edge_halfedge(eb, b_);
+        mesh.set_edge_halfedge(eg, g_);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_halfedge(g);
+        mesh.erase_halfedge(h);
+        mesh.erase_face(f0);
+        mesh.erase_face(f1);
+        mesh.erase_edge(ec);
+        mesh.erase_edge(eh);
+        return Some(v0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn collapse_collapse_polygon_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let c_ = mesh.twin(c);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(c_);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(b_);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        let v4 = mesh.vertex(mesh.next(h));
+        let eb = mesh.edge(b);
+        let ec = mesh.edge(c);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v0 == v4 {
+            continue; // `v0` and `v4` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v1 == v4 {
+            continue; // `v1` and `v4` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if v2 == v4 {
+            continue; // `v2` and `v4` are one vertex
+        }
+        if v3 == v4 {
+            continue; // `v3` and `v4` are one vertex
+        }
+        if (mesh.neighbors(v0).filter(|&w| mesh.adjacent(w, v1)).count() as i64) != 1 {
+            continue; // the ends have a common neighbour
+        }
+        if !mesh.is_boundary_edge(e) && mesh.is_boundary_vertex(v0) && mesh.is_boundary_vertex(v1) {
+            continue; // two boundaries would be pinched
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h_2 = mesh.next(b_);
+        while h_2 != d {
+            mesh.set_vertex(h_2, v0);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+        mesh.set_prev(g, Q_last);
+        mesh.set_next(Q_last, g);
+        mesh.set_twin(b_, c_);
+        mesh.set_twin(c_, b_);
+        mesh.set_edge(c_, eb);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v2, b_);
+        mesh.set_edge_halfedge(eb, b_);
+        mesh.set_face_halfedge(f1, g);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_face(f0);
+        mesh.erase_edge(ec);
+        return Some(v0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn collapse_collapse_polygon_polygons(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let v4 = mesh.vertex(mesh.next(c));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        let v5 = mesh.vertex(mesh.next(h));
+        let P_last = mesh.prev(a);
+        let Q_last = mesh.prev(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v4 {
+            continue; // `v0` and `v4` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v0 == v5 {
+            continue; // `v0` and `v5` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v4 {
+            continue; // `v1` and `v4` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v1 == v5 {
+            continue; // `v1` and `v5` are one vertex
+        }
+        if v2 == v4 {
+            continue; // `v2` and `v4` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if v2 == v5 {
+            continue; // `v2` and `v5` are one vertex
+        }
+        if v4 == v3 {
+            continue; // `v4` and `v3` are one vertex
+        }
+        if v4 == v5 {
+            continue; // `v4` and `v5` are one vertex
+        }
+        if v3 == v5 {
+            continue; // `v3` and `v5` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if mesh.neighbors(v0).any(|w| mesh.adjacent(w, v1)) {
+            continue; // the ends have a common neighbour
+        }
+        if !mesh.is_boundary_edge(e) && mesh.is_boundary_vertex(v0) && mesh.is_boundary_vertex(v1) {
+            continue; // two boundaries would be pinched
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h_2 = mesh.next(mesh.twin(b));
+        while h_2 != d {
+            mesh.set_vertex(h_2, v0);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+        mesh.set_prev(b, P_last);
+        mesh.set_vertex(b, v0);
+        mesh.set_next(P_last, b);
+        mesh.set_prev(g, Q_last);
+        mesh.set_next(Q_last, g);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_face_halfedge(f0, b);
+        mesh.set_face_halfedge(f1, g);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(v0);
+    }
+    None
+}
+
+/// Cuts a face between the corners where `a` and `b` start; returns the new edge.
+///
+/// Corners that are neighbours are refused: the names of `v0 v1 v2 v3` are different, so
+/// neither of the two paths is empty.
+#[allow(non_snake_case)]
+pub fn connect_connect(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    if mesh.adjacent(v0, v2) {
+        return None; // an edge joins the two corners already
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// Merges the two ends of an edge at its midpoint, whatever lies beside it.
+#[allow(non_snake_case)]
+pub fn contract_contract(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(a);
+        while h != d {
+            mesh.set_vertex(h, v0);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+        mesh.set_face_halfedge(f1, Q_first);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(v0);
+    }
+    None
+}
+
+/// Merges the two faces at an edge; returns the one that is left.
+#[allow(non_snake_case)]
+pub fn dissolve_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if (mesh.degree(v0) as i64) <= 2 {
+            continue; // an end of the edge has no other face
+        }
+        if (mesh.degree(v1) as i64) <= 2 {
+            continue; // an end of the edge has no other face
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+/// Rotates an edge between two triangles by one corner.
+///
+/// ```text
+///        v2                 v2
+///       /  \               /|\
+///     c/ f0 \b           c/ | \b
+///     /  a-> \           /  |  \
+///   v0 ------ v1   =>  v0   |   v1
+///     \ <-d  /           \ a|d /
+///     g\ f1 /h           g\ | /h
+///       \  /               \|/
+///        v3                 v3
+/// ```
+pub fn flip_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if mesh.adjacent(v2, v3) {
+            continue; // the edge v2 v3 is already there
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, c);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, h);
+        mesh.set_face(b, f1);
+        mesh.set_next(c, g);
+        mesh.set_prev(c, a);
+        mesh.set_next(d, h);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, c);
+        mesh.set_face(g, f0);
+        mesh.set_next(h, b);
+        mesh.set_prev(h, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// Rotates an edge between any two polygons by one corner. Nothing is walked: the rest of
+/// the two loops, `P` and `Q`, stays where it is, so the time is constant.
+#[allow(non_snake_case)]
+pub fn flip_flip_any(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(mesh.next(g));
+        let P_first = mesh.next(b);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(g);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, P_first);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, Q_last);
+        mesh.set_face(b, f1);
+        mesh.set_next(P_last, g);
+        mesh.set_prev(P_first, a);
+        mesh.set_next(d, Q_first);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, P_last);
+        mesh.set_face(g, f0);
+        mesh.set_next(Q_last, b);
+        mesh.set_prev(Q_first, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// Splits an edge at its midpoint, and each triangle at it; returns the new vertex.
+pub fn remesh_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    remesh_split_interior(mesh, e).or_else(|| remesh_split_border(mesh, e))
+}
+
+fn remesh_split_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let s = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let u = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let f3 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+        let e3 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(c, p);
+        mesh.set_next(d, s);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_next(g, u);
+        mesh.set_prev(g, t);
+        mesh.set_face(g, f3);
+        mesh.set_prev(h, s);
+        mesh.set_next(p, c);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(s, h);
+        mesh.set_prev(s, d);
+        mesh.set_twin(s, u);
+        mesh.set_vertex(s, m);
+        mesh.set_edge(s, e3);
+        mesh.set_face(s, f1);
+        mesh.set_next(t, g);
+        mesh.set_prev(t, u);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f3);
+        mesh.set_next(u, t);
+        mesh.set_prev(u, g);
+        mesh.set_twin(u, s);
+        mesh.set_vertex(u, v3);
+        mesh.set_edge(u, e3);
+        mesh.set_face(u, f3);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_edge_halfedge(e3, s);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_face_halfedge(f1, d);
+        mesh.set_face_halfedge(f3, t);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remesh_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if !mesh.is_hole(f1) {
+            continue; // `f1` is not a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(c, p);
+        mesh.set_next(d, t);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(P_first, t);
+        mesh.set_next(p, c);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(t, P_first);
+        mesh.set_prev(t, d);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+/// Merges the two ends of an edge between triangles at its midpoint; v1 goes. Refuses where
+/// the mesh would fold, or an edge longer than `longest` would come of it.
+pub fn remesh_collapse(mesh: &mut Mesh, e: EdgeId, longest: f64) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let c_ = mesh.twin(c);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let g_ = mesh.twin(g);
+        let h_ = mesh.twin(h);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(c_);
+        let v1 = mesh.vertex(h_);
+        let v2 = mesh.vertex(b_);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(g_);
+        let eb = mesh.edge(b);
+        let ec = mesh.edge(c);
+        let eg = mesh.edge(g);
+        let eh = mesh.edge(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if !mesh.link_condition(e) {
+            continue; // the link condition does not hold
+        }
+        if mesh.is_boundary_vertex(v0) {
+            continue; // an end lies on the boundary
+        }
+        if mesh.is_boundary_vertex(v1) {
+            continue; // an end lies on the boundary
+        }
+        if !mesh.neighbors(v0).all(|w| DVec3::distance(mesh.position(w), mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5)) < longest) {
+            continue; // an edge would become too long
+        }
+        if !mesh.neighbors(v1).all(|w_2| DVec3::distance(mesh.position(w_2), mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5)) < longest) {
+            continue; // an edge would become too long
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h_2 = mesh.next(b_);
+        while h_2 != h_ {
+            mesh.set_vertex(h_2, v0);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+        mesh.set_twin(b_, c_);
+        mesh.set_twin(c_, b_);
+        mesh.set_edge(c_, eb);
+        mesh.set_twin(g_, h_);
+        mesh.set_twin(h_, g_);
+        mesh.set_vertex(h_, v0);
+        mesh.set_edge(h_, eg);
+        mesh.set_vertex_halfedge(v0, h_);
+        mesh.set_vertex_halfedge(v2, b_);
+        mesh.set_vertex_halfedge(v3, g_);
+        mesh.set_edge_halfedge(eb, b_);
+        mesh.set_edge_halfedge(eg, g_);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_halfedge(g);
+        mesh.erase_halfedge(h);
+        mesh.erase_face(f0);
+        mesh.erase_face(f1);
+        mesh.erase_edge(ec);
+        mesh.erase_edge(eh);
+        return Some(v0);
+    }
+    None
+}
+
+/// Rotates an edge between two triangles by one corner.
+pub fn remesh_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if mesh.adjacent(v2, v3) {
+            continue; // the edge is already there
+        }
+        if !(0.0 < DVec3::dot(DVec3::cross(mesh.position(v2) - mesh.position(v0), mesh.position(v3) - mesh.position(v0)), DVec3::cross(mesh.position(v3) - mesh.position(v1), mesh.position(v2) - mesh.position(v1)))) {
+            continue; // the surface would fold
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, c);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, h);
+        mesh.set_face(b, f1);
+        mesh.set_next(c, g);
+        mesh.set_prev(c, a);
+        mesh.set_next(d, h);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, c);
+        mesh.set_face(g, f0);
+        mesh.set_next(h, b);
+        mesh.set_prev(h, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// Splits an edge at its midpoint, and each triangle at it; returns the new vertex.
+pub fn split_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    split_split_interior(mesh, e).or_else(|| split_split_border(mesh, e))
+}
+
+fn split_split_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let s = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let u = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let f3 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+        let e3 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(c, p);
+        mesh.set_next(d, s);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_next(g, u);
+        mesh.set_prev(g, t);
+        mesh.set_face(g, f3);
+        mesh.set_prev(h, s);
+        mesh.set_next(p, c);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(s, h);
+        mesh.set_prev(s, d);
+        mesh.set_twin(s, u);
+        mesh.set_vertex(s, m);
+        mesh.set_edge(s, e3);
+        mesh.set_face(s, f1);
+        mesh.set_next(t, g);
+        mesh.set_prev(t, u);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f3);
+        mesh.set_next(u, t);
+        mesh.set_prev(u, g);
+        mesh.set_twin(u, s);
+        mesh.set_vertex(u, v3);
+        mesh.set_edge(u, e3);
+        mesh.set_face(u, f3);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_edge_halfedge(e3, s);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_face_halfedge(f1, d);
+        mesh.set_face_halfedge(f3, t);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn split_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if !mesh.is_hole(f1) {
+            continue; // `f1` is not a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(c, p);
+        mesh.set_next(d, t);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(P_first, t);
+        mesh.set_next(p, c);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(t, P_first);
+        mesh.set_prev(t, d);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+/// Cuts an edge in two at its midpoint; returns the new vertex.
+///
+/// ```text
+///      .---P---.               .---P---.
+///      |  f0   |               |  f0   |
+///      |       |               |       |
+///      v0--e--v1     ->        v0--m--v1
+///      |       |               |       |
+///      |  f1   |               |  f1   |
+///      '---Q---'               '---Q---'
+/// ```
+///
+/// The loops at the edge, faces or holes, get a side more. Each of the two halfedges is
+/// followed by a new one, and the twin of the old one is now the new one across. Never
+/// refused.
+#[allow(non_snake_case)]
+pub fn polygon_bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let Q_first = mesh.next(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let e1 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, q);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, q);
+        mesh.set_twin(d, p);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(Q_first, q);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, d);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e1);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, Q_first);
+        mesh.set_prev(q, d);
+        mesh.set_twin(q, a);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e);
+        mesh.set_face(q, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, p);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+/// Cuts a face in two, from the corner where `a` starts to the corner where `b` starts;
+/// returns the new edge.
+///
+/// ```text
+///      v3--Q---v0              v3--Q---v0
+///      |       |               |  g  / |
+///      b       a               b   e   a
+///      |   f   |     ->        | /  f  |
+///      v2--P---v1              v2--P---v1
+/// ```
+///
+/// Corners of different faces are refused, and corners that are neighbours: different names
+/// are different vertices, so both `P` and `Q` have an edge at least, and both parts three
+/// sides.
+#[allow(non_snake_case)]
+pub fn polygon_connect(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// Removes an edge, the reverse of `connect`; the loops on its two sides become one, which is
+/// returned.
+///
+/// ```text
+///      .---P---v0              .---P---v0
+///      |  f0 / |               |       |
+///      |   e   |               |       |
+///      | /  f1 |     ->        |   f0  |
+///      v1--Q---.               v1--Q---.
+/// ```
+///
+/// At the boundary the face joins the hole. Refused if an end would keep a single edge, if
+/// the faces meet elsewhere too, or if two holes would meet at a vertex.
+pub fn polygon_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    polygon_dissolve_edge_inside(mesh, e).or_else(|| polygon_dissolve_edge_border(mesh, e))
+}
+
+#[allow(non_snake_case)]
+fn polygon_dissolve_edge_inside(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if (mesh.degree(v0) as i64) < 3 {
+            continue; // `v0` would keep a single edge
+        }
+        if (mesh.degree(v1) as i64) < 3 {
+            continue; // `v1` would keep a single edge
+        }
+        let mut corners: Vec<VertexId> = vec![v1, v0];
+        let mut h = P_first;
+        while h != a {
+            if h != P_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        if !all_differ(&corners) {
+            continue; // `f0` would meet a vertex twice
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_dissolve_edge_border(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if !mesh.is_hole(f0) {
+            continue; // `f0` is not a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if (mesh.degree(v0) as i64) < 3 {
+            continue; // `v0` would keep a single edge
+        }
+        if (mesh.degree(v1) as i64) < 3 {
+            continue; // `v1` would keep a single edge
+        }
+        let mut pinched = false;
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first {
+                let mut holes = 0;
+                for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                    if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
+                        holes += 1;
+                    }
+                }
+                if 1 < holes {
+                    pinched = true;
+                }
+            }
+            h = mesh.next(h);
+        }
+        if pinched {
+            continue; // the surface would be pinched at a vertex of `Q`
+        }
+        let mut corners: Vec<VertexId> = vec![v1, v0];
+        let mut h = P_first;
+        while h != a {
+            if h != P_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first {
+                corners.push(mesh.vertex(h));
+            }
+            h = mesh.next(h);
+        }
+        if !all_differ(&corners) {
+            continue; // `f0` would meet a vertex twice
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+/// Turns an edge between two faces: both of its ends step one corner counterclockwise.
+///
+/// ```text
+///    . --P--- v2          . --P--- v2
+///    |        |           |       /|
+///    | f0     |           | f0   / |
+///    |        |           |     /  |
+///    v0 --e-- v1    ->    v0   e   v1
+///    |        |           |   /    |
+///    |     f1 |           |  /  f1 |
+///    |        |           | /      |
+///    v3 --Q-- .           v3 --Q-- .
+/// ```
+///
+/// Nothing is walked and nothing moves but the edge: `P` and `Q`, the rest of the two faces,
+/// stay where they are. Refused at the boundary; if an end would keep a single edge; if both
+/// sides lead to one vertex; and if `v3` lies on `P`, or `v2` on `Q`: a face would meet it
+/// twice.
+#[allow(non_snake_case)]
+pub fn polygon_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(mesh.next(g));
+        let P_first = mesh.next(b);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(g);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if (mesh.degree(v0) as i64) < 3 {
+            continue; // `v0` would keep a single edge
+        }
+        if (mesh.degree(v1) as i64) < 3 {
+            continue; // `v1` would keep a single edge
+        }
+        let mut meets = false;
+        let mut h = P_first;
+        while h != a {
+            if h != P_first && mesh.vertex(h) == v3 {
+                meets = true;
+            }
+            h = mesh.next(h);
+        }
+        if meets {
+            continue; // `f0` would meet `v3` twice
+        }
+        let mut meets_2 = false;
+        let mut h = Q_first;
+        while h != d {
+            if h != Q_first && mesh.vertex(h) == v2 {
+                meets_2 = true;
+            }
+            h = mesh.next(h);
+        }
+        if meets_2 {
+            continue; // `f1` would meet `v2` twice
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, P_first);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, Q_last);
+        mesh.set_face(b, f1);
+        mesh.set_next(P_last, g);
+        mesh.set_prev(P_first, a);
+        mesh.set_next(d, Q_first);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, P_last);
+        mesh.set_face(g, f0);
+        mesh.set_next(Q_last, b);
+        mesh.set_prev(Q_first, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// Cuts an edge at its midpoint, and from each face at it the next corner; returns the new
+/// vertex, whose halfedge runs along the edge.
+///
+/// ```text
+///    . --P--- v2          . --P--- v2
+///    |        |           |      / |
+///    | f0     |           | f0  /f2|
+///    |        |           |    /   |
+///    v0 --e-- v1    ->    v0 - m - v1
+///    |        |           |   /    |
+///    |     f1 |           |f3/  f1 |
+///    |        |           | /      |
+///    v3 --Q-- .           v3 --Q-- .
+/// ```
+///
+/// What is new lies around the new vertex, so nothing can go wrong: no test is made, and it is
+/// never refused.
+pub fn polygon_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    polygon_split_inside(mesh, e).or_else(|| polygon_split_inside_one_tip(mesh, e)).or_else(|| polygon_split_border(mesh, e))
+}
+
+#[allow(non_snake_case)]
+fn polygon_split_inside(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(mesh.next(g));
+        let P_first = mesh.next(b);
+        let Q_first = mesh.next(g);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let s = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let u = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let f3 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+        let e3 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, s);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_next(g, u);
+        mesh.set_prev(g, t);
+        mesh.set_face(g, f3);
+        mesh.set_prev(Q_first, s);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(s, Q_first);
+        mesh.set_prev(s, d);
+        mesh.set_twin(s, u);
+        mesh.set_vertex(s, m);
+        mesh.set_edge(s, e3);
+        mesh.set_face(s, f1);
+        mesh.set_next(t, g);
+        mesh.set_prev(t, u);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f3);
+        mesh.set_next(u, t);
+        mesh.set_prev(u, g);
+        mesh.set_twin(u, s);
+        mesh.set_vertex(u, v3);
+        mesh.set_edge(u, e3);
+        mesh.set_face(u, f3);
+        mesh.set_vertex_halfedge(m, q);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_edge_halfedge(e3, s);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_face_halfedge(f1, d);
+        mesh.set_face_halfedge(f3, t);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_split_inside_one_tip(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(b);
+        let Q_first = mesh.next(g);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.vertex(mesh.next(g)) != v2 {
+            continue; // `g` does not end at `v2`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let s = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let u = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let f3 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+        let e3 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, s);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_next(g, u);
+        mesh.set_prev(g, t);
+        mesh.set_face(g, f3);
+        mesh.set_prev(Q_first, s);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(s, Q_first);
+        mesh.set_prev(s, d);
+        mesh.set_twin(s, u);
+        mesh.set_vertex(s, m);
+        mesh.set_edge(s, e3);
+        mesh.set_face(s, f1);
+        mesh.set_next(t, g);
+        mesh.set_prev(t, u);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f3);
+        mesh.set_next(u, t);
+        mesh.set_prev(u, g);
+        mesh.set_twin(u, s);
+        mesh.set_vertex(u, v2);
+        mesh.set_edge(u, e3);
+        mesh.set_face(u, f3);
+        mesh.set_vertex_halfedge(m, q);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_edge_halfedge(e3, s);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_face_halfedge(f1, d);
+        mesh.set_face_halfedge(f3, t);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(b);
+        let Q_first = mesh.next(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if !mesh.is_hole(f1) {
+            continue; // `f1` is not a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let r = mesh.add_halfedge();
+        let t = mesh.add_halfedge();
+        let f2 = mesh.add_face();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, t);
+        mesh.set_next(b, r);
+        mesh.set_prev(b, q);
+        mesh.set_face(b, f2);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, t);
+        mesh.set_twin(d, q);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(Q_first, t);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, r);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, b);
+        mesh.set_prev(q, r);
+        mesh.set_twin(q, d);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e1);
+        mesh.set_face(q, f2);
+        mesh.set_next(r, q);
+        mesh.set_prev(r, b);
+        mesh.set_twin(r, p);
+        mesh.set_vertex(r, v2);
+        mesh.set_edge(r, e2);
+        mesh.set_face(r, f2);
+        mesh.set_next(t, Q_first);
+        mesh.set_prev(t, d);
+        mesh.set_twin(t, a);
+        mesh.set_vertex(t, m);
+        mesh.set_edge(t, e);
+        mesh.set_face(t, f1);
+        mesh.set_vertex_halfedge(m, q);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, q);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f2, q);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+/// Merges the two ends of an edge at its midpoint, and returns the vertex.
+///
+/// ```text
+///      .--P---v2---.           .--P---v2---.
+///      |  f0 /  \  |           |   f0 |    |
+///      |    c f1 b |           |      |    |
+///      '--v0--e--v1-'    ->    '------v0---'
+/// ```
+///
+/// A face at the edge loses a side. A triangle would be left with two: it vanishes, and its
+/// two other edges become one. So there is a rule for two triangles, one for a triangle and
+/// anything else, and one for no triangle. Rules are tried in order, and a rule whose guard
+/// says no leaves its place to the next; the last two need not say that a face is larger than
+/// a triangle, since their guard does.
+///
+/// Refused if two boundaries would be pinched together, if a vertex would keep a single edge,
+/// and for a triangle that is all there is of the surface, or half of it.
+pub fn polygon_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    polygon_collapse_two_triangles(mesh, e).or_else(|| polygon_collapse_triangle(mesh, e)).or_else(|| polygon_collapse_no_triangle(mesh, e))
+}
+
+fn polygon_collapse_two_triangles(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let c_ = mesh.twin(c);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let g_ = mesh.twin(g);
+        let h_ = mesh.twin(h);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(c_);
+        let v1 = mesh.vertex(h_);
+        let v2 = mesh.vertex(b_);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(g_);
+        let eb = mesh.edge(b);
+        let ec = mesh.edge(c);
+        let eg = mesh.edge(g);
+        let eh = mesh.edge(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if (mesh.degree(v2) as i64) < 3 {
+            continue; // `v2` would keep a single edge
+        }
+        if (mesh.degree(v3) as i64) < 3 {
+            continue; // `v3` would keep a single edge
+        }
+        let mut holes = 0;
+        if mesh.is_hole(mesh.face(c_)) {
+            holes += 1;
+        }
+        if mesh.is_hole(mesh.face(h_)) {
+            holes += 1;
+        }
+        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h_2 != a && h_2 != g && h_2 != c_ && mesh.is_hole(mesh.face(h_2)) {
+                holes += 1;
+            }
+        }
+        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h_2 != b && h_2 != d && h_2 != h_ && mesh.is_hole(mesh.face(h_2)) {
+                holes += 1;
+            }
+        }
+        if 1 < holes {
+            continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+        }
+        let mut faces: Vec<FaceId> = vec![mesh.face(c_), mesh.face(h_)];
+        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h_2 != a && h_2 != g && h_2 != c_ {
+                faces.push(mesh.face(h_2));
+            }
+        }
+        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h_2 != b && h_2 != d && h_2 != h_ {
+                faces.push(mesh.face(h_2));
+            }
+        }
+        if !all_differ(&faces) {
+            continue; // a face around both `v0` and `v1` would meet `v0` twice
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h_2 = mesh.next(b_);
+        while h_2 != h_ {
+            mesh.set_vertex(h_2, v0);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+        mesh.set_twin(b_, c_);
+        mesh.set_twin(c_, b_);
+        mesh.set_edge(c_, eb);
+        mesh.set_twin(g_, h_);
+        mesh.set_twin(h_, g_);
+        mesh.set_vertex(h_, v0);
+        mesh.set_edge(h_, eg);
+        mesh.set_vertex_halfedge(v0, h_);
+        mesh.set_vertex_halfedge(v2, b_);
+        mesh.set_vertex_halfedge(v3, g_);
+        mesh.set_edge_halfedge(eb, b_);
+        mesh.set_edge_halfedge(eg, g_);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_halfedge(g);
+        mesh.erase_halfedge(h);
+        mesh.erase_face(f0);
+        mesh.erase_face(f1);
+        mesh.erase_edge(ec);
+        mesh.erase_edge(eh);
+        return Some(v0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_collapse_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let c_ = mesh.twin(c);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(c_);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(b_);
+        let f1 = mesh.face(d);
+        let eb = mesh.edge(b);
+        let ec = mesh.edge(c);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+            continue; // `f1` would have fewer than 3 sides
+        }
+        if (mesh.degree(v2) as i64) < 3 {
+            continue; // `v2` would keep a single edge
+        }
+        let mut holes = 0;
+        if mesh.is_hole(mesh.face(c_)) {
+            holes += 1;
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h != a && h != c_ && mesh.is_hole(mesh.face(h)) {
+                holes += 1;
+            }
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h != b && h != d && mesh.is_hole(mesh.face(h)) {
+                holes += 1;
+            }
+        }
+        if 1 < holes {
+            continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+        }
+        let mut faces: Vec<FaceId> = vec![mesh.face(c_)];
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h != a && h != c_ {
+                faces.push(mesh.face(h));
+            }
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h != b && h != d {
+                faces.push(mesh.face(h));
+            }
+        }
+        if !all_differ(&faces) {
+            continue; // a face around both `v0` and `v1` would meet `v0` twice
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(b_);
+        while h != d {
+            mesh.set_vertex(h, v0);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_twin(b_, c_);
+        mesh.set_twin(c_, b_);
+        mesh.set_edge(c_, eb);
+        mesh.set_vertex_halfedge(v0, c_);
+        mesh.set_vertex_halfedge(v2, b_);
+        mesh.set_edge_halfedge(eb, b_);
+        mesh.set_face_halfedge(f1, Q_first);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_face(f0);
+        mesh.erase_edge(ec);
+        return Some(v0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_collapse_no_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+            continue; // `f0` would have fewer than 3 sides
+        }
+        if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+            continue; // `f1` would have fewer than 3 sides
+        }
+        let mut holes = 0;
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h != a && mesh.is_hole(mesh.face(h)) {
+                holes += 1;
+            }
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h != d && mesh.is_hole(mesh.face(h)) {
+                holes += 1;
+            }
+        }
+        if 1 < holes {
+            continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+        }
+        let mut faces: Vec<FaceId> = Vec::new();
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h != a {
+                faces.push(mesh.face(h));
+            }
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h != d {
+                faces.push(mesh.face(h));
+            }
+        }
+        if !all_differ(&faces) {
+            continue; // a face around both `v0` and `v1` would meet `v0` twice
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(a);
+        while h != d {
+            mesh.set_vertex(h, v0);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+        mesh.set_face_halfedge(f1, Q_first);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(v0);
+    }
+    None
+}
+
+/// Flips an edge where it is the longer one, as most remeshers would have it.
+pub fn values_flip_if_longer(mesh: &mut Mesh, e: EdgeId, least: f64) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let h = mesh.next(g);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(c);
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(h);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h) != d {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if !(DVec3::distance(mesh.position(v2), mesh.position(v3)) - least < mesh.length(e)) {
+            continue; // it is shorter
+        }
+        if mesh.adjacent(v2, v3) {
+            continue; // it is shorter
+        }
+        if ((mesh.degree(v0) as i64) <= 3 || (mesh.degree(v1) as i64) <= 3) && !mesh.is_boundary_vertex(v0) {
+            continue; // an end has few edges
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, c);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, h);
+        mesh.set_face(b, f1);
+        mesh.set_next(c, g);
+        mesh.set_prev(c, a);
+        mesh.set_next(d, h);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, c);
+        mesh.set_face(g, f0);
+        mesh.set_next(h, b);
+        mesh.set_prev(h, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return Some(e);
+    }
+    None
+}
+
+/// Moves a vertex by everything that can be computed around it.
+pub fn values_wander(mesh: &mut Mesh, v: VertexId, t: f64, n: i64) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge that starts at v is tried.
+    for a in mesh.spokes(v).collect::<Vec<_>>() {
+        let a_ = mesh.twin(a);
+        let f = mesh.face(a);
+        let w = mesh.vertex(a_);
+        let e = mesh.edge(a);
+        if mesh.vertex(a) != v {
+            continue; // `a` does not start at `v`
+        }
+        if v == w {
+            continue; // `v` and `w` are one vertex
+        }
+        if ((n % 3 + 3) % 3) == 1 {
+            continue; // n is one of those
+        }
+        if n < (n / 2 - i64::from(n % 2 != 0 && (n < 0) != (2 < 0))) * 2 {
+            continue; // n is one of those
+        }
+        if !mesh.neighbors(v).any(|w_2| mesh.is_boundary_vertex(w_2) || 2 < (mesh.degree(w_2) as i64)) {
+            continue; // nothing around it
+        }
+        if (mesh.spokes(v).map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f)).filter(|_| true).count() as i64) < 0 {
+            continue; // no
+        }
+        if 9 <= (mesh.spokes(v).filter(|&h| !mesh.is_boundary_halfedge(h)).filter(|&h| h == a || mesh.twin(h) == a).count() as i64) {
+            continue; // no
+        }
+        let v_position = DVec3::lerp(mesh.position(v), { let all = mesh.neighbors(v).map(|w_3| mesh.position(w_3)).collect::<Vec<DVec3>>(); assert!(!all.is_empty(), "a value of nothing"); all.iter().copied().sum::<DVec3>() / all.len() as f64 }, t) + mesh.vertex_normal(v) * f64::min(mesh.length(e), mesh.area(f)) + (if mesh.is_boundary_halfedge(a) { DVec3::new(0.25, 0.0, -1.0) } else { mesh.centroid(f) - mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5) }) * f64::sin(t) / 2.0 + DVec3::cross(mesh.position(w), mesh.position(v)) * ((i64::max(n, 2) as f64) * 0.125) + DVec3::normalize_or_zero(mesh.position(v) - mesh.position(w)) * f64::sqrt(f64::abs(DVec3::dot(mesh.position(v), mesh.position(w)))) + DVec3::new(f64::atan2(DVec3::cross(mesh.position(v), mesh.position(w)).length(), DVec3::dot(mesh.position(v), mesh.position(w))), mesh.face_halfedges(f).map(|h| mesh.edge(h)).filter(|&e_2| !mesh.is_boundary_edge(e_2)).map(|e_2| mesh.length(e_2)).sum::<f64>(), ((t * 7.0).round_ties_even() as i64) as f64);
+        if !v_position.is_finite() {
+            continue; // the new position of `v` is not finite
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_position(v, v_position);
+        return Some(v);
+    }
+    None
+}
+
+/// Moves a face along its normal.
+pub fn values_lift(mesh: &mut Mesh, f: FaceId, by: DVec3) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge of f is tried.
+    for a in mesh.face_halfedges(f).collect::<Vec<_>>() {
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        if mesh.is_hole(f) {
+            continue; // `f` is a hole
+        }
+        if mesh.face(a) != f {
+            continue; // `a` does not lie in `f`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if !mesh.face_vertices(f).all(|w| 1 < (mesh.degree(w) as i64)) {
+            continue; // it is flat
+        }
+        if !(0.0 <= mesh.face_halfedges(f).map(|h| mesh.vector(h).length()).reduce(f64::min).expect("a value of nothing")) {
+            continue; // it is flat
+        }
+        if (mesh.is_hole(f) || mesh.next(mesh.face_halfedge(f)) == mesh.next(a)) && mesh.target(mesh.prev(a)) != v0 {
+            continue; // no
+        }
+        let v0_position = mesh.position(v0) + mesh.normal(f) * by.x + by * mesh.face_vertices(f).map(|w_2| mesh.position(w_2).z).reduce(f64::max).expect("a value of nothing") - -by * by.y;
+        if !v0_position.is_finite() {
+            continue; // the new position of `v0` is not finite
+        }
+        let v1_position = DVec3::new(f64::floor(mesh.position(v1).x * 3.0), f64::atan2(by.x, by.y), f64::powf(2.0, by.z)) * by;
+        if !v1_position.is_finite() {
+            continue; // the new position of `v1` is not finite
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_position(v0, v0_position);
+        mesh.set_position(v1, v1_position);
+        return Some(f);
+    }
+    None
+}
+
+/// Turns a spoke of a vertex into the first of its star: several starts are tried.
+pub fn values_mark(mesh: &mut Mesh, v: VertexId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge that starts at v is tried.
+    for a in mesh.spokes(v).collect::<Vec<_>>() {
+        let b = mesh.next(a);
+        let c = mesh.next(b);
+        let a_ = mesh.twin(a);
+        let f = mesh.face(a);
+        let w = mesh.vertex(a_);
+        let u = mesh.vertex(c);
+        let e = mesh.edge(a);
+        if mesh.is_hole(f) {
+            continue; // `f` is a hole
+        }
+        if mesh.next(c) != a {
+            continue; // `f` is not a triangle
+        }
+        if mesh.vertex(a) != v {
+            continue; // `a` does not start at `v`
+        }
+        if v == w {
+            continue; // `v` and `w` are one vertex
+        }
+        if v == u {
+            continue; // `v` and `u` are one vertex
+        }
+        if w == u {
+            continue; // `w` and `u` are one vertex
+        }
+        if !(mesh.length(e) <= mesh.spokes(v).map(|h| mesh.edge(h)).map(|e_2| mesh.length(e_2)).reduce(f64::min).expect("a value of nothing")) {
+            continue; // there is a shorter one
+        }
+        let v_position = mesh.position(v) + (mesh.position(w) - mesh.position(v)) / (1.0 + mesh.length(e));
+        if !v_position.is_finite() {
+            continue; // the new position of `v` is not finite
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_position(v, v_position);
+        return Some(w);
+    }
+    None
+}
+
+/// Two places of one loop, in that order.
+#[allow(non_snake_case)]
+pub fn values_cut(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let e = mesh.add_edge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(g)
+}
+
+/// Opens a face: a new hole inside of it.
+#[allow(non_snake_case)]
+pub fn values_pierce(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge of f is tried.
+    for a in mesh.face_halfedges(f).collect::<Vec<_>>() {
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        let P_last = mesh.prev(a);
+        if mesh.is_hole(f) {
+            continue; // `f` is a hole
+        }
+        if mesh.face(a) != f {
+            continue; // `a` does not lie in `f`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        let u_position = DVec3::lerp(mesh.position(v0), mesh.position(v1), 0.25);
+        let w_position = mesh.position(v1) * mesh.position(v0).x;
+
+        // 2. Allocate what is new.
+        let g = mesh.add_face();
+        let u = mesh.add_vertex();
+        let w = mesh.add_vertex();
+        let e1 = mesh.add_edge();
+        let e2 = mesh.add_edge();
+        let e3 = mesh.add_edge();
+        let d = mesh.add_halfedge();
+        let d_ = mesh.add_halfedge();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let y = mesh.add_halfedge();
+        let z = mesh.add_halfedge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_prev(a, d_);
+        mesh.set_next(P_last, d);
+        mesh.set_next(d, p);
+        mesh.set_prev(d, P_last);
+        mesh.set_twin(d, d_);
+        mesh.set_vertex(d, v0);
+        mesh.set_edge(d, e1);
+        mesh.set_face(d, f);
+        mesh.set_next(d_, a);
+        mesh.set_prev(d_, q);
+        mesh.set_twin(d_, d);
+        mesh.set_vertex(d_, u);
+        mesh.set_edge(d_, e1);
+        mesh.set_face(d_, f);
+        mesh.set_next(p, q);
+        mesh.set_prev(p, d);
+        mesh.set_twin(p, z);
+        mesh.set_vertex(p, u);
+        mesh.set_edge(p, e2);
+        mesh.set_face(p, f);
+        mesh.set_next(q, d_);
+        mesh.set_prev(q, p);
+        mesh.set_twin(q, y);
+        mesh.set_vertex(q, w);
+        mesh.set_edge(q, e3);
+        mesh.set_face(q, f);
+        mesh.set_next(y, z);
+        mesh.set_prev(y, z);
+        mesh.set_twin(y, q);
+        mesh.set_vertex(y, u);
+        mesh.set_edge(y, e3);
+        mesh.set_face(y, g);
+        mesh.set_next(z, y);
+        mesh.set_prev(z, y);
+        mesh.set_twin(z, p);
+        mesh.set_vertex(z, w);
+        mesh.set_edge(z, e2);
+        mesh.set_face(z, g);
+        mesh.set_vertex_halfedge(u, d_);
+        mesh.set_vertex_halfedge(w, q);
+        mesh.set_edge_halfedge(e1, d);
+        mesh.set_edge_halfedge(e2, p);
+        mesh.set_edge_halfedge(e3, q);
+        mesh.set_face_halfedge(g, y);
+        mesh.set_hole(g, true);
+        mesh.set_position(u, u_position);
+        mesh.set_position(w, w_position);
+        return Some(g);
+    }
+    None
+}
+
+/// The operation `surface_flip`.
+pub fn surface_flip(mesh: &mut Mesh, a: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let g = mesh.next(d);
+    let h = mesh.next(g);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(c);
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(h);
+    if mesh.is_hole(f0) {
+        return false; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return false; // `f1` is a hole
+    }
+    if mesh.next(c) != a {
+        return false; // `f0` is not a triangle
+    }
+    if mesh.next(h) != d {
+        return false; // `f1` is not a triangle
+    }
+    if v0 == v1 {
+        return false; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return false; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return false; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return false; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return false; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return false; // `v2` and `v3` are one vertex
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, c);
+    mesh.set_prev(a, g);
+    mesh.set_vertex(a, v3);
+    mesh.set_next(b, d);
+    mesh.set_prev(b, h);
+    mesh.set_face(b, f1);
+    mesh.set_next(c, g);
+    mesh.set_prev(c, a);
+    mesh.set_next(d, h);
+    mesh.set_prev(d, b);
+    mesh.set_vertex(d, v2);
+    mesh.set_next(g, a);
+    mesh.set_prev(g, c);
+    mesh.set_face(g, f0);
+    mesh.set_next(h, b);
+    mesh.set_prev(h, d);
+    mesh.set_vertex_halfedge(v0, g);
+    mesh.set_vertex_halfedge(v1, b);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f1, d);
+    true
+}
+
+/// The operation `simple_flip`.
+pub fn simple_flip(mesh: &mut Mesh, a: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let g = mesh.next(d);
+    let h = mesh.next(g);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(c);
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(h);
+    if mesh.is_hole(f0) {
+        return false; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return false; // `f1` is a hole
+    }
+    if mesh.next(c) != a {
+        return false; // `f0` is not a triangle
+    }
+    if mesh.next(h) != d {
+        return false; // `f1` is not a triangle
+    }
+    if v0 == v1 {
+        return false; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return false; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return false; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return false; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return false; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return false; // `v2` and `v3` are one vertex
+    }
+    if mesh.adjacent(v3, v2) {
+        return false; // two edges would join `v2` and `v3`
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, c);
+    mesh.set_prev(a, g);
+    mesh.set_vertex(a, v3);
+    mesh.set_next(b, d);
+    mesh.set_prev(b, h);
+    mesh.set_face(b, f1);
+    mesh.set_next(c, g);
+    mesh.set_prev(c, a);
+    mesh.set_next(d, h);
+    mesh.set_prev(d, b);
+    mesh.set_vertex(d, v2);
+    mesh.set_next(g, a);
+    mesh.set_prev(g, c);
+    mesh.set_face(g, f0);
+    mesh.set_next(h, b);
+    mesh.set_prev(h, d);
+    mesh.set_vertex_halfedge(v0, g);
+    mesh.set_vertex_halfedge(v1, b);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f1, d);
+    true
+}
+
+/// The operation `surface_flip_any`.
+#[allow(non_snake_case)]
+pub fn surface_flip_any(mesh: &mut Mesh, a: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let d = mesh.twin(a);
+    let g = mesh.next(d);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(mesh.next(b));
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(mesh.next(g));
+    let P_first = mesh.next(b);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(g);
+    let Q_last = mesh.prev(d);
+    if mesh.is_hole(f0) {
+        return false; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return false; // `f1` is a hole
+    }
+    if v0 == v1 {
+        return false; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return false; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return false; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return false; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return false; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return false; // `v2` and `v3` are one vertex
+    }
+    if f0 == f1 {
+        return false; // `f0` and `f1` are one face
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return false; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return false; // `v1` would keep a single edge
+    }
+    let mut meets = false;
+    let mut h = P_first;
+    while h != a {
+        if h != P_first && mesh.vertex(h) == v3 {
+            meets = true;
+        }
+        h = mesh.next(h);
+    }
+    if meets {
+        return false; // `f0` would meet `v3` twice
+    }
+    let mut meets_2 = false;
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first && mesh.vertex(h) == v2 {
+            meets_2 = true;
+        }
+        h = mesh.next(h);
+    }
+    if meets_2 {
+        return false; // `f1` would meet `v2` twice
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, P_first);
+    mesh.set_prev(a, g);
+    mesh.set_vertex(a, v3);
+    mesh.set_next(b, d);
+    mesh.set_prev(b, Q_last);
+    mesh.set_face(b, f1);
+    mesh.set_next(P_last, g);
+    mesh.set_prev(P_first, a);
+    mesh.set_next(d, Q_first);
+    mesh.set_prev(d, b);
+    mesh.set_vertex(d, v2);
+    mesh.set_next(g, a);
+    mesh.set_prev(g, P_last);
+    mesh.set_face(g, f0);
+    mesh.set_next(Q_last, b);
+    mesh.set_prev(Q_first, d);
+    mesh.set_vertex_halfedge(v0, g);
+    mesh.set_vertex_halfedge(v1, b);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f1, d);
+    true
+}
+
+/// The operation `simple_flip_any`.
+#[allow(non_snake_case)]
+pub fn simple_flip_any(mesh: &mut Mesh, a: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let d = mesh.twin(a);
+    let g = mesh.next(d);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(mesh.next(b));
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(mesh.next(g));
+    let P_first = mesh.next(b);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(g);
+    let Q_last = mesh.prev(d);
+    if mesh.is_hole(f0) {
+        return false; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return false; // `f1` is a hole
+    }
+    if v0 == v1 {
+        return false; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return false; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return false; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return false; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return false; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return false; // `v2` and `v3` are one vertex
+    }
+    if f0 == f1 {
+        return false; // `f0` and `f1` are one face
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return false; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return false; // `v1` would keep a single edge
+    }
+    let mut meets = false;
+    let mut h = P_first;
+    while h != a {
+        if h != P_first && mesh.vertex(h) == v3 {
+            meets = true;
+        }
+        h = mesh.next(h);
+    }
+    if meets {
+        return false; // `f0` would meet `v3` twice
+    }
+    let mut meets_2 = false;
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first && mesh.vertex(h) == v2 {
+            meets_2 = true;
+        }
+        h = mesh.next(h);
+    }
+    if meets_2 {
+        return false; // `f1` would meet `v2` twice
+    }
+    if mesh.adjacent(v3, v2) {
+        return false; // two edges would join `v2` and `v3`
+    }
+    let mut same = false;
+    let mut corners: Vec<VertexId> = vec![v3, v2, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut corners_2: Vec<VertexId> = vec![v2, v3, v1];
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if same_elements(&corners, &corners_2) {
+        same = true;
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
+        if !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces.push(mesh.face(h));
+        }
+    }
+    for &f in &faces {
+        let mut corners_3: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f)).collect::<Vec<_>>() {
+            corners_3.push(mesh.vertex(h));
+        }
+        if same_elements(&corners_3, &corners) {
+            same = true;
+        }
+    }
+    if same {
+        return false; // another face has the corners that `f0` would have
+    }
+    let mut same_2 = false;
+    let mut corners_4: Vec<VertexId> = vec![v2, v3, v1];
+    let mut h_2 = Q_first;
+    while h_2 != d {
+        if h_2 != Q_first {
+            corners_4.push(mesh.vertex(h_2));
+        }
+        h_2 = mesh.next(h_2);
+    }
+    let mut corners_5: Vec<VertexId> = vec![v3, v2, v0];
+    let mut h_2 = P_first;
+    while h_2 != a {
+        if h_2 != P_first {
+            corners_5.push(mesh.vertex(h_2));
+        }
+        h_2 = mesh.next(h_2);
+    }
+    if same_elements(&corners_4, &corners_5) {
+        same_2 = true;
+    }
+    let mut faces_2: Vec<FaceId> = Vec::new();
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+        if !mesh.is_hole(mesh.face(h_2)) && mesh.face(h_2) != f0 && mesh.face(h_2) != f1 {
+            faces_2.push(mesh.face(h_2));
+        }
+    }
+    for &f_2 in &faces_2 {
+        let mut corners_6: Vec<VertexId> = Vec::new();
+        for h_2 in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+            corners_6.push(mesh.vertex(h_2));
+        }
+        if same_elements(&corners_6, &corners_4) {
+            same_2 = true;
+        }
+    }
+    if same_2 {
+        return false; // another face has the corners that `f1` would have
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, P_first);
+    mesh.set_prev(a, g);
+    mesh.set_vertex(a, v3);
+    mesh.set_next(b, d);
+    mesh.set_prev(b, Q_last);
+    mesh.set_face(b, f1);
+    mesh.set_next(P_last, g);
+    mesh.set_prev(P_first, a);
+    mesh.set_next(d, Q_first);
+    mesh.set_prev(d, b);
+    mesh.set_vertex(d, v2);
+    mesh.set_next(g, a);
+    mesh.set_prev(g, P_last);
+    mesh.set_face(g, f0);
+    mesh.set_next(Q_last, b);
+    mesh.set_prev(Q_first, d);
+    mesh.set_vertex_halfedge(v0, g);
+    mesh.set_vertex_halfedge(v1, b);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f1, d);
+    true
+}
+
+/// The operation `surface_split`.
+pub fn surface_split(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let g = mesh.next(d);
+    let h = mesh.next(g);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(c);
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(h);
+    let e = mesh.edge(a);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if mesh.next(h) != d {
+        return None; // `f1` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let r = mesh.add_halfedge();
+    let s = mesh.add_halfedge();
+    let t = mesh.add_halfedge();
+    let u = mesh.add_halfedge();
+    let f2 = mesh.add_face();
+    let f3 = mesh.add_face();
+    let e1 = mesh.add_edge();
+    let e2 = mesh.add_edge();
+    let e3 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, t);
+    mesh.set_next(b, r);
+    mesh.set_prev(b, q);
+    mesh.set_face(b, f2);
+    mesh.set_prev(c, p);
+    mesh.set_next(d, s);
+    mesh.set_twin(d, q);
+    mesh.set_edge(d, e1);
+    mesh.set_next(g, u);
+    mesh.set_prev(g, t);
+    mesh.set_face(g, f3);
+    mesh.set_prev(h, s);
+    mesh.set_next(p, c);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, r);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e2);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, b);
+    mesh.set_prev(q, r);
+    mesh.set_twin(q, d);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e1);
+    mesh.set_face(q, f2);
+    mesh.set_next(r, q);
+    mesh.set_prev(r, b);
+    mesh.set_twin(r, p);
+    mesh.set_vertex(r, v2);
+    mesh.set_edge(r, e2);
+    mesh.set_face(r, f2);
+    mesh.set_next(s, h);
+    mesh.set_prev(s, d);
+    mesh.set_twin(s, u);
+    mesh.set_vertex(s, m);
+    mesh.set_edge(s, e3);
+    mesh.set_face(s, f1);
+    mesh.set_next(t, g);
+    mesh.set_prev(t, u);
+    mesh.set_twin(t, a);
+    mesh.set_vertex(t, m);
+    mesh.set_edge(t, e);
+    mesh.set_face(t, f3);
+    mesh.set_next(u, t);
+    mesh.set_prev(u, g);
+    mesh.set_twin(u, s);
+    mesh.set_vertex(u, v3);
+    mesh.set_edge(u, e3);
+    mesh.set_face(u, f3);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, q);
+    mesh.set_edge_halfedge(e2, p);
+    mesh.set_edge_halfedge(e3, s);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f2, q);
+    mesh.set_face_halfedge(f1, d);
+    mesh.set_face_halfedge(f3, t);
+    mesh.set_position(m, m_position);
+    Some(m)
+}
+
+/// The operation `simple_split`.
+pub fn simple_split(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let g = mesh.next(d);
+    let h = mesh.next(g);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(c);
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(h);
+    let e = mesh.edge(a);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if mesh.next(h) != d {
+        return None; // `f1` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let r = mesh.add_halfedge();
+    let s = mesh.add_halfedge();
+    let t = mesh.add_halfedge();
+    let u = mesh.add_halfedge();
+    let f2 = mesh.add_face();
+    let f3 = mesh.add_face();
+    let e1 = mesh.add_edge();
+    let e2 = mesh.add_edge();
+    let e3 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, t);
+    mesh.set_next(b, r);
+    mesh.set_prev(b, q);
+    mesh.set_face(b, f2);
+    mesh.set_prev(c, p);
+    mesh.set_next(d, s);
+    mesh.set_twin(d, q);
+    mesh.set_edge(d, e1);
+    mesh.set_next(g, u);
+    mesh.set_prev(g, t);
+    mesh.set_face(g, f3);
+    mesh.set_prev(h, s);
+    mesh.set_next(p, c);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, r);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e2);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, b);
+    mesh.set_prev(q, r);
+    mesh.set_twin(q, d);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e1);
+    mesh.set_face(q, f2);
+    mesh.set_next(r, q);
+    mesh.set_prev(r, b);
+    mesh.set_twin(r, p);
+    mesh.set_vertex(r, v2);
+    mesh.set_edge(r, e2);
+    mesh.set_face(r, f2);
+    mesh.set_next(s, h);
+    mesh.set_prev(s, d);
+    mesh.set_twin(s, u);
+    mesh.set_vertex(s, m);
+    mesh.set_edge(s, e3);
+    mesh.set_face(s, f1);
+    mesh.set_next(t, g);
+    mesh.set_prev(t, u);
+    mesh.set_twin(t, a);
+    mesh.set_vertex(t, m);
+    mesh.set_edge(t, e);
+    mesh.set_face(t, f3);
+    mesh.set_next(u, t);
+    mesh.set_prev(u, g);
+    mesh.set_twin(u, s);
+    mesh.set_vertex(u, v3);
+    mesh.set_edge(u, e3);
+    mesh.set_face(u, f3);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, q);
+    mesh.set_edge_halfedge(e2, p);
+    mesh.set_edge_halfedge(e3, s);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f2, q);
+    mesh.set_face_halfedge(f1, d);
+    mesh.set_face_halfedge(f3, t);
+    mesh.set_position(m, m_position);
+    Some(m)
+}
+
+/// The operation `surface_split_border`.
+#[allow(non_snake_case)]
+pub fn surface_split_border(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(c);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(d);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if !mesh.is_hole(f1) {
+        return None; // `f1` is not a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let r = mesh.add_halfedge();
+    let t = mesh.add_halfedge();
+    let f2 = mesh.add_face();
+    let e1 = mesh.add_edge();
+    let e2 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, t);
+    mesh.set_next(b, r);
+    mesh.set_prev(b, q);
+    mesh.set_face(b, f2);
+    mesh.set_prev(c, p);
+    mesh.set_next(d, t);
+    mesh.set_twin(d, q);
+    mesh.set_edge(d, e1);
+    mesh.set_prev(P_first, t);
+    mesh.set_next(p, c);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, r);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e2);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, b);
+    mesh.set_prev(q, r);
+    mesh.set_twin(q, d);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e1);
+    mesh.set_face(q, f2);
+    mesh.set_next(r, q);
+    mesh.set_prev(r, b);
+    mesh.set_twin(r, p);
+    mesh.set_vertex(r, v2);
+    mesh.set_edge(r, e2);
+    mesh.set_face(r, f2);
+    mesh.set_next(t, P_first);
+    mesh.set_prev(t, d);
+    mesh.set_twin(t, a);
+    mesh.set_vertex(t, m);
+    mesh.set_edge(t, e);
+    mesh.set_face(t, f1);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, q);
+    mesh.set_edge_halfedge(e2, p);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f2, q);
+    mesh.set_position(m, m_position);
+    Some(m)
+}
+
+/// The operation `simple_split_border`.
+#[allow(non_snake_case)]
+pub fn simple_split_border(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(c);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(d);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if !mesh.is_hole(f1) {
+        return None; // `f1` is not a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let r = mesh.add_halfedge();
+    let t = mesh.add_halfedge();
+    let f2 = mesh.add_face();
+    let e1 = mesh.add_edge();
+    let e2 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, t);
+    mesh.set_next(b, r);
+    mesh.set_prev(b, q);
+    mesh.set_face(b, f2);
+    mesh.set_prev(c, p);
+    mesh.set_next(d, t);
+    mesh.set_twin(d, q);
+    mesh.set_edge(d, e1);
+    mesh.set_prev(P_first, t);
+    mesh.set_next(p, c);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, r);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e2);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, b);
+    mesh.set_prev(q, r);
+    mesh.set_twin(q, d);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e1);
+    mesh.set_face(q, f2);
+    mesh.set_next(r, q);
+    mesh.set_prev(r, b);
+    mesh.set_twin(r, p);
+    mesh.set_vertex(r, v2);
+    mesh.set_edge(r, e2);
+    mesh.set_face(r, f2);
+    mesh.set_next(t, P_first);
+    mesh.set_prev(t, d);
+    mesh.set_twin(t, a);
+    mesh.set_vertex(t, m);
+    mesh.set_edge(t, e);
+    mesh.set_face(t, f1);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, q);
+    mesh.set_edge_halfedge(e2, p);
+    mesh.set_face_halfedge(f0, a);
+    mesh.set_face_halfedge(f2, q);
+    mesh.set_position(m, m_position);
+    Some(m)
+}
+
+/// The operation `surface_bisect`.
+#[allow(non_snake_case)]
+pub fn surface_bisect(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let Q_first = mesh.next(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let e1 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, q);
+    mesh.set_prev(P_first, p);
+    mesh.set_next(d, q);
+    mesh.set_twin(d, p);
+    mesh.set_edge(d, e1);
+    mesh.set_prev(Q_first, q);
+    mesh.set_next(p, P_first);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, d);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e1);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, Q_first);
+    mesh.set_prev(q, d);
+    mesh.set_twin(q, a);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e);
+    mesh.set_face(q, f1);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, p);
+    mesh.set_position(m, m_position);
+    Some(m)
+}
+
+/// The operation `simple_bisect`.
+#[allow(non_snake_case)]
+pub fn simple_bisect(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let Q_first = mesh.next(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    let mut same = false;
+    let mut corners: Vec<VertexId> = vec![v0, v1];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut corners_2: Vec<VertexId> = vec![v1, v0];
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !mesh.is_hole(f1) && !mesh.is_hole(f0) && same_elements(&corners, &corners_2) {
+        same = true;
+    }
+    if !mesh.is_hole(f0) && same {
+        return None; // another face has the corners that `f0` would have
+    }
+    let mut same_2 = false;
+    let mut corners_3: Vec<VertexId> = vec![v1, v0];
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners_3.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut corners_4: Vec<VertexId> = vec![v0, v1];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners_4.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !mesh.is_hole(f0) && !mesh.is_hole(f1) && same_elements(&corners_3, &corners_4) {
+        same_2 = true;
+    }
+    if !mesh.is_hole(f1) && same_2 {
+        return None; // another face has the corners that `f1` would have
+    }
+    let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+    let p = mesh.add_halfedge();
+    let q = mesh.add_halfedge();
+    let e1 = mesh.add_edge();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(a, p);
+    mesh.set_twin(a, q);
+    mesh.set_prev(P_first, p);
+    mesh.set_next(d, q);
+    mesh.set_twin(d, p);
+    mesh.set_edge(d, e1);
+    mesh.set_prev(Q_first, q);
+    mesh.set_next(p, P_first);
+    mesh.set_prev(p, a);
+    mesh.set_twin(p, d);
+    mesh.set_vertex(p, m);
+    mesh.set_edge(p, e1);
+    mesh.set_face(p, f0);
+    mesh.set_next(q, Q_first);
+    mesh.set_prev(q, d);
+    mesh.set_twin(q, a);
+    mesh.set_vertex(q, m);
+    mesh.set_edge(q, e);
+    mesh.set_face(q, f1);
+    mesh.set_vertex_halfedge(m, p);
+    mesh.set_edge_halfedge(e, a);
+    mesh.set_edge_halfedge(e1, p);
+    mesh.set_position(m, m_position);
+    Some(m)
+}
+
+/// The operation `surface_collapse`.
+pub fn surface_collapse(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let b_ = mesh.twin(b);
+    let c_ = mesh.twin(c);
+    let g = mesh.next(d);
+    let h = mesh.next(g);
+    let g_ = mesh.twin(g);
+    let h_ = mesh.twin(h);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(c_);
+    let v1 = mesh.vertex(h_);
+    let v2 = mesh.vertex(b_);
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(g_);
+    let e = mesh.edge(a);
+    let eb = mesh.edge(b);
+    let ec = mesh.edge(c);
+    let eg = mesh.edge(g);
+    let eh = mesh.edge(h);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if mesh.next(h) != d {
+        return None; // `f1` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    if (mesh.degree(v2) as i64) < 3 {
+        return None; // `v2` would keep a single edge
+    }
+    if (mesh.degree(v3) as i64) < 3 {
+        return None; // `v3` would keep a single edge
+    }
+    let mut holes = 0;
+    if mesh.is_hole(mesh.face(c_)) {
+        holes += 1;
+    }
+    if mesh.is_hole(mesh.face(h_)) {
+        holes += 1;
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && h_2 != g && h_2 != c_ && mesh.is_hole(mesh.face(h_2)) {
+            holes += 1;
+        }
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h_2 != b && h_2 != d && h_2 != h_ && mesh.is_hole(mesh.face(h_2)) {
+            holes += 1;
+        }
+    }
+    if 1 < holes {
+        return None; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+    }
+    let mut faces: Vec<FaceId> = vec![mesh.face(c_), mesh.face(h_)];
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && h_2 != g && h_2 != c_ {
+            faces.push(mesh.face(h_2));
+        }
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h_2 != b && h_2 != d && h_2 != h_ {
+            faces.push(mesh.face(h_2));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v1` would meet `v0` twice
+    }
+    let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 3. Reassign every pointer that changes.
+    let mut h_2 = mesh.next(b_);
+    while h_2 != h_ {
+        mesh.set_vertex(h_2, v0);
+        h_2 = mesh.next(mesh.twin(h_2));
+    }
+    mesh.set_twin(b_, c_);
+    mesh.set_twin(c_, b_);
+    mesh.set_edge(c_, eb);
+    mesh.set_twin(g_, h_);
+    mesh.set_twin(h_, g_);
+    mesh.set_vertex(h_, v0);
+    mesh.set_edge(h_, eg);
+    mesh.set_vertex_halfedge(v0, h_);
+    mesh.set_vertex_halfedge(v2, b_);
+    mesh.set_vertex_halfedge(v3, g_);
+    mesh.set_edge_halfedge(eb, b_);
+    mesh.set_edge_halfedge(eg, g_);
+    mesh.set_position(v0, v0_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v1);
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_halfedge(b);
+    mesh.erase_halfedge(c);
+    mesh.erase_halfedge(g);
+    mesh.erase_halfedge(h);
+    mesh.erase_face(f0);
+    mesh.erase_face(f1);
+    mesh.erase_edge(ec);
+    mesh.erase_edge(eh);
+    Some(v0)
+}
+
+/// The operation `simple_collapse`.
+pub fn simple_collapse(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let b_ = mesh.twin(b);
+    let c_ = mesh.twin(c);
+    let g = mesh.next(d);
+    let h = mesh.next(g);
+    let g_ = mesh.twin(g);
+    let h_ = mesh.twin(h);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(c_);
+    let v1 = mesh.vertex(h_);
+    let v2 = mesh.vertex(b_);
+    let f1 = mesh.face(d);
+    let v3 = mesh.vertex(g_);
+    let e = mesh.edge(a);
+    let eb = mesh.edge(b);
+    let ec = mesh.edge(c);
+    let eg = mesh.edge(g);
+    let eh = mesh.edge(h);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if mesh.next(h) != d {
+        return None; // `f1` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    if (mesh.degree(v2) as i64) < 3 {
+        return None; // `v2` would keep a single edge
+    }
+    if (mesh.degree(v3) as i64) < 3 {
+        return None; // `v3` would keep a single edge
+    }
+    let mut holes = 0;
+    if mesh.is_hole(mesh.face(c_)) {
+        holes += 1;
+    }
+    if mesh.is_hole(mesh.face(h_)) {
+        holes += 1;
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && h_2 != g && h_2 != c_ && mesh.is_hole(mesh.face(h_2)) {
+            holes += 1;
+        }
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h_2 != b && h_2 != d && h_2 != h_ && mesh.is_hole(mesh.face(h_2)) {
+            holes += 1;
+        }
+    }
+    if 1 < holes {
+        return None; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+    }
+    let mut faces: Vec<FaceId> = vec![mesh.face(c_), mesh.face(h_)];
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && h_2 != g && h_2 != c_ {
+            faces.push(mesh.face(h_2));
+        }
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h_2 != b && h_2 != d && h_2 != h_ {
+            faces.push(mesh.face(h_2));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v1` would meet `v0` twice
+    }
+    let mut neighbors: Vec<VertexId> = vec![v2, v3];
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && h_2 != g && h_2 != c_ {
+            neighbors.push(if mesh.vertex(mesh.twin(h_2)) == v1 { v0 } else { mesh.vertex(mesh.twin(h_2)) });
+        }
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h_2 != b && h_2 != d && h_2 != h_ {
+            neighbors.push(if mesh.vertex(mesh.twin(h_2)) == v1 { v0 } else { mesh.vertex(mesh.twin(h_2)) });
+        }
+    }
+    if !all_differ(&neighbors) {
+        return None; // `v0` and `v1` have a neighbor in common: two edges would join it to `v0`
+    }
+    let mut same = false;
+    let mut faces_2: Vec<FaceId> = Vec::new();
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && h_2 != g && h_2 != c_ && !mesh.is_hole(mesh.face(h_2)) && mesh.face(h_2) != f0 && mesh.face(h_2) != f1 {
+            faces_2.push(mesh.face(h_2));
+        }
+    }
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h_2 != b && h_2 != d && h_2 != h_ && !mesh.is_hole(mesh.face(h_2)) && mesh.face(h_2) != f0 && mesh.face(h_2) != f1 {
+            faces_2.push(mesh.face(h_2));
+        }
+    }
+    if !mesh.is_hole(mesh.face(c_)) && mesh.face(c_) != f0 && mesh.face(c_) != f1 {
+        faces_2.push(mesh.face(c_));
+    }
+    if !mesh.is_hole(mesh.face(h_)) && mesh.face(h_) != f0 && mesh.face(h_) != f1 {
+        faces_2.push(mesh.face(h_));
+    }
+    for &f in &faces_2 {
+        let mut corners: Vec<VertexId> = Vec::new();
+        for h_2 in mesh.loop_from(mesh.face_halfedge(f)).collect::<Vec<_>>() {
+            corners.push(if mesh.vertex(h_2) == v1 { v0 } else { mesh.vertex(h_2) });
+        }
+        for &f_2 in &faces_2 {
+            if f_2 != f {
+                let mut corners_2: Vec<VertexId> = Vec::new();
+                for h_3 in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+                    corners_2.push(if mesh.vertex(h_3) == v1 { v0 } else { mesh.vertex(h_3) });
+                }
+                if same_elements(&corners, &corners_2) {
+                    same = true;
+                }
+            }
+        }
+    }
+    if same {
+        return None; // two faces around `v0` would have the same corners
+    }
+    let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 3. Reassign every pointer that changes.
+    let mut h_4 = mesh.next(b_);
+    while h_4 != h_ {
+        mesh.set_vertex(h_4, v0);
+        h_4 = mesh.next(mesh.twin(h_4));
+    }
+    mesh.set_twin(b_, c_);
+    mesh.set_twin(c_, b_);
+    mesh.set_edge(c_, eb);
+    mesh.set_twin(g_, h_);
+    mesh.set_twin(h_, g_);
+    mesh.set_vertex(h_, v0);
+    mesh.set_edge(h_, eg);
+    mesh.set_vertex_halfedge(v0, h_);
+    mesh.set_vertex_halfedge(v2, b_);
+    mesh.set_vertex_halfedge(v3, g_);
+    mesh.set_edge_halfedge(eb, b_);
+    mesh.set_edge_halfedge(eg, g_);
+    mesh.set_position(v0, v0_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v1);
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_halfedge(b);
+    mesh.erase_halfedge(c);
+    mesh.erase_halfedge(g);
+    mesh.erase_halfedge(h);
+    mesh.erase_face(f0);
+    mesh.erase_face(f1);
+    mesh.erase_edge(ec);
+    mesh.erase_edge(eh);
+    Some(v0)
+}
+
+/// The operation `surface_collapse_border`.
+#[allow(non_snake_case)]
+pub fn surface_collapse_border(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let b_ = mesh.twin(b);
+    let c_ = mesh.twin(c);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(c_);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(b_);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let eb = mesh.edge(b);
+    let ec = mesh.edge(c);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if !mesh.is_hole(f1) {
+        return None; // `f1` is not a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.degree(v2) as i64) < 3 {
+        return None; // `v2` would keep a single edge
+    }
+    let mut faces: Vec<FaceId> = vec![mesh.face(c_)];
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && h != c_ {
+            faces.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != b && h != d {
+            faces.push(mesh.face(h));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v1` would meet `v0` twice
+    }
+    let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 3. Reassign every pointer that changes.
+    let mut h = mesh.next(b_);
+    while h != d {
+        mesh.set_vertex(h, v0);
+        h = mesh.next(mesh.twin(h));
+    }
+    mesh.set_next(Q_last, Q_first);
+    mesh.set_prev(Q_first, Q_last);
+    mesh.set_twin(b_, c_);
+    mesh.set_twin(c_, b_);
+    mesh.set_edge(c_, eb);
+    mesh.set_vertex_halfedge(v0, c_);
+    mesh.set_vertex_halfedge(v2, b_);
+    mesh.set_edge_halfedge(eb, b_);
+    mesh.set_face_halfedge(f1, Q_first);
+    mesh.set_position(v0, v0_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v1);
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_halfedge(b);
+    mesh.erase_halfedge(c);
+    mesh.erase_face(f0);
+    mesh.erase_edge(ec);
+    Some(v0)
+}
+
+/// The operation `simple_collapse_border`.
+#[allow(non_snake_case)]
+pub fn simple_collapse_border(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let c = mesh.next(b);
+    let d = mesh.twin(a);
+    let b_ = mesh.twin(b);
+    let c_ = mesh.twin(c);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(c_);
+    let v1 = mesh.vertex(d);
+    let v2 = mesh.vertex(b_);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let eb = mesh.edge(b);
+    let ec = mesh.edge(c);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if !mesh.is_hole(f1) {
+        return None; // `f1` is not a hole
+    }
+    if mesh.next(c) != a {
+        return None; // `f0` is not a triangle
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.degree(v2) as i64) < 3 {
+        return None; // `v2` would keep a single edge
+    }
+    let mut faces: Vec<FaceId> = vec![mesh.face(c_)];
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && h != c_ {
+            faces.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != b && h != d {
+            faces.push(mesh.face(h));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v1` would meet `v0` twice
+    }
+    let mut neighbors: Vec<VertexId> = vec![v2];
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && h != c_ {
+            neighbors.push(if mesh.vertex(mesh.twin(h)) == v1 { v0 } else { mesh.vertex(mesh.twin(h)) });
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != b && h != d {
+            neighbors.push(if mesh.vertex(mesh.twin(h)) == v1 { v0 } else { mesh.vertex(mesh.twin(h)) });
+        }
+    }
+    if !all_differ(&neighbors) {
+        return None; // `v0` and `v1` have a neighbor in common: two edges would join it to `v0`
+    }
+    let mut same = false;
+    let mut faces_2: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && h != c_ && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces_2.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != b && h != d && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces_2.push(mesh.face(h));
+        }
+    }
+    if !mesh.is_hole(mesh.face(c_)) && mesh.face(c_) != f0 && mesh.face(c_) != f1 {
+        faces_2.push(mesh.face(c_));
+    }
+    for &f in &faces_2 {
+        let mut corners: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f)).collect::<Vec<_>>() {
+            corners.push(if mesh.vertex(h) == v1 { v0 } else { mesh.vertex(h) });
+        }
+        for &f_2 in &faces_2 {
+            if f_2 != f {
+                let mut corners_2: Vec<VertexId> = Vec::new();
+                for h_2 in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+                    corners_2.push(if mesh.vertex(h_2) == v1 { v0 } else { mesh.vertex(h_2) });
+                }
+                if same_elements(&corners, &corners_2) {
+                    same = true;
+                }
+            }
+        }
+    }
+    if same {
+        return None; // two faces around `v0` would have the same corners
+    }
+    let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 3. Reassign every pointer that changes.
+    let mut h_3 = mesh.next(b_);
+    while h_3 != d {
+        mesh.set_vertex(h_3, v0);
+        h_3 = mesh.next(mesh.twin(h_3));
+    }
+    mesh.set_next(Q_last, Q_first);
+    mesh.set_prev(Q_first, Q_last);
+    mesh.set_twin(b_, c_);
+    mesh.set_twin(c_, b_);
+    mesh.set_edge(c_, eb);
+    mesh.set_vertex_halfedge(v0, c_);
+    mesh.set_vertex_halfedge(v2, b_);
+    mesh.set_edge_halfedge(eb, b_);
+    mesh.set_face_halfedge(f1, Q_first);
+    mesh.set_position(v0, v0_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v1);
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_halfedge(b);
+    mesh.erase_halfedge(c);
+    mesh.erase_face(f0);
+    mesh.erase_edge(ec);
+    Some(v0)
+}
+
+/// The operation `surface_contract`.
+#[allow(non_snake_case)]
+pub fn surface_contract(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+        return None; // `f0` would have fewer than 3 sides
+    }
+    if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+        return None; // `f1` would have fewer than 3 sides
+    }
+    let mut holes = 0;
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && mesh.is_hole(mesh.face(h)) {
+            holes += 1;
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d && mesh.is_hole(mesh.face(h)) {
+            holes += 1;
+        }
+    }
+    if 1 < holes {
+        return None; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a {
+            faces.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d {
+            faces.push(mesh.face(h));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v1` would meet `v0` twice
+    }
+    let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 3. Reassign every pointer that changes.
+    let mut h = mesh.next(a);
+    while h != d {
+        mesh.set_vertex(h, v0);
+        h = mesh.next(mesh.twin(h));
+    }
+    mesh.set_next(P_last, P_first);
+    mesh.set_prev(P_first, P_last);
+    mesh.set_next(Q_last, Q_first);
+    mesh.set_prev(Q_first, Q_last);
+    mesh.set_vertex_halfedge(v0, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+    mesh.set_face_halfedge(f1, Q_first);
+    mesh.set_position(v0, v0_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v1);
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    Some(v0)
+}
+
+/// The operation `simple_contract`.
+#[allow(non_snake_case)]
+pub fn simple_contract(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+        return None; // `f0` would have fewer than 3 sides
+    }
+    if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+        return None; // `f1` would have fewer than 3 sides
+    }
+    let mut holes = 0;
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && mesh.is_hole(mesh.face(h)) {
+            holes += 1;
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d && mesh.is_hole(mesh.face(h)) {
+            holes += 1;
+        }
+    }
+    if 1 < holes {
+        return None; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a {
+            faces.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d {
+            faces.push(mesh.face(h));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v1` would meet `v0` twice
+    }
+    let mut neighbors: Vec<VertexId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a {
+            neighbors.push(if mesh.vertex(mesh.twin(h)) == v1 { v0 } else { mesh.vertex(mesh.twin(h)) });
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d {
+            neighbors.push(if mesh.vertex(mesh.twin(h)) == v1 { v0 } else { mesh.vertex(mesh.twin(h)) });
+        }
+    }
+    if !all_differ(&neighbors) {
+        return None; // `v0` and `v1` have a neighbor in common: two edges would join it to `v0`
+    }
+    let mut same = false;
+    let mut corners: Vec<VertexId> = vec![v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(if mesh.vertex(h) == v1 { v0 } else { mesh.vertex(h) });
+        }
+        h = mesh.next(h);
+    }
+    let mut corners_2: Vec<VertexId> = vec![v0];
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners_2.push(if mesh.vertex(h) == v1 { v0 } else { mesh.vertex(h) });
+        }
+        h = mesh.next(h);
+    }
+    if !mesh.is_hole(f1) && !mesh.is_hole(f0) && corners.contains(&v0) && same_elements(&corners, &corners_2) {
+        same = true;
+    }
+    let mut faces_2: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces_2.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces_2.push(mesh.face(h));
+        }
+    }
+    for &f in &faces_2 {
+        let mut corners_3: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f)).collect::<Vec<_>>() {
+            corners_3.push(if mesh.vertex(h) == v1 { v0 } else { mesh.vertex(h) });
+        }
+        if !mesh.is_hole(f0) && same_elements(&corners_3, &corners) {
+            same = true;
+        }
+        if !mesh.is_hole(f1) && same_elements(&corners_3, &corners_2) {
+            same = true;
+        }
+        for &f_2 in &faces_2 {
+            if f_2 != f {
+                let mut corners_4: Vec<VertexId> = Vec::new();
+                for h_2 in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+                    corners_4.push(if mesh.vertex(h_2) == v1 { v0 } else { mesh.vertex(h_2) });
+                }
+                if same_elements(&corners_3, &corners_4) {
+                    same = true;
+                }
+            }
+        }
+    }
+    if same {
+        return None; // two faces around `v0` would have the same corners
+    }
+    let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+    // 3. Reassign every pointer that changes.
+    let mut h_3 = mesh.next(a);
+    while h_3 != d {
+        mesh.set_vertex(h_3, v0);
+        h_3 = mesh.next(mesh.twin(h_3));
+    }
+    mesh.set_next(P_last, P_first);
+    mesh.set_prev(P_first, P_last);
+    mesh.set_next(Q_last, Q_first);
+    mesh.set_prev(Q_first, Q_last);
+    mesh.set_vertex_halfedge(v0, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+    mesh.set_face_halfedge(f1, Q_first);
+    mesh.set_position(v0, v0_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v1);
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    Some(v0)
+}
+
+/// The operation `surface_dissolve_edge`.
+#[allow(non_snake_case)]
+pub fn surface_dissolve_edge(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return None; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut corners: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !all_differ(&corners) {
+        return None; // `f0` would meet a vertex twice
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != d {
+        mesh.set_face(h, f0);
+        h = mesh.next(h);
+    }
+    mesh.set_next(P_last, Q_first);
+    mesh.set_prev(P_first, Q_last);
+    mesh.set_next(Q_last, P_first);
+    mesh.set_prev(Q_first, P_last);
+    mesh.set_vertex_halfedge(v0, Q_first);
+    mesh.set_vertex_halfedge(v1, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_face(f1);
+    Some(f0)
+}
+
+/// The operation `simple_dissolve_edge`.
+#[allow(non_snake_case)]
+pub fn simple_dissolve_edge(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if mesh.is_hole(f0) {
+        return None; // `f0` is a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return None; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut corners: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !all_differ(&corners) {
+        return None; // `f0` would meet a vertex twice
+    }
+    let mut same = false;
+    let mut corners_2: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces.push(mesh.face(h));
+        }
+    }
+    for &f in &faces {
+        let mut corners_3: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f)).collect::<Vec<_>>() {
+            corners_3.push(mesh.vertex(h));
+        }
+        if same_elements(&corners_3, &corners_2) {
+            same = true;
+        }
+    }
+    if same {
+        return None; // another face has the corners that `f0` would have
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h_2 = Q_first;
+    while h_2 != d {
+        mesh.set_face(h_2, f0);
+        h_2 = mesh.next(h_2);
+    }
+    mesh.set_next(P_last, Q_first);
+    mesh.set_prev(P_first, Q_last);
+    mesh.set_next(Q_last, P_first);
+    mesh.set_prev(Q_first, P_last);
+    mesh.set_vertex_halfedge(v0, Q_first);
+    mesh.set_vertex_halfedge(v1, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_face(f1);
+    Some(f0)
+}
+
+/// The operation `surface_dissolve_into_hole`.
+#[allow(non_snake_case)]
+pub fn surface_dissolve_into_hole(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if !mesh.is_hole(f0) {
+        return None; // `f0` is not a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return None; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut pinched = false;
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            let mut holes = 0;
+            for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
+                    holes += 1;
+                }
+            }
+            if 1 < holes {
+                pinched = true;
+            }
+        }
+        h = mesh.next(h);
+    }
+    if pinched {
+        return None; // the surface would be pinched at a vertex of `Q`
+    }
+    let mut corners: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !all_differ(&corners) {
+        return None; // `f0` would meet a vertex twice
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != d {
+        mesh.set_face(h, f0);
+        h = mesh.next(h);
+    }
+    mesh.set_next(P_last, Q_first);
+    mesh.set_prev(P_first, Q_last);
+    mesh.set_next(Q_last, P_first);
+    mesh.set_prev(Q_first, P_last);
+    mesh.set_vertex_halfedge(v0, Q_first);
+    mesh.set_vertex_halfedge(v1, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_face(f1);
+    Some(f0)
+}
+
+/// The operation `simple_dissolve_into_hole`.
+#[allow(non_snake_case)]
+pub fn simple_dissolve_into_hole(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if !mesh.is_hole(f0) {
+        return None; // `f0` is not a hole
+    }
+    if mesh.is_hole(f1) {
+        return None; // `f1` is a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return None; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut pinched = false;
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            let mut holes = 0;
+            for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
+                    holes += 1;
+                }
+            }
+            if 1 < holes {
+                pinched = true;
+            }
+        }
+        h = mesh.next(h);
+    }
+    if pinched {
+        return None; // the surface would be pinched at a vertex of `Q`
+    }
+    let mut corners: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !all_differ(&corners) {
+        return None; // `f0` would meet a vertex twice
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != d {
+        mesh.set_face(h, f0);
+        h = mesh.next(h);
+    }
+    mesh.set_next(P_last, Q_first);
+    mesh.set_prev(P_first, Q_last);
+    mesh.set_next(Q_last, P_first);
+    mesh.set_prev(Q_first, P_last);
+    mesh.set_vertex_halfedge(v0, Q_first);
+    mesh.set_vertex_halfedge(v1, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_face(f1);
+    Some(f0)
+}
+
+/// The operation `surface_dissolve_any`.
+#[allow(non_snake_case)]
+pub fn surface_dissolve_any(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return None; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut pinched = false;
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            let mut holes = 0;
+            for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                if if mesh.face(s) == f1 { mesh.is_hole(f0) } else { mesh.is_hole(mesh.face(s)) } {
+                    holes += 1;
+                }
+            }
+            if 1 < holes {
+                pinched = true;
+            }
+        }
+        h = mesh.next(h);
+    }
+    if pinched {
+        return None; // the surface would be pinched at a vertex of `Q`
+    }
+    let mut corners: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !all_differ(&corners) {
+        return None; // `f0` would meet a vertex twice
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != d {
+        mesh.set_face(h, f0);
+        h = mesh.next(h);
+    }
+    mesh.set_next(P_last, Q_first);
+    mesh.set_prev(P_first, Q_last);
+    mesh.set_next(Q_last, P_first);
+    mesh.set_prev(Q_first, P_last);
+    mesh.set_vertex_halfedge(v0, Q_first);
+    mesh.set_vertex_halfedge(v1, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_face(f1);
+    Some(f0)
+}
+
+/// The operation `simple_dissolve_any`.
+#[allow(non_snake_case)]
+pub fn simple_dissolve_any(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let d = mesh.twin(a);
+    let f0 = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(d);
+    let f1 = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(a);
+    let Q_first = mesh.next(d);
+    let Q_last = mesh.prev(d);
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    if (mesh.degree(v0) as i64) < 3 {
+        return None; // `v0` would keep a single edge
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut pinched = false;
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            let mut holes = 0;
+            for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                if if mesh.face(s) == f1 { mesh.is_hole(f0) } else { mesh.is_hole(mesh.face(s)) } {
+                    holes += 1;
+                }
+            }
+            if 1 < holes {
+                pinched = true;
+            }
+        }
+        h = mesh.next(h);
+    }
+    if pinched {
+        return None; // the surface would be pinched at a vertex of `Q`
+    }
+    let mut corners: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if !all_differ(&corners) {
+        return None; // `f0` would meet a vertex twice
+    }
+    let mut same = false;
+    let mut corners_2: Vec<VertexId> = vec![v1, v0];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut h = Q_first;
+    while h != d {
+        if h != Q_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if h != d && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f0 && mesh.face(h) != f1 {
+            faces.push(mesh.face(h));
+        }
+    }
+    for &f in &faces {
+        let mut corners_3: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f)).collect::<Vec<_>>() {
+            corners_3.push(mesh.vertex(h));
+        }
+        if !mesh.is_hole(f0) && same_elements(&corners_3, &corners_2) {
+            same = true;
+        }
+    }
+    if !mesh.is_hole(f0) && same {
+        return None; // another face has the corners that `f0` would have
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h_2 = Q_first;
+    while h_2 != d {
+        mesh.set_face(h_2, f0);
+        h_2 = mesh.next(h_2);
+    }
+    mesh.set_next(P_last, Q_first);
+    mesh.set_prev(P_first, Q_last);
+    mesh.set_next(Q_last, P_first);
+    mesh.set_prev(Q_first, P_last);
+    mesh.set_vertex_halfedge(v0, Q_first);
+    mesh.set_vertex_halfedge(v1, P_first);
+    mesh.set_face_halfedge(f0, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_edge(e);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_face(f1);
+    Some(f0)
+}
+
+/// The operation `surface_open_face`.
+#[allow(non_snake_case)]
+pub fn surface_open_face(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let P_first = mesh.next(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    let mut holes = 1;
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && (mesh.face(h) == f || mesh.is_hole(mesh.face(h))) {
+            holes += 1;
+        }
+    }
+    if 1 < holes {
+        return None; // the surface would be pinched at `v0`
+    }
+    let mut holes_2 = 0;
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if mesh.face(h) == f || mesh.is_hole(mesh.face(h)) {
+            holes_2 += 1;
+        }
+    }
+    if 1 < holes_2 {
+        return None; // the surface would be pinched at `v1`
+    }
+    let mut pinched = false;
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            let mut holes_3 = 0;
+            for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                if mesh.face(s) == f || mesh.is_hole(mesh.face(s)) {
+                    holes_3 += 1;
+                }
+            }
+            if 1 < holes_3 {
+                pinched = true;
+            }
+        }
+        h = mesh.next(h);
+    }
+    if pinched {
+        return None; // the surface would be pinched at a vertex of `P`
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_hole(f, true);
+    Some(f)
+}
+
+/// The operation `simple_open_face`.
+#[allow(non_snake_case)]
+pub fn simple_open_face(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let P_first = mesh.next(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    let mut holes = 1;
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && (mesh.face(h) == f || mesh.is_hole(mesh.face(h))) {
+            holes += 1;
+        }
+    }
+    if 1 < holes {
+        return None; // the surface would be pinched at `v0`
+    }
+    let mut holes_2 = 0;
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+        if mesh.face(h) == f || mesh.is_hole(mesh.face(h)) {
+            holes_2 += 1;
+        }
+    }
+    if 1 < holes_2 {
+        return None; // the surface would be pinched at `v1`
+    }
+    let mut pinched = false;
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            let mut holes_3 = 0;
+            for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                if mesh.face(s) == f || mesh.is_hole(mesh.face(s)) {
+                    holes_3 += 1;
+                }
+            }
+            if 1 < holes_3 {
+                pinched = true;
+            }
+        }
+        h = mesh.next(h);
+    }
+    if pinched {
+        return None; // the surface would be pinched at a vertex of `P`
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_hole(f, true);
+    Some(f)
+}
+
+/// The operation `surface_fill_hole`.
+pub fn surface_fill_hole(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if (mesh.face_size(f) as i64) < 3 {
+        return None; // `f` would have fewer than 3 sides
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_hole(f, false);
+    Some(f)
+}
+
+/// The operation `simple_fill_hole`.
+#[allow(non_snake_case)]
+pub fn simple_fill_hole(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let P_first = mesh.next(a);
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if (mesh.face_size(f) as i64) < 3 {
+        return None; // `f` would have fewer than 3 sides
+    }
+    let mut same = false;
+    let mut corners: Vec<VertexId> = vec![v0, v1];
+    let mut h = P_first;
+    while h != a {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f {
+            faces.push(mesh.face(h));
+        }
+    }
+    for &f_2 in &faces {
+        let mut corners_2: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+            corners_2.push(mesh.vertex(h));
+        }
+        if same_elements(&corners_2, &corners) {
+            same = true;
+        }
+    }
+    if same {
+        return None; // another face has the corners that `f` would have
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_hole(f, false);
+    Some(f)
+}
+
+/// The operation `surface_zip`.
+#[allow(non_snake_case)]
+pub fn surface_zip(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let a_ = mesh.twin(a);
+    let b_ = mesh.twin(b);
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(a_);
+    let v2 = mesh.vertex(b_);
+    let ea = mesh.edge(a);
+    let eb = mesh.edge(b);
+    let P_first = mesh.next(b);
+    let P_last = mesh.prev(a);
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut faces: Vec<FaceId> = vec![mesh.face(b_)];
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a {
+            faces.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+        if h != b_ {
+            faces.push(mesh.face(h));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v2` would meet `v0` twice
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h = mesh.next(b);
+    while h != b_ {
+        mesh.set_vertex(h, v0);
+        h = mesh.next(mesh.twin(h));
+    }
+    mesh.set_next(P_last, P_first);
+    mesh.set_prev(P_first, P_last);
+    mesh.set_twin(a_, b_);
+    mesh.set_twin(b_, a_);
+    mesh.set_vertex(b_, v0);
+    mesh.set_edge(b_, ea);
+    mesh.set_vertex_halfedge(v0, b_);
+    mesh.set_vertex_halfedge(v1, a_);
+    mesh.set_edge_halfedge(ea, a_);
+    mesh.set_face_halfedge(f, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(b);
+    mesh.erase_edge(eb);
+    mesh.erase_vertex(v2);
+    Some(v0)
+}
+
+/// The operation `simple_zip`.
+#[allow(non_snake_case)]
+pub fn simple_zip(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let a_ = mesh.twin(a);
+    let b_ = mesh.twin(b);
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(a_);
+    let v2 = mesh.vertex(b_);
+    let ea = mesh.edge(a);
+    let eb = mesh.edge(b);
+    let P_first = mesh.next(b);
+    let P_last = mesh.prev(a);
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.degree(v1) as i64) < 3 {
+        return None; // `v1` would keep a single edge
+    }
+    let mut faces: Vec<FaceId> = vec![mesh.face(b_)];
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a {
+            faces.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+        if h != b_ {
+            faces.push(mesh.face(h));
+        }
+    }
+    if !all_differ(&faces) {
+        return None; // a face around both `v0` and `v2` would meet `v0` twice
+    }
+    let mut neighbors: Vec<VertexId> = vec![v1];
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a {
+            neighbors.push(if mesh.vertex(mesh.twin(h)) == v2 { v0 } else { mesh.vertex(mesh.twin(h)) });
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+        if h != b_ {
+            neighbors.push(if mesh.vertex(mesh.twin(h)) == v2 { v0 } else { mesh.vertex(mesh.twin(h)) });
+        }
+    }
+    if !all_differ(&neighbors) {
+        return None; // `v0` and `v2` have a neighbor in common: two edges would join it to `v0`
+    }
+    let mut same = false;
+    let mut faces_2: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f {
+            faces_2.push(mesh.face(h));
+        }
+    }
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+        if h != b_ && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f {
+            faces_2.push(mesh.face(h));
+        }
+    }
+    if !mesh.is_hole(mesh.face(b_)) && mesh.face(b_) != f {
+        faces_2.push(mesh.face(b_));
+    }
+    for &f_2 in &faces_2 {
+        let mut corners: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+            corners.push(if mesh.vertex(h) == v2 { v0 } else { mesh.vertex(h) });
+        }
+        for &f_3 in &faces_2 {
+            if f_3 != f_2 {
+                let mut corners_2: Vec<VertexId> = Vec::new();
+                for h_2 in mesh.loop_from(mesh.face_halfedge(f_3)).collect::<Vec<_>>() {
+                    corners_2.push(if mesh.vertex(h_2) == v2 { v0 } else { mesh.vertex(h_2) });
+                }
+                if same_elements(&corners, &corners_2) {
+                    same = true;
+                }
+            }
+        }
+    }
+    if same {
+        return None; // two faces around `v0` would have the same corners
+    }
+
+    // 3. Reassign every pointer that changes.
+    let mut h_3 = mesh.next(b);
+    while h_3 != b_ {
+        mesh.set_vertex(h_3, v0);
+        h_3 = mesh.next(mesh.twin(h_3));
+    }
+    mesh.set_next(P_last, P_first);
+    mesh.set_prev(P_first, P_last);
+    mesh.set_twin(a_, b_);
+    mesh.set_twin(b_, a_);
+    mesh.set_vertex(b_, v0);
+    mesh.set_edge(b_, ea);
+    mesh.set_vertex_halfedge(v0, b_);
+    mesh.set_vertex_halfedge(v1, a_);
+    mesh.set_edge_halfedge(ea, a_);
+    mesh.set_face_halfedge(f, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(b);
+    mesh.erase_edge(eb);
+    mesh.erase_vertex(v2);
+    Some(v0)
+}
+
+/// The operation `surface_connect`.
+#[allow(non_snake_case)]
+pub fn surface_connect(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// The operation `simple_connect`.
+#[allow(non_snake_case)]
+pub fn simple_connect(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    if mesh.adjacent(v2, v0) {
+        return None; // two edges would join `v0` and `v2`
+    }
+    let mut same = false;
+    let mut corners: Vec<VertexId> = vec![v0, v1, v2];
+    let mut h = P_first;
+    while h != b {
+        if h != P_first {
+            corners.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    let mut corners_2: Vec<VertexId> = vec![v0, v2, v3];
+    let mut h = Q_first;
+    while h != a {
+        if h != Q_first {
+            corners_2.push(mesh.vertex(h));
+        }
+        h = mesh.next(h);
+    }
+    if same_elements(&corners, &corners_2) {
+        same = true;
+    }
+    let mut faces: Vec<FaceId> = Vec::new();
+    for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h != a && !mesh.is_hole(mesh.face(h)) && mesh.face(h) != f {
+            faces.push(mesh.face(h));
+        }
+    }
+    for &f_2 in &faces {
+        let mut corners_3: Vec<VertexId> = Vec::new();
+        for h in mesh.loop_from(mesh.face_halfedge(f_2)).collect::<Vec<_>>() {
+            corners_3.push(mesh.vertex(h));
+        }
+        if same_elements(&corners_3, &corners) {
+            same = true;
+        }
+    }
+    if same {
+        return None; // another face has the corners that `f` would have
+    }
+    let mut same_2 = false;
+    let mut corners_4: Vec<VertexId> = vec![v0, v2, v3];
+    let mut h_2 = Q_first;
+    while h_2 != a {
+        if h_2 != Q_first {
+            corners_4.push(mesh.vertex(h_2));
+        }
+        h_2 = mesh.next(h_2);
+    }
+    let mut corners_5: Vec<VertexId> = vec![v0, v1, v2];
+    let mut h_2 = P_first;
+    while h_2 != b {
+        if h_2 != P_first {
+            corners_5.push(mesh.vertex(h_2));
+        }
+        h_2 = mesh.next(h_2);
+    }
+    if same_elements(&corners_4, &corners_5) {
+        same_2 = true;
+    }
+    let mut faces_2: Vec<FaceId> = Vec::new();
+    for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+        if h_2 != a && !mesh.is_hole(mesh.face(h_2)) && mesh.face(h_2) != f {
+            faces_2.push(mesh.face(h_2));
+        }
+    }
+    for &f_3 in &faces_2 {
+        let mut corners_6: Vec<VertexId> = Vec::new();
+        for h_2 in mesh.loop_from(mesh.face_halfedge(f_3)).collect::<Vec<_>>() {
+            corners_6.push(mesh.vertex(h_2));
+        }
+        if same_elements(&corners_6, &corners_4) {
+            same_2 = true;
+        }
+    }
+    if same_2 {
+        return None; // another face has the corners that `g` would have
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h_3 = Q_first;
+    while h_3 != a {
+        mesh.set_face(h_3, g);
+        h_3 = mesh.next(h_3);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// The operation `surface_part_vertex`.
+#[allow(non_snake_case)]
+pub fn surface_part_vertex(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f0 = mesh.face(a);
+    let v = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let f1 = mesh.face(b);
+    let v2 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(a);
+    let Q_last = mesh.prev(b);
+    if mesh.vertex(b) != v {
+        return None; // `b` does not start at `v`
+    }
+    if v == v1 {
+        return None; // `v` and `v1` are one vertex
+    }
+    if v == v2 {
+        return None; // `v` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    let w_position = mesh.position(v);
+
+    // 2. Allocate what is new.
+    let w = mesh.add_vertex();
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = mesh.next(mesh.twin(b));
+    while h != a {
+        mesh.set_vertex(h, w);
+        h = mesh.next(mesh.twin(h));
+    }
+    mesh.set_prev(a, y);
+    mesh.set_next(P_last, y);
+    mesh.set_prev(b, x);
+    mesh.set_vertex(b, w);
+    mesh.set_next(Q_last, x);
+    mesh.set_next(x, b);
+    mesh.set_prev(x, Q_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f1);
+    mesh.set_next(y, a);
+    mesh.set_prev(y, P_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, w);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, f0);
+    mesh.set_vertex_halfedge(v, a);
+    mesh.set_vertex_halfedge(w, b);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_position(w, w_position);
+    Some(w)
+}
+
+/// Whether nothing stands twice in `all`.
+fn all_differ<T: PartialEq>(all: &[T]) -> bool {
+    (1..all.len()).all(|at| !all[..at].contains(&all[at]))
+}
+
+/// Whether `a` and `b`, neither with repetitions, hold the same.
+fn same_elements<T: PartialEq>(a: &[T], b: &[T]) -> bool {
+    a.len() == b.len() && a.iter().all(|x| b.contains(x))
+}
+
+/// Calls an operation: whether it applied, and its result.
+pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool, Option<u32>) {
+    use crate::places::Argument::*;
+    match (name, a) {
+        ("collapse_collapse", &[Element(x0)]) => { let r = collapse_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("collapse_collapse_polygon", &[Element(x0)]) => { let r = collapse_collapse_polygon(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("connect_connect", &[Element(x0), Element(x1)]) => { let r = connect_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("contract_contract", &[Element(x0)]) => { let r = contract_contract(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("dissolve_dissolve_edge", &[Element(x0)]) => { let r = dissolve_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("flip_flip", &[Element(x0)]) => (flip_flip(mesh, EdgeId(x0)), None),
+        ("flip_flip_any", &[Element(x0)]) => (flip_flip_any(mesh, EdgeId(x0)), None),
+        ("remesh_split", &[Element(x0)]) => { let r = remesh_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("remesh_collapse", &[Element(x0), Real(x1)]) => { let r = remesh_collapse(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("remesh_flip", &[Element(x0)]) => (remesh_flip(mesh, EdgeId(x0)), None),
+        ("split_split", &[Element(x0)]) => { let r = split_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_bisect", &[Element(x0)]) => { let r = polygon_bisect(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_connect", &[Element(x0), Element(x1)]) => { let r = polygon_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_dissolve_edge", &[Element(x0)]) => { let r = polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_flip", &[Element(x0)]) => (polygon_flip(mesh, EdgeId(x0)), None),
+        ("polygon_split", &[Element(x0)]) => { let r = polygon_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_collapse", &[Element(x0)]) => { let r = polygon_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
+        ("values_lift", &[Element(x0), Vec3(x1)]) => { let r = values_lift(mesh, FaceId(x0), DVec3::from_array(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_mark", &[Element(x0)]) => { let r = values_mark(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_cut", &[Element(x0), Element(x1)]) => { let r = values_cut(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_pierce", &[Element(x0)]) => { let r = values_pierce(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_flip", &[Element(x0)]) => (surface_flip(mesh, HalfedgeId(x0)), None),
+        ("simple_flip", &[Element(x0)]) => (simple_flip(mesh, HalfedgeId(x0)), None),
+        ("surface_flip_any", &[Element(x0)]) => (surface_flip_any(mesh, HalfedgeId(x0)), None),
+        ("simple_flip_any", &[Element(x0)]) => (simple_flip_any(mesh, HalfedgeId(x0)), None),
+        ("surface_split", &[Element(x0)]) => { let r = surface_split(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_split", &[Element(x0)]) => { let r = simple_split(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_split_border", &[Element(x0)]) => { let r = surface_split_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_split_border", &[Element(x0)]) => { let r = simple_split_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_bisect", &[Element(x0)]) => { let r = surface_bisect(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_bisect", &[Element(x0)]) => { let r = simple_bisect(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_collapse", &[Element(x0)]) => { let r = surface_collapse(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_collapse", &[Element(x0)]) => { let r = simple_collapse(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_collapse_border", &[Element(x0)]) => { let r = surface_collapse_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_collapse_border", &[Element(x0)]) => { let r = simple_collapse_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_contract", &[Element(x0)]) => { let r = surface_contract(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_contract", &[Element(x0)]) => { let r = simple_contract(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_dissolve_edge", &[Element(x0)]) => { let r = surface_dissolve_edge(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_dissolve_edge", &[Element(x0)]) => { let r = simple_dissolve_edge(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_dissolve_into_hole", &[Element(x0)]) => { let r = surface_dissolve_into_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_dissolve_into_hole", &[Element(x0)]) => { let r = simple_dissolve_into_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_dissolve_any", &[Element(x0)]) => { let r = surface_dissolve_any(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_dissolve_any", &[Element(x0)]) => { let r = simple_dissolve_any(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_open_face", &[Element(x0)]) => { let r = surface_open_face(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_open_face", &[Element(x0)]) => { let r = simple_open_face(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_fill_hole", &[Element(x0)]) => { let r = surface_fill_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_fill_hole", &[Element(x0)]) => { let r = simple_fill_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_zip", &[Element(x0)]) => { let r = surface_zip(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_zip", &[Element(x0)]) => { let r = simple_zip(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_connect", &[Element(x0), Element(x1)]) => { let r = surface_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_connect", &[Element(x0), Element(x1)]) => { let r = simple_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_part_vertex", &[Element(x0), Element(x1)]) => { let r = surface_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        _ => panic!("{name} is not there"),
+    }
+}
