@@ -5,7 +5,6 @@
 //! left its reason in the [`Report`].
 
 use crate::diagnostic::Diagnostic;
-use crate::source::Span;
 
 /// The diagnostics of one item.
 #[derive(Debug, Default)]
