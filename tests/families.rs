@@ -149,7 +149,7 @@ fn what_holds_for_all_sizes_holds_for_each() {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     let mut told: BTreeMap<&str, usize> = BTreeMap::new();
     for op in ops() {
-        for round in 0..70 {
+        for round in 0..25 {
             let mut mutant = op.clone();
             for rule in &mut mutant.rules {
                 rule.requires.clear();
@@ -194,7 +194,7 @@ fn what_holds_for_all_sizes_holds_for_each() {
     println!("{counts:?} {told:?}");
     let count = |what: &str| counts.get(what).copied().unwrap_or_default();
     assert!(
-        count("accepted") > 20 && count("rejected") > 200,
+        count("accepted") > 15 && count("rejected") > 100,
         "{counts:?}"
     );
     // Where no size breaks, no mesh matches, or the order of spokes is left open.
@@ -317,7 +317,7 @@ fn guards_refuse_exactly_what_would_be_below_the_level() {
 /// A cycle may be as long as it likes; the time is in proportion to it.
 #[test]
 fn cycles_may_be_long() {
-    const LONG: usize = 5_000;
+    const LONG: usize = 3_000;
     let analysis = analysis(EXAMPLES);
     let plan = |name: &str| {
         let op = analysis.op(name).expect("an op");
