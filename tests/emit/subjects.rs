@@ -85,7 +85,7 @@ fn subject(text: &str, name: &str) -> Option<Subject> {
     let text = text.split("\nscript ").next()?;
     let mut sources = Sources::new();
     let file = sources.add("test.hedge", text);
-    let analysis = Analysis::of(&sources, file);
+    let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
     assert!(analysis.is_sound(), "{name}: {:?}", analysis.diagnostics);
     let at = analysis.op(name)?;
     Some(Subject {
