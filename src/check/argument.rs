@@ -58,9 +58,14 @@ impl Words<'_> {
 
     fn names(&self, drawing: &Drawing) -> Vec<String> {
         let all = || (0..self.rule.names.len() as u32).map(NameId);
+        let all = || all().filter(|&name| self.rule.is_first(name));
         let named = |name: &NameId| self.rule.name(*name).named;
         let stay = all().filter(|&name| drawing.survives(name)).filter(named);
-        let refs = |refs: &[Ref]| self.list(refs.iter().map(|mention| mention.name));
+        let first = |name: &NameId| self.rule.is_first(*name);
+        let refs = |refs: &[Ref]| {
+            let names = refs.iter().map(|mention| mention.name);
+            self.list(names.filter(first))
+        };
         let lines = [
             ("drawn before and after:", self.list(stay)),
             ("new:", refs(&self.rule.created)),
@@ -74,10 +79,19 @@ impl Words<'_> {
     fn loops(&self, side: &Side) -> Vec<String> {
         let line = |orbit: &Loop| {
             let items = orbit.items.iter().map(|item| self.word(item.item.name));
-            let items: Vec<_> = items.collect();
+            let period = match orbit.each {
+                true => orbit.items.len() / self.rule.size().unwrap_or(1) as usize,
+                false => orbit.items.len(),
+            };
+            let mut items: Vec<_> = items.take(period).collect();
+            if orbit.each {
+                items.push("and so on, around");
+            }
             format!("{}: {}", self.word(orbit.face.name), items.join(" > "))
         };
-        let mut lines: Vec<_> = side.loops.iter().map(line).collect();
+        let loops = side.loops.iter();
+        let loops = loops.filter(|orbit| self.rule.is_first(orbit.face.name));
+        let mut lines: Vec<_> = loops.map(line).collect();
         if !lines.is_empty() {
             lines.push("each item stands once".into());
         }
@@ -89,9 +103,12 @@ impl Words<'_> {
             let [left, right] = edge.halfedges.map(|half| self.word(half.name));
             format!("{}: {left} | {right}", self.word(edge.edge.name))
         };
-        let mut lines: Vec<_> = self.rule.after.edges.iter().map(line).collect();
+        let edges = self.rule.after.edges.iter();
+        let edges = edges.filter(|edge| self.rule.is_first(edge.edge.name));
+        let mut lines: Vec<_> = edges.map(line).collect();
         let alone = self.rule.names_of(Kind::Halfedge).filter(|&half| {
-            drawing.survives(half)
+            self.rule.is_first(half)
+                && drawing.survives(half)
                 && drawing.before.pairing(half).is_none()
                 && drawing.after.pairing(half).is_none()
         });
@@ -114,7 +131,8 @@ impl Words<'_> {
                 .iter()
                 .all(|&half| drawing.before.pairing(half).is_some())
         );
-        let list = self.list(halves.into_iter());
+        let halves = halves.into_iter().filter(|&half| self.rule.is_first(half));
+        let list = self.list(halves);
         vec![format!(
             "the loop and the twin of each erased halfedge are drawn: {list}"
         )]
@@ -135,12 +153,15 @@ impl Words<'_> {
                 right?
             ))
         };
-        self.rule.after.edges.iter().filter_map(line).collect()
+        let edges = self.rule.after.edges.iter();
+        let edges = edges.filter(|edge| self.rule.is_first(edge.edge.name));
+        edges.filter_map(line).collect()
     }
 
     fn placed(&self) -> Vec<String> {
         let created = self.rule.created.iter().map(|created| created.name);
         let vertices = created.filter(|&name| self.rule.kind(name) == Kind::Vertex);
+        let vertices = vertices.filter(|&name| self.rule.is_first(name));
         let line = |vertex| format!("{}.position is set", self.word(vertex));
         vertices.map(line).collect()
     }
@@ -149,13 +170,10 @@ impl Words<'_> {
         let mut lines = vec!["before, clockwise:".into()];
         for (corner, ways) in &rings.corners {
             let vertex = self.word(corner.vertex);
-            let chains: Vec<_> = corner
-                .chains
-                .iter()
-                .map(|chain| self.chain(chain))
-                .collect();
+            let chains = corner.chains.iter();
+            let chains = self.one_turn(chains.map(|chain| self.chain(chain)).collect());
             let closed = corner.chains.iter().any(|chain| chain.closed);
-            let arcs = match (closed, chains.len()) {
+            let arcs = match (closed, corner.chains.len()) {
                 (true, _) => "closed".into(),
                 (false, 1) => "then one arc outside".into(),
                 (false, count) => format!("with {count} arcs outside"),
@@ -190,7 +208,7 @@ impl Words<'_> {
                 Step::Port(port) => Some(self.port(port)),
                 Step::Arc(arc) => self.arc(arc),
             });
-            let steps: Vec<_> = steps.collect();
+            let steps = self.one_turn(steps.collect());
             let label = label.map_or("nothing", |label| self.word(label));
             format!("  {label}: {}", steps.join(" > "))
         };
@@ -198,8 +216,18 @@ impl Words<'_> {
     }
 
     fn chain(&self, chain: &Chain) -> String {
-        let ports: Vec<_> = chain.ports.iter().map(|&port| self.port(port)).collect();
-        ports.join(" > ")
+        let ports = chain.ports.iter().map(|&port| self.port(port));
+        self.one_turn(ports.collect()).join(" > ")
+    }
+
+    /// Of what is repeated for every index the beginning.
+    fn one_turn(&self, mut parts: Vec<String>) -> Vec<String> {
+        let size = self.rule.size().unwrap_or(1) as usize;
+        if size > 1 && parts.len() >= size && parts.len().is_multiple_of(size) {
+            parts.truncate((parts.len() / size).max(2));
+            parts.push("and so on, around".into());
+        }
+        parts
     }
 
     fn port(&self, port: Port) -> String {

@@ -22,6 +22,7 @@ mod arithmetic;
 mod around;
 mod attribute;
 mod drain;
+mod notes;
 mod observe;
 mod preview;
 mod print;

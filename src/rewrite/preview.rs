@@ -9,6 +9,7 @@
 //! element of the mesh is as long as there is room for them.
 
 use super::access::{self, gone};
+use super::notes::Notes;
 use super::{ElementField, Foreseen, HalfedgeField, Message};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
 
@@ -25,9 +26,9 @@ pub(super) struct Preview {
     records: Vec<HalfedgeRecord>,
     /// For each new element a record, which is used if it is a halfedge.
     new: Vec<HalfedgeRecord>,
-    /// The halfedges of vertices, edges and faces. There are few.
-    halfedges: Vec<(ElementField, u32, u32)>,
-    holes: Vec<(u32, bool)>,
+    /// The halfedges of vertices, edges and faces.
+    halfedges: Notes<(ElementField, u32), u32>,
+    holes: Notes<u32, bool>,
     walked: Vec<u32>,
     seen: Vec<u32>,
     corners: Vec<u32>,
@@ -101,12 +102,12 @@ impl Preview {
 
     /// Sets the halfedge of an element.
     pub fn store_halfedge(&mut self, of: ElementField, id: u32, value: u32) {
-        self.halfedges.push((of, id, value));
+        self.halfedges.set((of, id), value);
     }
 
     /// Makes a face a hole, or a hole a face.
     pub fn store_hole(&mut self, face: u32, hole: bool) {
-        self.holes.push((face, hole));
+        self.holes.set(face, hole);
     }
 
     fn record_mut(&mut self, mesh: &Mesh, id: u32) -> Result<&mut HalfedgeRecord, Message> {
@@ -141,16 +142,15 @@ impl Preview {
     }
 
     fn halfedge(&self, mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Message> {
-        let set = self.halfedges.iter().rev();
-        match set.clone().find(|set| (set.0, set.1) == (of, id)) {
-            Some(&(_, _, halfedge)) => Ok(halfedge),
+        match self.halfedges.get((of, id)) {
+            Some(halfedge) => Ok(halfedge),
             None => access::load_halfedge(mesh, of, id),
         }
     }
 
     fn is_hole(&self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
-        match self.holes.iter().rev().find(|set| set.0 == face) {
-            Some(&(_, hole)) => Ok(hole),
+        match self.holes.get(face) {
+            Some(hole) => Ok(hole),
             None => mesh
                 .get_is_hole(FaceId(face))
                 .ok_or_else(|| gone(ElementKind::Face, face)),
