@@ -4,46 +4,50 @@
 //! `tests/data/local_ops.json.gz` was made by an independent implementation, whose results a
 //! validator checked; its `doc` key tells the format. Here the operations of
 //! `std/polygon.hedge` must reproduce each case of theirs that is not ambiguous, whatever
-//! halfedges the elements of the mesh name. Those are too many to try all choices of all
-//! elements together: tried are every choice of every single element, and many random choices
-//! of all.
+//! halfedges the elements of the mesh name. Those are too many to try all choices together:
+//! tried are all first halfedges, all second ones and so on, so that each choice of each element
+//! is among them, and some random choices.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use glam::DVec3;
-use hedgerow::analysis::Analysis;
-use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, Polygons, VertexId, validate_level};
-use hedgerow::rewrite::{Machine, Outcome, Plan};
+use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::mesh::{
+    EdgeId, FaceId, HalfedgeId, Level, Mesh, Polygons, VertexId, identical, validate_level,
+};
+use hedgerow::rewrite::{Machine, Outcome};
 use hedgerow::source::Sources;
 use serde_json::Value;
 
 /// The names of the table, and ours.
-const OPS: [(&str, &str); 5] = [
+const OPS: [(&str, &str); 12] = [
     ("flip_edge", "flip"),
     ("split_edge", "split"),
     ("collapse_edge", "collapse"),
     ("dissolve_edge", "dissolve_edge"),
+    ("dissolve_vertex", "dissolve_vertex"),
+    ("collapse_face", "collapse_face"),
+    ("extrude_face", "extrude"),
+    ("inset_vertex", "inset_vertex"),
+    ("bevel_vertex", "bevel_vertex"),
+    ("bevel_edge", "bevel_edge"),
+    ("make_boundary", "open_face"),
     ("weld_edges", "weld"),
 ];
 
-fn file(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn table() -> Value {
-    let packed = std::fs::File::open(file("tests/data/local_ops.json.gz")).unwrap();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/local_ops.json.gz");
+    let packed = std::fs::File::open(path).unwrap();
     serde_json::from_reader(flate2::read::GzDecoder::new(packed)).unwrap()
 }
 
-fn plans() -> BTreeMap<String, Plan> {
-    let text = std::fs::read_to_string(file("src/library/std/polygon.hedge")).unwrap();
+fn library() -> Analysis {
     let mut sources = Sources::new();
-    let file = sources.add("polygon.hedge", text);
-    let analysis = Analysis::of(&sources, file);
+    let root = sources.add("root.hedge", "use \"std/polygon.hedge\"");
+    let analysis = Analysis::with(&mut sources, root, &mut Nowhere);
     assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    let plans = analysis.plans.into_iter().map(|plan| plan.unwrap());
-    plans.map(|plan| (plan.name.clone(), plan)).collect()
+    analysis
 }
 
 fn numbers(value: &Value) -> Vec<u32> {
@@ -168,15 +172,16 @@ fn name(mesh: &mut Mesh, element: Element, halfedge: HalfedgeId) {
 fn turned(mesh: &Mesh) -> Vec<Mesh> {
     let choices = choices(mesh);
     let mut meshes = Vec::new();
-    for (element, halfedges) in &choices {
-        for &halfedge in halfedges {
-            let mut other = mesh.clone();
-            name(&mut other, *element, halfedge);
-            meshes.push(other);
+    let most = choices.iter().map(|(_, halfedges)| halfedges.len()).max();
+    for turn in 0..most.unwrap_or_default() {
+        let mut other = mesh.clone();
+        for (element, halfedges) in choices.iter().filter(|(_, all)| !all.is_empty()) {
+            name(&mut other, *element, halfedges[turn % halfedges.len()]);
         }
+        meshes.push(other);
     }
     let mut state = 1_u64;
-    for _ in 0..64 {
+    for _ in 0..16 {
         let mut other = mesh.clone();
         for (element, halfedges) in &choices {
             // Knuth's linear congruential generator (MMIX).
@@ -196,8 +201,9 @@ fn turned(mesh: &Mesh) -> Vec<Mesh> {
 #[test]
 fn every_case_is_reproduced_whatever_the_elements_name() {
     let table = table();
-    let plans = plans();
-    let mut machine = Machine::new(&[]);
+    let library = library();
+    let mut machine = Machine::new(&library.plans);
+    machine.trust_level(Level::Surface);
     let mut counts: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
     for case in table["cases"].as_array().unwrap() {
         let Some((_, ours)) = OPS.iter().find(|(theirs, _)| case["op"] == *theirs) else {
@@ -210,9 +216,12 @@ fn every_case_is_reproduced_whatever_the_elements_name() {
         }
         let original = mesh(&table["meshes"][case["mesh"].as_str().unwrap()]);
         let elements = case["element"].as_array().unwrap().iter();
-        let places: Vec<_> = elements.map(|place| element(&original, place)).collect();
-        let plan = &plans[*ours];
-        for mut mesh in turned(&original) {
+        let mut places: Vec<_> = elements.map(|place| element(&original, place)).collect();
+        let plan = library.plans[library.op(ours).unwrap()].as_ref().unwrap();
+        // All other parameters are reals, and zero by default.
+        places.resize(plan.params.len(), 0);
+        for before in &turned(&original) {
+            let mut mesh = before.clone();
             let outcome = machine.apply(&mut mesh, plan, &places).unwrap();
             count[3] += 1;
             let expect = &case["expect"];
@@ -220,6 +229,7 @@ fn every_case_is_reproduced_whatever_the_elements_name() {
                 Outcome::Refused { reason } => {
                     let reason = &plan.refusals[usize::from(reason.unwrap())].reason;
                     assert_eq!(expect, "refuse", "{}: refused: {reason}", case["name"]);
+                    assert!(identical(&mesh, before), "{}", case["name"]);
                 }
                 Outcome::Applied { result } => {
                     assert_ne!(expect, "refuse", "{}: {}", case["name"], case["why"]);
@@ -238,8 +248,8 @@ fn every_case_is_reproduced_whatever_the_elements_name() {
     }
     for (op, [done, refused, ambiguous, runs]) in &counts {
         println!("{op}: {done} done, {refused} refused, {ambiguous} ambiguous, {runs} runs");
-        assert!(done + refused >= 60, "{op}: few cases");
-        assert!(*runs > 10_000, "{op}: few runs");
+        assert!(done + refused >= 50, "{op}: few cases");
+        assert!(*runs > 1_000, "{op}: few runs");
     }
     assert_eq!(counts.len(), OPS.len());
 }

@@ -17,7 +17,7 @@ const HARD = [
 ];
 
 // Keywords only where no name can stand.
-const SOFT = ["private", "test", "by"];
+const SOFT = ["private", "test", "by", "steps"];
 
 const list = (rule) => seq(rule, repeat(seq(",", rule)));
 
@@ -115,10 +115,15 @@ module.exports = grammar({
 
     operation: ($) => seq(
       "op", field("name", $.identifier), field("parameters", $.parameters),
-      optional(seq("->", field("result", $.identifier))),
+      optional(seq("->", field("result", choice($.identifier, alias($._element, $.type))))),
       optional(seq("keeps", list(field("keeps", $.property)))),
-      "{", optional(choice($._rewrite, $._rules)), "}",
+      "{", optional(choice($._rewrite, $._rules, $._done_in_steps)), "}",
     ),
+    _element: (_) => choice("vertex", "edge", "face"),
+
+    _done_in_steps: ($) => seq(repeat($._condition), $.steps),
+    steps: ($) => seq("steps", $.block),
+
     property: ($) => $.identifier,
 
     _rules: ($) => seq(repeat($._condition), $.rule, repeat(choice($.rule, $._condition))),

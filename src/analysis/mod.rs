@@ -48,5 +48,5 @@ pub use signature::{Call, signature};
 pub use snapshot::{Snapshot, span_of};
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
-pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, Verdict, verdicts};
+pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdicts};
 pub use words::{Word, a_type, meaning, word};

@@ -6,7 +6,7 @@ use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
 use crate::rewrite::Plan;
-use crate::run::Functions;
+use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
 
 /// What is known of one file, and of those it uses.
@@ -73,6 +73,7 @@ impl Analysis {
             proved.push(examined.proved);
             plans.push(examined.plan);
         }
+        diagnostics.extend(plan_steps(&program, &functions, &mut plans));
         diagnostics.sort_by_key(|diagnostic| {
             let Span { file, start, .. } = diagnostic.span();
             (file, start)

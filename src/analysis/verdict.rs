@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::Analysis;
 use crate::check::{Proof, Proved, SizeChange};
 use crate::diagram::{Level, Rule};
+use crate::resolve::ResolvedOp;
 
 /// What was proved of an operation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -17,6 +18,18 @@ pub struct Verdict {
     pub proved: bool,
     /// For each alternative what was established; empty if it was not proved.
     pub rules: Vec<RuleVerdict>,
+    /// If it is an op in steps, what it calls and which level it keeps. All it calls is proved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steps: Option<StepsVerdict>,
+}
+
+/// What is known of an op in steps.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct StepsVerdict {
+    /// The ops that it calls.
+    pub calls: Vec<String>,
+    /// The level that it guards.
+    pub level: Level,
 }
 
 /// What was established of one alternative.
@@ -133,10 +146,32 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
 
 /// The verdict on every op of a file, in order; those of the files it uses are left out.
 pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
-    let ops = analysis.program.ops.iter().zip(&analysis.proved);
-    let ops = ops.filter(|(op, _)| op.span.file == analysis.file);
-    ops.map(|(op, proved)| Verdict::of(&op.name, proved.as_ref()))
-        .collect()
+    let ops = analysis.program.ops.iter().enumerate();
+    let ops = ops.filter(|(_, op)| op.span.file == analysis.file);
+    let verdict = |(at, op): (usize, &ResolvedOp)| {
+        let verdict = Verdict::of(&op.name, analysis.proved[at].as_ref());
+        match steps(analysis, at) {
+            Some(steps) => Verdict {
+                proved: true,
+                steps: Some(steps),
+                ..verdict
+            },
+            None => verdict,
+        }
+    };
+    ops.map(verdict).collect()
+}
+
+/// What an op in steps calls, if it has a plan.
+fn steps(analysis: &Analysis, op: usize) -> Option<StepsVerdict> {
+    let plan = analysis.plans[op].as_ref()?;
+    let calls = plan.steps.as_ref()?.calls.iter();
+    let ops = &analysis.program.ops;
+    let calls = calls.filter_map(|&(called, _)| Some(ops.get(usize::from(called))?.name.clone()));
+    Some(StepsVerdict {
+        calls: calls.collect(),
+        level: plan.level,
+    })
 }
 
 impl Verdict {
@@ -146,6 +181,7 @@ impl Verdict {
             op: op.to_owned(),
             proved: proved.is_some(),
             rules: proved.into_iter().flat_map(rules).collect(),
+            steps: None,
         }
     }
 }

@@ -30,12 +30,17 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     let mut obj = meshes::read(&arguments.mesh)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let before = Counts::of(&obj.mesh);
-    let applied = run::apply(&program.analysis.program, op, plan, &mut obj.mesh, &values).map_err(
-        |failure| {
-            complain_of(&[failure.diagnostic], &program.sources);
-            Failure::Silent(2.into())
-        },
-    )?;
+    let applied = run::apply(
+        &program.analysis.program,
+        op,
+        &program.analysis.plans,
+        &mut obj.mesh,
+        &values,
+    )
+    .map_err(|failure| {
+        complain_of(&[failure.diagnostic], &program.sources);
+        Failure::Silent(2.into())
+    })?;
     match applied {
         Applied::Done { result, created } => {
             write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
@@ -128,6 +133,7 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
             })
         })?;
         let wanted = params[at].ty;
+        let place = place.as_wanted(wanted);
         if place.ty() != wanted {
             let (name, wanted, given) = (&params[at].name, wanted.word(), place.ty().word());
             return Err(Failure::usage(format!(
@@ -217,6 +223,10 @@ impl Report {
 
 /// An element as `--at` names it in the written file; holes have no number there.
 fn element(mesh: &Mesh, numbers: &WrittenNumbers, kind: ElementKind, id: u32) -> Option<String> {
+    // A step may have created what a later one has erased.
+    if !mesh.is_alive(kind, id) {
+        return None;
+    }
     let ends = |half: HalfedgeId| {
         Some((
             numbers.vertex(mesh.vertex(half))?,

@@ -83,6 +83,11 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             rows.push(vec!["  not proved".to_string(), verdict.op.clone()]);
             below.push(Vec::new());
         }
+        if let Some(steps) = &verdict.steps {
+            let calls = format!("in steps: {}", steps.calls.join(", "));
+            rows.push(vec!["  proved".into(), verdict.op.clone(), calls]);
+            below.push(Vec::new());
+        }
         for rule in &verdict.rules {
             let label = rule.rule.as_ref();
             let name = label.map_or(verdict.op.clone(), |label| {

@@ -53,6 +53,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
 fn diagram<'a>(program: &'a Program, name: Option<&str>) -> Result<&'a Op, Failure> {
     let op = program::find_op(program, name)?;
     let diagram = program.analysis.program.ops[op].diagram.as_ref();
+    if program.analysis.program.ops[op].steps.is_some() {
+        let name = &program.analysis.program.ops[op].name;
+        let message = format!("`{name}` is done in steps: it draws nothing itself");
+        return Err(Failure::usage(message));
+    }
     diagram.ok_or_else(|| {
         complain_of(&program.analysis.diagnostics, &program.sources);
         Failure::NotProved

@@ -54,6 +54,15 @@ impl Place {
         }
     }
 
+    /// `edge:A-B` where a halfedge is wanted is the one from A to B, and the other way around.
+    pub fn as_wanted(self, wanted: Type) -> Self {
+        match (self, wanted) {
+            (Place::Edge(from, to), Type::Halfedge) => Place::Halfedge(from, to),
+            (Place::Halfedge(from, to), Type::Edge) => Place::Edge(from, to),
+            (place, _) => place,
+        }
+    }
+
     /// The id of the element on a mesh.
     ///
     /// At an edge `A-B` this also makes the halfedge from `A` to `B` the edge's `halfedge`.

@@ -12,7 +12,8 @@ use super::program::{self, Program};
 use crate::analysis::Proved;
 use crate::diagnostic::Diagnostic;
 use crate::emit::{NotEmitted, Style, cpp, rust};
-use crate::rewrite::{Cell, Phase, Plan, Row, Stage};
+use crate::mesh::Level;
+use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
 
 /// Shows operations as pointer assignments: as a table, as data, or as code.
 pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
@@ -32,9 +33,22 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         None => {
             let ops = program.analysis.program.ops.iter().enumerate();
             let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);
-            own.map(|(at, _)| at).collect()
+            // One in steps has no pointers of its own to assign.
+            let drawn = own.filter(|(_, op)| op.steps.is_none());
+            drawn.map(|(at, _)| at).collect()
         }
     };
+    if let &[op] = ops.as_slice()
+        && let Some(plan) = &program.analysis.plans[op]
+        && let Some(steps) = &plan.steps
+    {
+        if arguments.shown != Shown::Table || arguments.output.is_some() {
+            let message = format!("`{}` is done in steps: show or emit those", plan.name);
+            return Err(Failure::usage(message));
+        }
+        say(&show_steps(plan, steps, &program));
+        return Ok(());
+    }
     if ops.is_empty() {
         program::find_op(&program, None)?;
     }
@@ -61,6 +75,23 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             Ok(())
         }
     }
+}
+
+/// What an op in steps calls, and when it refuses.
+fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
+    let ops = &program.analysis.program.ops;
+    let calls = steps.calls.iter();
+    let calls = calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str()));
+    let calls = calls.collect::<Vec<_>>().join(", ");
+    let end = match plan.level {
+        Level::Map => String::new(),
+        level => format!(", or the mesh is not of level {level} in the end"),
+    };
+    let name = &plan.name;
+    format!(
+        "{name} is done in steps: {calls}\n\
+         if one of them must be done and refuses{end}, all is undone"
+    )
 }
 
 fn tables(plans: &[&Plan]) -> String {

@@ -57,6 +57,7 @@ pub fn compile(
         places: output.places,
         refusals: output.refusals,
         stages,
+        steps: None,
     })
 }
 

@@ -3,7 +3,7 @@
 use super::printer::{Doc, HANG, INDENT, Lines, Printer, laid_out, line, nil, soft, text};
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
-use crate::syntax::tree::{Attr, Condition, Item, Op, Param, Rule};
+use crate::syntax::tree::{Attr, Condition, Item, Op, Param, Rule, Steps};
 
 impl Printer<'_> {
     /// An item without what is said about it before.
@@ -99,6 +99,9 @@ impl Printer<'_> {
         let block = self.braces(span, false, |printer, lines| match op.rules.as_slice() {
             [rule] if rule.name.is_none() => printer.rule_parts(rule, lines, inner),
             rules => {
+                if let Some(steps) = &op.steps {
+                    printer.steps(steps, lines, inner);
+                }
                 for rule in rules {
                     printer.gap(lines);
                     let doc = printer.rule(rule, inner);
@@ -127,7 +130,16 @@ impl Printer<'_> {
             let doc = self.side(before, width);
             lines.extend(laid_out(doc, width));
         }
-        for condition in &rule.conditions {
+        self.conditions(&rule.conditions, lines, width);
+        if let Some(after) = &rule.after {
+            self.gap(lines);
+            let doc = self.side(after, width);
+            lines.extend(laid_out(doc, width));
+        }
+    }
+
+    fn conditions(&mut self, conditions: &[Condition], lines: &mut Lines, width: usize) {
+        for condition in conditions {
             self.gap(lines);
             let doc = match condition {
                 Condition::Require {
@@ -137,10 +149,14 @@ impl Printer<'_> {
             };
             lines.extend(laid_out(doc, width));
         }
-        if let Some(after) = &rule.after {
-            self.gap(lines);
-            let doc = self.side(after, width);
-            lines.extend(laid_out(doc, width));
-        }
+    }
+
+    /// `steps { … }`, and what is asked before
+    fn steps(&mut self, steps: &Steps, lines: &mut Lines, width: usize) {
+        self.conditions(&steps.conditions, lines, width);
+        self.gap(lines);
+        let head = self.spaced_token();
+        let body = self.block(&steps.body, width);
+        lines.extend(laid_out(super::action::headed(vec![(head, body)]), width));
     }
 }

@@ -14,6 +14,10 @@ pub struct LibraryFile {
 
 const FILES: &[LibraryFile] = &[
     LibraryFile {
+        name: "std/triangle.hedge",
+        text: include_str!("std/triangle.hedge"),
+    },
+    LibraryFile {
         name: "std/polygon.hedge",
         text: include_str!("std/polygon.hedge"),
     },
@@ -22,8 +26,16 @@ const FILES: &[LibraryFile] = &[
         text: include_str!("std/map.hedge"),
     },
     LibraryFile {
-        name: "std/triangle.hedge",
-        text: include_str!("std/triangle.hedge"),
+        name: "std/planar.hedge",
+        text: include_str!("std/planar.hedge"),
+    },
+    LibraryFile {
+        name: "std/planar_triangle.hedge",
+        text: include_str!("std/planar_triangle.hedge"),
+    },
+    LibraryFile {
+        name: "std/planar_quad.hedge",
+        text: include_str!("std/planar_quad.hedge"),
     },
     LibraryFile {
         name: "std/subdivide.hedge",

@@ -10,6 +10,7 @@ use super::op::resolve_op;
 use super::program::Program;
 use super::report::Report;
 use super::script::resolve_script;
+use super::steps::resolve_steps;
 use super::testing::resolve_test;
 
 /// A program, and what is wrong with it.
@@ -48,7 +49,7 @@ pub fn resolve(tree: &tree::File) -> Resolved {
 /// The same for the files of a program, the first of which is the program itself.
 ///
 /// Functions come before what calls them: first those that call no op, then the ops, which
-/// may ask them, then the functions that call ops, then the scripts.
+/// may ask them, then the functions that call ops, then the steps of ops, then the scripts.
 pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut diagnostics = Vec::new();
     let declared = Declared::of_all(units, &mut diagnostics);
@@ -73,6 +74,22 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
         }
     }
     functions.resolve(&signatures, |deeds| deeds.calls_ops);
+    let mut number = 0;
+    for (unit, declared) in units.iter().zip(&functions.declared) {
+        for item in &unit.tree.items {
+            let Item::Op(op) = item else {
+                continue;
+            };
+            if let Some(steps) = &op.steps {
+                let mut report = Report::default();
+                let signature = &signatures[number];
+                program.ops[number].steps =
+                    resolve_steps(op, steps, signature, &signatures, declared, &mut report);
+                diagnostics.extend(report.into_diagnostics());
+            }
+            number += 1;
+        }
+    }
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
             if let Item::Script(script) = item {

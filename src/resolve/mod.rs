@@ -52,12 +52,13 @@ mod routine;
 mod application;
 mod script;
 mod statement;
+mod steps;
 mod testing;
 
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
-    Test, TestMesh, Variable,
+    Steps, Test, TestMesh, Variable,
 };
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,

@@ -15,6 +15,7 @@ use super::parameter::{Owner, Parameter, parameters};
 use super::program;
 use super::report::Report;
 use super::rule::{Context, resolve_rule};
+use super::steps::steps_signature;
 use super::suggestion::suggest;
 use super::words::quoted;
 
@@ -51,6 +52,9 @@ pub(super) fn resolve_op(
         report.fail();
     }
     let params = parameters(&op.params, Owner::Op, declared, report);
+    if let Some(steps) = &op.steps {
+        return steps_signature(op, steps, params, report);
+    }
     let keeps = properties(&op.keeps, report);
     rule_names(&op.rules, report);
     if op.rules.is_empty() {
@@ -103,6 +107,7 @@ pub(super) fn resolve_op(
         params: public,
         result: result_type,
         diagram,
+        steps: None,
     };
     let signature = Signature {
         name: op.name.text.clone(),
@@ -125,7 +130,7 @@ fn one_result(name: &Ident, op: &tree::Op, report: &mut Report) {
 }
 
 /// The properties that `keeps` claims; `map` is what the checker always proves.
-fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
+pub(super) fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
     let mut properties = Vec::new();
     for word in keeps {
         let known = |property: &Property| property.word() == word.text;

@@ -33,8 +33,24 @@ pub struct Op {
     pub params: Vec<Param>,
     /// The type of its result; `None` also if it could not be found out.
     pub result: Option<Type>,
-    /// Its diagrams; `None` if they could not be resolved (a diagnostic says why).
+    /// Its diagrams; `None` if they could not be resolved (a diagnostic says why), or if it is
+    /// an op in steps.
     pub diagram: Option<diagram::Op>,
+    /// What it does instead, if it is an op in steps that could be resolved.
+    pub steps: Option<Steps>,
+}
+
+/// An op that calls others, all or nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// What is asked before, in order.
+    pub requires: Vec<diagram::Require>,
+    /// The level of the meshes it is for, and that it keeps.
+    pub level: diagram::Level,
+    /// What it does. Parameters are its first variables.
+    pub body: Body,
 }
 
 /// A function, or what is known of one that could not be resolved.

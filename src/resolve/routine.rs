@@ -3,10 +3,11 @@
 use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::Type;
+use crate::diagram::{Require, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
+use super::condition::requires;
 use super::declared::Declared;
 use super::depth::shallow_block;
 use super::effects::Effects;
@@ -81,7 +82,8 @@ pub(super) fn resolve_function(
     declared: &Declared,
     report: &mut Report,
 ) -> (Value, Function) {
-    let (value, body) = body(function, signature, ops, cycles, declared, report);
+    let written = (&[][..], &function.body);
+    let (value, _, body) = resolve_body(written, signature, ops, cycles, declared, report);
     let resolved = Function {
         name: signature.name.clone(),
         span: signature.span,
@@ -96,16 +98,17 @@ pub(super) fn resolve_function(
     (value, resolved)
 }
 
-fn body(
-    function: &tree::Fn,
+/// Resolves the statements of a function, or of what is like one, and what is asked before.
+pub(super) fn resolve_body(
+    (asked, written): (&[tree::Condition], &tree::Block),
     signature: &FunctionSignature,
     ops: &[Signature],
     cycles: bool,
     declared: &Declared,
     report: &mut Report,
-) -> (Value, Option<Body>) {
-    if !shallow_block(&function.body, report) {
-        return (signature.result, None);
+) -> (Value, Vec<Require>, Option<Body>) {
+    if !shallow_block(written, report) {
+        return (signature.result, Vec::new(), None);
     }
     let mut scopes = Scopes::default();
     scopes.enter();
@@ -126,7 +129,8 @@ fn body(
         returns: Returns::of_function(signature, cycles),
         testing: None,
     };
-    let block = scripting.body(&function.body);
+    let requires = requires(asked, &signature.name, &mut scripting.typing);
+    let block = scripting.body(written);
     let value = scripting.returns.value();
     let scopes = scripting.typing.scopes;
     if let Value::Of(ty) = value
@@ -134,8 +138,8 @@ fn body(
         && !ends(&block)
     {
         let end = Span {
-            start: function.body.span.end.saturating_sub(1),
-            ..function.body.span
+            start: written.span.end.saturating_sub(1),
+            ..written.span
         };
         let message = format!("`{}` may come to its end without a value", signature.name);
         let error = Diagnostic::error("missing-return", message, end).note(format!(
@@ -146,10 +150,10 @@ fn body(
         report.add(error);
     }
     if report.failed() {
-        return (value, None);
+        return (value, requires, None);
     }
     let body = scopes
         .into_variables()
         .map(|variables| Body { variables, block });
-    (value, body)
+    (value, requires, body)
 }

@@ -1,6 +1,6 @@
 //! One run of a code: what it may use, and what became of it.
 
-use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Trap};
+use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
 
 /// What became of a run that did not trap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +29,8 @@ pub(super) struct Call<'c> {
     pub(super) texts: &'c [String],
     /// The number of the operation.
     pub(super) op: Option<u16>,
+    /// If it is one in steps, what it has besides.
+    pub(super) steps: Option<&'c Steps>,
     /// The number of the function.
     function: Option<u16>,
     /// Where its window begins, and its buffers.
@@ -38,13 +40,24 @@ pub(super) struct Call<'c> {
 }
 
 impl<'c> Call<'c> {
-    pub(super) fn top(code: &'c Code, refusals: &'c [Refusal]) -> Self {
+    /// The code of a script.
+    pub(super) fn top(code: &'c Code) -> Self {
+        Self::first(code, &[], None)
+    }
+
+    /// An operation that nobody calls.
+    pub(super) fn of(plan: &'c Plan) -> Self {
+        Self::first(&plan.code, &plan.refusals, plan.steps.as_ref())
+    }
+
+    fn first(code: &'c Code, refusals: &'c [Refusal], steps: Option<&'c Steps>) -> Self {
         Self {
             code,
             refusals,
             functions: &code.functions,
             texts: &code.texts,
             op: None,
+            steps,
             function: None,
             base: 0,
             buffers: 0,
@@ -61,6 +74,7 @@ impl<'c> Call<'c> {
             functions: &plan.code.functions,
             texts: &plan.code.texts,
             op: Some(op),
+            steps: plan.steps.as_ref(),
             function: None,
             base: self.base + usize::from(self.code.registers),
             buffers: self.buffers + usize::from(self.code.buffers),

@@ -731,7 +731,13 @@ impl Machine<'_> {
                         Outcome::Refused { .. } => w.set_truth(applied, false),
                     }
                 }
-                Refused { op } => break self.must_not_refuse(op),
+                Refused { op } => match call.steps {
+                    Some(steps) => {
+                        let reason = steps.refusal_of(op, self.last_reason);
+                        return Ok(Outcome::Refused { reason });
+                    }
+                    None => break self.must_not_refuse(op),
+                },
                 Turn { depth, done, total } => {
                     let (done, total) = (w.int(done), w.int(total));
                     if self.progress.turn(watch, depth, done, total).is_break() {

@@ -81,6 +81,16 @@ impl Drains {
         self.0.clear();
     }
 
+    /// How many are open.
+    pub(super) fn open_ones(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Ends all but so many.
+    pub(super) fn leave(&mut self, open: usize) {
+        self.0.truncate(open);
+    }
+
     /// Begins a drain of all elements of the mesh, or of some.
     pub(super) fn open(&mut self, mesh: &Mesh, of: Elements, some: Option<&[u64]>) {
         let capacity = mesh.capacity(of.kind());

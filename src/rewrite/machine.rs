@@ -32,9 +32,9 @@ pub struct Machine<'p> {
     pub(super) line: String,
     counts: Vec<Count>,
     /// The level that the mesh surely has.
-    level: Level,
+    pub(super) level: Level,
     /// Why the op called last refused.
-    last_reason: Option<u16>,
+    pub(super) last_reason: Option<u16>,
     /// How many running calls need that no id is given out again.
     pub(super) holding: u32,
     /// Meshes to compare with, by number.
@@ -128,16 +128,15 @@ impl<'p> Machine<'p> {
     ) -> Result<Outcome, Trap> {
         self.start(args);
         match code.drains() {
-            true => self.execute::<true>(mesh, Call::top(code, &[]), watch),
-            false => self.execute::<false>(mesh, Call::top(code, &[]), watch),
+            true => self.execute::<true>(mesh, Call::top(code), watch),
+            false => self.execute::<false>(mesh, Call::top(code), watch),
         }
     }
 
     /// Applies an operation with the arguments in slots. It is not counted.
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
         self.start(args);
-        let call = Call::top(&plan.code, &plan.refusals);
-        self.execute::<false>(mesh, call, &mut Unwatched)
+        self.carry_out::<false>(mesh, plan, Call::of(plan), &mut Unwatched)
     }
 
     fn start(&mut self, args: &[u64]) {
@@ -184,11 +183,17 @@ impl<'p> Machine<'p> {
             .fold(0, |sum, &one| sum.saturating_add(one));
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
-        let outcome = self.execute::<OBSERVED>(mesh, call, watch)?;
+        let outcome = self.carry_out::<OBSERVED>(mesh, plan, call, watch)?;
+        if let Outcome::Refused { reason } = outcome {
+            self.last_reason = reason;
+        }
         if matches!(outcome, Outcome::Applied { .. }) {
             self.level = plan.level_after(self.level);
         }
-        self.count(op, outcome);
+        // What a step does may yet be undone.
+        if caller.op.is_none() && caller.steps.is_none() {
+            self.count(op, outcome);
+        }
         Ok(outcome)
     }
 
@@ -200,7 +205,6 @@ impl<'p> Machine<'p> {
         match outcome {
             Outcome::Applied { .. } => count.applied += 1,
             Outcome::Refused { reason } => {
-                self.last_reason = reason;
                 let reason = reason.map(usize::from);
                 if let Some(times) = reason.and_then(|reason| count.refused.get_mut(reason)) {
                     *times += 1;

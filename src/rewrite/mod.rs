@@ -7,6 +7,7 @@
 mod code;
 mod function;
 mod plan;
+mod steps;
 
 mod assembler;
 
@@ -42,6 +43,7 @@ pub use function::Function;
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
 pub use print::{ElementText, RealText, VectorText, WideText};
+pub use steps::{BELOW, Steps};
 pub use trap::{Message, Site, Trap};
 pub use watch::{Unwatched, Watch};
 pub use wide::{Lanes, Matrix};

@@ -1,6 +1,6 @@
 //! A compiled operation: its code, and the same as a table to read.
 
-use super::Code;
+use super::{Code, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
 
@@ -24,8 +24,10 @@ pub struct Plan {
     pub places: Vec<Span>,
     /// Why it can refuse, by number.
     pub refusals: Vec<Refusal>,
-    /// Each alternative in four phases, to read.
+    /// Each alternative in four phases, to read; none of an op in steps.
     pub stages: Vec<Stage>,
+    /// Where it is an op in steps, which calls others, all or nothing.
+    pub steps: Option<Steps>,
 }
 
 impl Plan {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::columns::Columns;
 use super::report::{Failure, diagnostic, expect_level};
+use super::steps::with_steps;
 use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Mesh};
@@ -36,7 +37,7 @@ pub fn arguments(
     prepare(&parameters_alone(program, op), 0, &[])?.arguments(texts)
 }
 
-/// Applies an operation of a program. Parameters that are not given take their defaults.
+/// Applies an operation of a program, all of whose plans are given. Parameters that are not given take their defaults.
 ///
 /// # Errors
 /// The arguments do not fit the parameters, or an expression of the operation has no value
@@ -44,7 +45,7 @@ pub fn arguments(
 pub fn apply(
     program: &Program,
     op: usize,
-    plan: &Plan,
+    plans: &[Option<Plan>],
     mesh: &mut Mesh,
     arguments: &[(String, Argument)],
 ) -> Result<Applied, Box<Failure>> {
@@ -58,15 +59,23 @@ pub fn apply(
         Some(diagram) => diagram.name_span,
         None => op.span,
     });
-    expect_level(plan, mesh, place.unwrap_or_default()).map_err(failure)?;
+    let place = place.unwrap_or_default();
+    let Some(plan) = plans.get(op).and_then(Option::as_ref) else {
+        let message = "this operation is not proved, so it cannot run";
+        return Err(failure(Diagnostic::error("unproved-op", message, place)));
+    };
+    expect_level(plan, mesh, place).map_err(failure)?;
     let parameters = parameters_alone(program, op);
     let prepared = prepare(&parameters, 0, &[]).map_err(|mut errors| failure(errors.remove(0)))?;
     let mut code = prepared.code().clone();
     let slots = prepared
         .slots(mesh, arguments, &mut code.texts)
         .map_err(failure)?;
-    let columns = Columns::of(&program.attributes, [&plan.code]).map_err(failure)?;
-    let mut machine = Machine::new(&[]);
+    let used = with_steps(plans, [plan]);
+    let used = used.into_iter().map(|plan| &plan.code);
+    let columns = Columns::of(&program.attributes, used).map_err(failure)?;
+    let mut machine = Machine::new(plans);
+    machine.trust_level(plan.level);
     machine.use_columns(columns.bind(mesh).map_err(failure)?);
     machine.remember_created();
     let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));

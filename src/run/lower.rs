@@ -25,8 +25,18 @@ pub(super) struct Lowering<'p> {
     pub(super) functions: Vec<usize>,
     /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
-    /// Whether this is the code of a function, which gives its value to a caller.
-    is_function: bool,
+    ending: Ending,
+}
+
+/// What `return` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// The script ends.
+    Script,
+    /// The function gives its value to its caller.
+    Function,
+    /// The operation has been applied, and returns an element.
+    Steps,
 }
 
 /// Statements with their variables.
@@ -98,7 +108,16 @@ impl<'p> Lowering<'p> {
     pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
         let mut lowering = Self::with_parameters(routine, texts);
         lowering.other_variables(routine);
-        lowering.is_function = true;
+        lowering.ending = Ending::Function;
+        lowering
+    }
+
+    /// Begins the code of an operation in steps: the parameters first, then the other
+    /// variables.
+    pub(super) fn of_steps(routine: Routine<'p>, texts: &[String]) -> Self {
+        let mut lowering = Self::with_parameters(routine, texts);
+        lowering.other_variables(routine);
+        lowering.ending = Ending::Steps;
         lowering
     }
 
@@ -115,7 +134,7 @@ impl<'p> Lowering<'p> {
             called: Vec::new(),
             functions: Vec::new(),
             assertions: Vec::new(),
-            is_function: false,
+            ending: Ending::Script,
         };
         for param in routine.params {
             let reg = lowering.asm.block(width(param.ty));
@@ -299,9 +318,12 @@ impl<'p> Lowering<'p> {
         }
         self.close_drains();
         let (from, width) = given.unwrap_or((Reg(0), 0));
-        self.asm.emit(match self.is_function {
-            true => Inst::Give { from, width },
-            false => Inst::Return { result: None },
+        self.asm.emit(match self.ending {
+            Ending::Function => Inst::Give { from, width },
+            Ending::Script => Inst::Return { result: None },
+            Ending::Steps => Inst::Return {
+                result: given.map(|_| from),
+            },
         });
     }
 

@@ -21,6 +21,7 @@ mod function;
 mod live;
 mod lower;
 mod prepare;
+mod steps;
 mod visit;
 
 mod apply;
@@ -33,4 +34,5 @@ pub use argument::Argument;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
+pub use steps::plan_steps;
 pub use testing::{Load, test};

@@ -5,6 +5,7 @@ use super::argument::example;
 use super::columns::Columns;
 use super::function::{Functions, routine, with_functions};
 use super::lower::Lowering;
+use super::steps::with_steps;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::Mesh;
@@ -93,8 +94,9 @@ pub(super) fn prepare_script<'p>(
         });
     let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
     let code = with_functions(code, &functions);
-    let called_code = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
-    let all_code = called_code.map(|plan| &plan.code).chain([&code]);
+    let called_plans = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
+    let called_plans = with_steps(plans, called_plans);
+    let all_code = called_plans.iter().map(|plan| &plan.code).chain([&code]);
     let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
     Ok(Prepared {
         script,

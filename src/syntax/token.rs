@@ -85,6 +85,7 @@ token_kinds! {
     keywords {
         "use" Use "private" Private "attr" Attr "fn" Fn "op" Op "script" Script "test" Test
         "keeps" Keeps "rule" Rule "before" Before "require" Require "guard" Guard "after" After
+        "steps" Steps
         "face" Face "hole" Hole "loop" Loop "edge" Edge "vertex" Vertex
         "each" Each "new" New "keep" Keep "erase" Erase
         "let" Let "var" Var "if" If "else" Else "repeat" Repeat "for" For "in" In
@@ -108,9 +109,10 @@ impl TokenKind {
     }
 
     /// Whether it is a keyword that may also be a name, since it means something only in
-    /// one place: `test` before a text, `private` before `attr`, `by` behind a sequence.
+    /// one place: `test` before a text, `private` before `attr`, `by` behind a sequence,
+    /// `steps` in an op.
     pub fn is_soft(self) -> bool {
-        matches!(self, Self::Test | Self::Private | Self::By)
+        matches!(self, Self::Test | Self::Private | Self::By | Self::Steps)
     }
 
     /// Whether it can stand where a name is wanted.

@@ -137,14 +137,25 @@ pub struct Op {
     pub name: Ident,
     /// Its parameters.
     pub params: Vec<Param>,
-    /// What it returns.
+    /// What it returns: a name that it draws; of an op in steps, a type.
     pub result: Option<Ident>,
     /// The properties it must keep.
     pub keeps: Vec<Ident>,
-    /// Its alternatives; an op without `rule` has one, unnamed.
+    /// Its alternatives; an op without `rule` has one, unnamed, and one in steps has none.
     pub rules: Vec<Rule>,
+    /// What it does instead of drawing.
+    pub steps: Option<Steps>,
     /// The whole item, from `op` to the closing brace.
     pub span: Span,
+}
+
+/// `steps { … }`: an op that calls others, all or nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    /// What is asked before.
+    pub conditions: Vec<Condition>,
+    /// What is done.
+    pub body: Block,
 }
 
 /// One alternative of an op.

@@ -188,7 +188,7 @@ fn several_elements_are_given_by_name_or_in_order() {
     for places in [
         ["a=halfedge:1-2", "b=halfedge:3-4"],
         ["halfedge:1-2", "halfedge:3-4"],
-        ["b=halfedge:3-4", "halfedge:1-2"],
+        ["b=halfedge:3-4", "edge:1-2"],
     ] {
         let said = with(&places);
         assert_eq!((said.code, said.err.as_str()), (0, ""));
@@ -199,7 +199,7 @@ fn several_elements_are_given_by_name_or_in_order() {
         (&["halfedge:1-2", "halfedge:3-4", "face:1"], "too many"),
         (&["a=halfedge:1-2"], "`b` is missing"),
         (&["a=halfedge:1-2", "a=halfedge:3-4"], "`a` is given twice"),
-        (&["a=halfedge:1-2", "b=edge:3-4"], "`b` is of type halfedge"),
+        (&["a=halfedge:1-2", "b=vertex:3"], "`b` is of type halfedge"),
     ] {
         let said = with(places);
         assert_eq!(said.code, 2, "{said:?}");

@@ -31,6 +31,7 @@ fn plan(name: &str, params: &[u16], refusals: &[(&str, Phase)], code: Code) -> P
         places: Vec::new(),
         refusals: refusals.collect(),
         stages: Vec::new(),
+        steps: None,
     }
 }
 

@@ -10,7 +10,7 @@ use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
     Attr, Block, Condition, Expr, Fn, Ident, Item, Op, Param, Rule as Alternative, Script, Side,
-    Test, Use,
+    Steps, Test, Use,
 };
 use chumsky::input::Emitter;
 use chumsky::prelude::*;
@@ -173,19 +173,28 @@ fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
     just(T::Op)
         .ignore_then(ident())
         .then(params(code))
-        .then(result(ident()))
+        .then(result(returned()))
         .then(keeps)
-        .then(rules(&code.expression))
-        .map_with(|((((name, params), result), keeps), rules), scene| Op {
-            docs: Vec::new(),
-            name,
-            params,
-            result,
-            keeps,
-            rules,
-            span: scene.span(),
-        })
+        .then(rules(code))
+        .map_with(
+            |((((name, params), result), keeps), (rules, steps)), scene| Op {
+                docs: Vec::new(),
+                name,
+                params,
+                result,
+                keeps,
+                rules,
+                steps,
+                span: scene.span(),
+            },
+        )
         .boxed()
+}
+
+/// What an op returns: a name, or the kind of an element.
+fn returned<'t>() -> Rule<'t, Ident> {
+    let kind = select! { kind @ (T::Vertex | T::Edge | T::Face) => kind };
+    ident().or(kind.rewind().ignore_then(type_word())).boxed()
 }
 
 /// What stands between the braces of an op.
@@ -193,28 +202,47 @@ enum Part {
     Before(Side),
     Condition(Condition),
     After(Side),
+    Steps(Block, Span),
     Rule(Alternative),
     Broken,
 }
 
-/// The braces of an op: its parts, or its rules. A closing brace with another part behind
-/// it closes nothing.
-fn rules<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Vec<Alternative>> {
+/// The braces of an op: its parts, its rules or its steps. A closing brace with another part
+/// behind it closes nothing.
+fn rules<'t>(code: &Code<'t>) -> Rule<'t, (Vec<Alternative>, Option<Steps>)> {
+    let expression = &code.expression;
+    let steps = just(T::Steps)
+        .ignore_then(code.block.clone())
+        .map_with(|body, scene| Part::Steps(body, scene.span()));
     let rule = just(T::Rule)
         .ignore_then(ident())
         .then(parts(part(expression), just(T::RightBrace).boxed()))
         .validate(|(name, parts), scene, emitter| {
-            let mut rule = assembled(parts, scene.span(), emitter).0;
+            let mut rule = assembled(parts, scene.span(), emitter).alone;
             rule.name = Some(name);
             rule
         });
-    let part = part(expression).or(rule.map(Part::Rule)).boxed();
+    let part = choice((part(expression), rule.map(Part::Rule), steps)).boxed();
     let another = select! { kind if recover::begins_part(kind) => () };
     let stray = just(T::RightBrace).then(another).rewind();
     let end = just(T::RightBrace).and_is(stray.not()).boxed();
     parts(part, end)
         .validate(|parts, scene, emitter| {
-            let (alone, mut rules) = assembled(parts, scene.span(), emitter);
+            let Assembled {
+                alone,
+                mut rules,
+                steps,
+            } = assembled(parts, scene.span(), emitter);
+            if let Some((body, span)) = steps {
+                if alone.before.is_some() || alone.after.is_some() || !rules.is_empty() {
+                    emitter.emit(Failure::mistake(
+                        Mistake::Misplaced("an op in steps draws nothing itself"),
+                        span,
+                    ));
+                }
+                let conditions = alone.conditions;
+                return (Vec::new(), Some(Steps { conditions, body }));
+            }
             if rules.is_empty() {
                 rules.push(alone);
             } else if alone.before.is_some() || alone.after.is_some() {
@@ -224,7 +252,7 @@ fn rules<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Vec<Alternative>> {
                     .map_or(alone.span, |side| side.span);
                 emitter.emit(Failure::mistake(Mistake::RuleAmongParts, span));
             }
-            rules
+            (rules, None)
         })
         .boxed()
 }
@@ -277,12 +305,17 @@ fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
     require.or(guard).boxed()
 }
 
-/// Sorts parts into one rule without a name, and the rules among them.
-fn assembled(
-    parts: Vec<Part>,
-    span: Span,
-    emitter: &mut Emitter<Failure>,
-) -> (Alternative, Vec<Alternative>) {
+/// The parts of an op, sorted.
+struct Assembled {
+    /// A rule without a name.
+    alone: Alternative,
+    /// The rules among them.
+    rules: Vec<Alternative>,
+    /// The steps among them.
+    steps: Option<(Block, Span)>,
+}
+
+fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> Assembled {
     let mut alone = Alternative {
         name: None,
         before: None,
@@ -291,6 +324,7 @@ fn assembled(
         span,
     };
     let mut rules = Vec::new();
+    let mut steps: Option<(Block, Span)> = None;
     let mut wrong = |mistake, span| emitter.emit(Failure::mistake(mistake, span));
     for part in parts {
         match part {
@@ -306,6 +340,12 @@ fn assembled(
             }
             Part::Condition(condition) => {
                 let (Condition::Require { span, .. } | Condition::Guard { span, .. }) = &condition;
+                if steps.is_some() {
+                    wrong(
+                        Mistake::Misplaced("a condition stands before `steps`"),
+                        *span,
+                    );
+                }
                 if alone.after.is_some() {
                     let place = "a condition stands between `before` and `after`";
                     wrong(Mistake::Misplaced(place), *span);
@@ -319,9 +359,17 @@ fn assembled(
                 }
                 alone.after = Some(side);
             }
+            Part::Steps(body, span) => match &steps {
+                Some((_, first)) => wrong(Mistake::TwiceDrawn(*first), span),
+                None => steps = Some((body, span)),
+            },
             Part::Rule(rule) => rules.push(rule),
             Part::Broken => {}
         }
     }
-    (alone, rules)
+    Assembled {
+        alone,
+        rules,
+        steps,
+    }
 }

@@ -1,0 +1,106 @@
+//! An op in steps: one that calls others instead of drawing, all or nothing.
+//!
+//! Its signature is known with those of the other ops; its body is understood later, when all
+//! that it may call is.
+
+use std::rc::Rc;
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Level, Property};
+use crate::syntax::tree;
+
+use super::condition::guard;
+use super::declared::Declared;
+use super::effects::Effects;
+use super::op::{Returned, Signature, properties};
+use super::parameter::{Parameter, type_named};
+use super::program;
+use super::report::Report;
+use super::routine::{FunctionSignature, Value, resolve_body};
+use super::words::a_type;
+
+/// What a call of the op needs to know, and the op without its steps.
+pub(super) fn steps_signature(
+    op: &tree::Op,
+    steps: &tree::Steps,
+    params: Vec<Parameter>,
+    report: &mut Report,
+) -> (Signature, program::Op) {
+    let result = match &op.result {
+        None => Returned::Nothing,
+        Some(word) => match type_named(word, report) {
+            Some(ty) if ty.is_element() => Returned::Element(ty),
+            Some(ty) => {
+                let message = format!(
+                    "`{}` is {}; an op returns a vertex, a halfedge, an edge or a face",
+                    word.text,
+                    a_type(ty)
+                );
+                report.add(Diagnostic::error("not-an-element", message, word.span));
+                Returned::Unknown
+            }
+            None => Returned::Unknown,
+        },
+    };
+    let level = guard(&steps.conditions, report).map_or(Level::Map, |(level, _)| level);
+    for (property, span) in properties(&op.keeps, report) {
+        if matches!(property, Property::Level(kept) if kept <= level) {
+            continue;
+        }
+        let message = format!(
+            "an op in steps does not keep `{}` by itself",
+            property.word()
+        );
+        let error = Diagnostic::error("property-not-kept", message, span)
+            .note("of its steps each keeps what it keeps; the whole, the level that it guards");
+        report.add(error);
+    }
+    let resolved = program::Op {
+        name: op.name.text.clone(),
+        span: op.name.span,
+        params: params.iter().map(Parameter::param).collect(),
+        result: match result {
+            Returned::Element(ty) => Some(ty),
+            Returned::Nothing | Returned::Unknown => None,
+        },
+        diagram: None,
+        steps: None,
+    };
+    let signature = Signature {
+        name: op.name.text.clone(),
+        params,
+        result,
+    };
+    (signature, resolved)
+}
+
+/// Resolves the steps of an op; `None` if something is wrong with them.
+pub(super) fn resolve_steps(
+    op: &tree::Op,
+    steps: &tree::Steps,
+    signature: &Signature,
+    ops: &[Signature],
+    declared: &Declared,
+    report: &mut Report,
+) -> Option<program::Steps> {
+    let level = guard(&steps.conditions, &mut Report::default());
+    let as_function = Rc::new(FunctionSignature {
+        name: signature.name.clone(),
+        span: op.name.span,
+        params: signature.params.clone(),
+        result: match signature.result {
+            Returned::Nothing => Value::Nothing,
+            Returned::Element(ty) => Value::Of(ty),
+            Returned::Unknown => Value::Unknown,
+        },
+        effects: Effects::default(),
+    });
+    let written = (&steps.conditions[..], &steps.body);
+    let (_, requires, body) = resolve_body(written, &as_function, ops, false, declared, report);
+    Some(program::Steps {
+        docs: op.docs.clone(),
+        requires,
+        level: level.map_or(Level::Map, |(level, _)| level),
+        body: body?,
+    })
+}

@@ -1,0 +1,109 @@
+//! Operations in steps: they call others, all or nothing.
+//!
+//! What a step has done is undone if a later one refuses, or if at the end the mesh is not of
+//! the level that it was: a journal of the mesh knows what was written, so both cost no more
+//! than the steps did.
+
+use super::{Call, Machine, Outcome, Plan, Trap, Watch};
+use crate::mesh::{BelowLevel, Mesh, validate_level_near};
+
+/// What the plan of an operation in steps has besides its code.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Steps {
+    /// The operations that it calls, by number. The refusals of each stand among its own, from
+    /// a number on.
+    pub calls: Vec<(u16, u16)>,
+    /// The number of the first of the refusals that [`BELOW`] tells, in that order.
+    pub below: u16,
+}
+
+/// Why a mesh is not of its level any more.
+pub const BELOW: [&str; 10] = [
+    "the mesh would be broken",
+    "a face would have fewer than three sides",
+    "a face would meet a vertex twice",
+    "a vertex would keep a single edge",
+    "a vertex would have holes only around it",
+    "a vertex would lie on two holes",
+    "an edge would have a hole on both sides",
+    "an edge would end where it begins",
+    "two edges would have the same ends",
+    "two faces would have the same corners",
+];
+
+/// The place of a reason in [`BELOW`].
+fn place(below: &BelowLevel) -> u16 {
+    match below {
+        BelowLevel::Invalid(_) => 0,
+        BelowLevel::SmallFace { .. } => 1,
+        BelowLevel::MeetsTwice { .. } => 2,
+        BelowLevel::SingleSpoke { .. } => 3,
+        BelowLevel::NoFaceAround { .. } => 4,
+        BelowLevel::Pinched { .. } => 5,
+        BelowLevel::NoFaceAlong { .. } => 6,
+        BelowLevel::EndsWhereItBegins { .. } => 7,
+        BelowLevel::DoubleEdge { .. } => 8,
+        BelowLevel::SameCorners { .. } => 9,
+    }
+}
+
+impl Steps {
+    /// The refusal of an operation that it calls, as its own.
+    pub(super) fn refusal_of(&self, op: u16, reason: Option<u16>) -> Option<u16> {
+        let called = self.calls.iter().find(|(called, _)| *called == op);
+        called
+            .zip(reason)
+            .map(|((_, first), reason)| first.saturating_add(reason))
+    }
+}
+
+impl Machine<'_> {
+    /// Runs the code of an operation; if it is one in steps, all of it or nothing.
+    pub(super) fn carry_out<const OBSERVED: bool>(
+        &mut self,
+        mesh: &mut Mesh,
+        plan: &Plan,
+        call: Call<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        match &plan.steps {
+            None => self.execute::<OBSERVED>(mesh, call, watch),
+            Some(steps) => self.take::<OBSERVED>(mesh, (plan, steps), call, watch),
+        }
+    }
+
+    #[cold]
+    fn take<const OBSERVED: bool>(
+        &mut self,
+        mesh: &mut Mesh,
+        (plan, steps): (&Plan, &Steps),
+        call: Call<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        let (level, holding, drains) = (self.level, self.holding, self.drains.open_ones());
+        let created = self.created.as_ref().map_or(0, Vec::len);
+        let mark = mesh.open_journal();
+        let mut outcome = match OBSERVED || call.code.drains() {
+            true => self.execute::<true>(mesh, call, watch),
+            false => self.execute::<false>(mesh, call, watch),
+        };
+        if let Ok(Outcome::Applied { .. }) = outcome
+            && let Err(below) = validate_level_near(mesh, plan.level, &mesh.written_since(&mark))
+        {
+            let reason = Some(steps.below.saturating_add(place(&below)));
+            outcome = Ok(Outcome::Refused { reason });
+        }
+        // Within, other levels may have been passed, and loops been left.
+        (self.level, self.holding) = (level, holding);
+        self.drains.leave(drains);
+        if let Ok(Outcome::Applied { .. }) = outcome {
+            mesh.keep(mark);
+        } else {
+            mesh.roll_back(mark);
+            if let Some(all) = &mut self.created {
+                all.truncate(created);
+            }
+        }
+        outcome
+    }
+}

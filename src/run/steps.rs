@@ -1,0 +1,185 @@
+//! Operations in steps, from statements to plans.
+//!
+//! Their code is that of a function; what makes an operation of it is that it refuses where a
+//! `must` or a `require` does not hold, and that the machine undoes it then.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::function::Functions;
+use super::live::Exits;
+use super::lower::{Lowering, Routine};
+use crate::compile::{element_kind, width};
+use crate::diagnostic::Diagnostic;
+use crate::mesh::Level;
+use crate::resolve::{Program, ResolvedOp, Steps};
+use crate::rewrite::{self, BELOW, Code, Inst, Phase, Plan, Refusal, TooLarge};
+
+/// Makes plans of the operations in steps of a program, among the plans of the others. One
+/// that calls an operation without a plan gets none.
+///
+/// # Errors
+/// One diagnostic for each that calls itself, perhaps through others, and for each that is too
+/// large.
+pub fn plan_steps(
+    program: &Program,
+    functions: &Functions,
+    plans: &mut [Option<Plan>],
+) -> Vec<Diagnostic> {
+    let mut diagnostics = Vec::new();
+    let mut left: Vec<_> = program
+        .ops
+        .iter()
+        .enumerate()
+        .filter_map(|(number, op)| Some((number, lowered(op, op.steps.as_ref()?, functions))))
+        .collect();
+    while !left.is_empty() {
+        let waiting: BTreeSet<usize> = left.iter().map(|(number, _)| *number).collect();
+        let before = left.len();
+        left.retain_mut(|(number, lowered)| {
+            if !lowered.calls.is_disjoint(&waiting) {
+                return true;
+            }
+            let op = &program.ops[*number];
+            match lowered.plan(op, functions, plans) {
+                Ok(plan) => plans[*number] = plan,
+                Err(TooLarge) => diagnostics.push(too_large(op)),
+            }
+            false
+        });
+        if left.len() == before {
+            let circle = left.iter().map(|(number, _)| &program.ops[*number]);
+            diagnostics.extend(circle.map(calls_itself));
+            break;
+        }
+    }
+    diagnostics
+}
+
+/// Those plans, and all that their steps lead to.
+pub(super) fn with_steps<'p>(
+    plans: &'p [Option<Plan>],
+    first: impl IntoIterator<Item = &'p Plan>,
+) -> Vec<&'p Plan> {
+    let mut all: Vec<&Plan> = first.into_iter().collect();
+    let mut seen = BTreeSet::new();
+    let mut at = 0;
+    while let Some(plan) = all.get(at) {
+        let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
+        let new: Vec<_> = calls.filter(|&&(op, _)| seen.insert(op)).collect();
+        all.extend(
+            new.iter()
+                .filter_map(|(op, _)| plans.get(usize::from(*op))?.as_ref()),
+        );
+        at += 1;
+    }
+    all
+}
+
+/// Steps in code, before it is known how what they call may refuse.
+struct Lowered<'p> {
+    lowering: Option<Lowering<'p>>,
+    /// The operations that are called, also by functions.
+    calls: BTreeSet<usize>,
+    refusals: Vec<Refusal>,
+    level: Level,
+}
+
+fn lowered<'p>(op: &'p ResolvedOp, steps: &'p Steps, functions: &Functions) -> Lowered<'p> {
+    let routine = Routine {
+        params: &op.params,
+        variables: &steps.body.variables,
+        block: &steps.body.block,
+    };
+    let mut lowering = Lowering::of_steps(routine, functions.texts());
+    let mut refusals = Vec::new();
+    let refuses = lowering.asm.label();
+    for require in &steps.requires {
+        let mark = lowering.asm.mark();
+        let condition = lowering.value(&require.condition);
+        lowering.asm.emit(Inst::Expect {
+            condition,
+            refusal: refusals.len() as u16,
+            otherwise: refuses,
+        });
+        lowering.asm.release(mark);
+        refusals.push(Refusal {
+            reason: require.reason.clone(),
+            phase: Phase::Require,
+        });
+    }
+    lowering.block(&steps.body.block, Some(&Exits::default()));
+    lowering.asm.emit(Inst::Return { result: None });
+    lowering.asm.bind(refuses);
+    lowering.asm.emit(Inst::Refuse);
+    let mut calls: BTreeSet<usize> = lowering.called.iter().map(|&(op, _)| op).collect();
+    for function in functions.reached(&lowering.functions) {
+        calls.extend(functions.applies[function].iter().map(|&(op, _)| op));
+    }
+    Lowered {
+        lowering: Some(lowering),
+        calls,
+        refusals,
+        level: steps.level,
+    }
+}
+
+impl Lowered<'_> {
+    /// The plan; none if an operation that is called has none.
+    fn plan(
+        &mut self,
+        op: &ResolvedOp,
+        functions: &Functions,
+        plans: &[Option<Plan>],
+    ) -> Result<Option<Plan>, TooLarge> {
+        let Some(lowering) = self.lowering.take() else {
+            return Ok(None);
+        };
+        let mut refusals = std::mem::take(&mut self.refusals);
+        let number = |place: usize| u16::try_from(place).map_err(|_| TooLarge);
+        let mut calls = Vec::new();
+        for &called in &self.calls {
+            let Some(plan) = plans.get(called).and_then(Option::as_ref) else {
+                return Ok(None);
+            };
+            calls.push((number(called)?, number(refusals.len())?));
+            refusals.extend(plan.refusals.iter().cloned());
+        }
+        let below = number(refusals.len())?;
+        refusals.extend(BELOW.map(|reason| Refusal {
+            reason: reason.to_owned(),
+            phase: Phase::Guard,
+        }));
+        number(refusals.len())?;
+        let keeps = [Level::Surface, Level::Simple];
+        Ok(Some(Plan {
+            name: op.name.clone(),
+            params: op.params.iter().map(|param| width(param.ty)).collect(),
+            result: op.result.and_then(element_kind),
+            level: self.level,
+            keeps: keeps
+                .into_iter()
+                .filter(|&kept| kept <= self.level)
+                .collect(),
+            code: Code {
+                functions: Arc::clone(&functions.code),
+                ..lowering.asm.finish()?
+            },
+            places: lowering.names.places,
+            refusals,
+            stages: Vec::new(),
+            steps: Some(rewrite::Steps { calls, below }),
+        }))
+    }
+}
+
+fn too_large(op: &ResolvedOp) -> Diagnostic {
+    let message = format!("`{}` is too large to compile", op.name);
+    Diagnostic::error("too-large", message, op.span)
+}
+
+fn calls_itself(op: &ResolvedOp) -> Diagnostic {
+    let message = format!("the steps of `{}` lead back to it", op.name);
+    Diagnostic::error("cyclic-steps", message, op.span)
+        .note("what is done over and over stands in a loop")
+}

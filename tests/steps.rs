@@ -1,0 +1,172 @@
+//! Operations in steps: all or nothing, wherever they are called.
+
+use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::mesh::{ElementKind, Level, Mesh, identical, shape, validate_level};
+use hedgerow::rewrite::{Machine, Outcome, Watch};
+use hedgerow::run::{Report, prepare, run};
+use hedgerow::source::Sources;
+
+fn analyse(text: &str) -> Analysis {
+    let mut sources = Sources::new();
+    let root = sources.add("test.hedge", text);
+    Analysis::with(&mut sources, root, &mut Nowhere)
+}
+
+fn sound(text: &str) -> Analysis {
+    let analysis = analyse(text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    analysis
+}
+
+fn codes(text: &str) -> Vec<&'static str> {
+    let diagnostics = analyse(text).diagnostics;
+    diagnostics.iter().map(|found| found.code).collect()
+}
+
+#[derive(Default)]
+struct Lines(Vec<String>);
+
+impl Watch for Lines {
+    fn print(&mut self, line: &str) {
+        self.0.push(line.to_owned());
+    }
+}
+
+/// Runs the script `main`; gives what it printed.
+fn run_main(mesh: &mut Mesh, analysis: &Analysis) -> (Report, Vec<String>) {
+    let script = analysis.script("main").unwrap();
+    let prepared = prepare(&analysis.program, script, &analysis.plans).unwrap();
+    let mut lines = Lines::default();
+    let report = run(&prepared, mesh, &[], &mut lines).unwrap();
+    (report, lines.0)
+}
+
+fn meshes() -> Vec<Mesh> {
+    vec![
+        shape::tetrahedron(),
+        shape::cube(),
+        shape::octahedron(),
+        shape::pillow(4),
+        shape::fan(4),
+        shape::tube(3, 2),
+        shape::tube(4, 1),
+        shape::single_polygon(5),
+        shape::grid(2, 3),
+        shape::triangle_grid(3, 3),
+        shape::torus(3, 4),
+    ]
+}
+
+#[test]
+fn refused_steps_leave_no_trace() {
+    let analysis = sound("use \"std/polygon.hedge\"");
+    let mut machine = Machine::new(&analysis.plans);
+    machine.trust_level(Level::Surface);
+    let (mut applied, mut refused) = (0, 0);
+    for (op, kind) in [
+        ("dissolve_vertex", ElementKind::Vertex),
+        ("bevel_vertex", ElementKind::Vertex),
+        ("bevel_edge", ElementKind::Edge),
+        ("extrude", ElementKind::Face),
+        ("inset_vertex", ElementKind::Face),
+        ("collapse_face", ElementKind::Face),
+        ("open_face", ElementKind::Face),
+    ] {
+        let plan = analysis.plans[analysis.op(op).unwrap()].as_ref().unwrap();
+        let mut seen = 0;
+        for original in meshes() {
+            for at in 0..original.capacity(kind) {
+                let mut mesh = original.clone();
+                let mut args = vec![at as u64];
+                args.resize(plan.params.len(), 0);
+                seen += 1;
+                match machine.apply(&mut mesh, plan, &args).unwrap() {
+                    Outcome::Applied { .. } => {
+                        validate_level(&mesh, Level::Surface).unwrap();
+                        assert!(!identical(&mesh, &original), "{op} did nothing");
+                        applied += 1;
+                    }
+                    Outcome::Refused { reason } => {
+                        assert!(reason.is_some(), "{op} gives no reason");
+                        assert!(identical(&mesh, &original), "{op} left a trace");
+                        refused += 1;
+                    }
+                }
+            }
+        }
+        assert!(seen > 60, "{op}: {seen} places");
+    }
+    println!("{applied} applied, {refused} refused");
+    assert!(applied > 400 && refused > 60);
+}
+
+const MARKS: &str = "use \"std/map.hedge\"
+attr mark: vertex int = 0
+op shrink(e: edge) -> vertex {
+  guard surface
+  steps {
+    let v = must contract(e)
+    v.mark = v.mark + 1
+    must straighten(v)
+    return v
+  }
+}
+";
+
+#[test]
+fn attributes_are_undone_as_well() {
+    let analysis = sound(&format!(
+        "{MARKS}
+script main() {{
+  for e in edges {{
+    if let v = shrink(e) {{ print \"applied\" }}
+  }}
+  print sum(v.mark for v in vertices), count(vertices)
+}}"
+    ));
+    let mut mesh = shape::cube();
+    let before = mesh.clone();
+    let (report, lines) = run_main(&mut mesh, &analysis);
+    assert_eq!(lines, ["0 8"]);
+    assert!(mesh.vertices().eq(before.vertices()));
+    // Steps are not counted, and the whole with the reason of the step that refused.
+    let [shrink] = report.ops.as_slice() else {
+        panic!("{report:?}");
+    };
+    assert_eq!((shrink.name.as_str(), shrink.applied), ("shrink", 0));
+    let times: u64 = shrink.refused.iter().map(|(_, times)| times).sum();
+    assert_eq!(times, 12);
+}
+
+#[test]
+fn steps_are_called_like_any_op() {
+    let analysis = sound(
+        "use \"std/polygon.hedge\"
+script main() {
+  for v in vertices { if let f = bevel_vertex(v, 0.3) { print degree(f) } }
+  for f in faces where degree(f) > 3 { must inset_vertex(f) }
+  for e in edges { flip(e) }
+  print count(vertices) - count(edges) + count(faces)
+}",
+    );
+    let mut mesh = shape::cube();
+    let (report, lines) = run_main(&mut mesh, &analysis);
+    assert_eq!(lines, [&["3"; 8][..], &["2"]].concat());
+    validate_level(&mesh, Level::Surface).unwrap();
+    let names: Vec<_> = report.ops.iter().map(|op| op.name.as_str()).collect();
+    assert_eq!(names.len(), 3, "{names:?}");
+}
+
+#[test]
+fn what_steps_may_not_be() {
+    let around = "op a(e: edge) { steps { must b(e) } } op b(e: edge) { steps { must a(e) } }";
+    assert_eq!(codes(around), ["cyclic-steps"; 2]);
+    let claims = "op a(e: edge) keeps euler { guard surface steps { } }";
+    assert_eq!(codes(claims), ["property-not-kept"]);
+    let value = "op a(e: edge) -> real { steps { return 1.0 } }";
+    assert_eq!(codes(value), ["not-an-element"]);
+    let open = "op a(e: edge) -> face { steps { } }";
+    assert_eq!(codes(open), ["missing-return"]);
+    let both = "op a(e: edge) { before { edge e: a | b } steps { } }";
+    assert_eq!(codes(both), ["misplaced-part"]);
+}
