@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use hedgerow::analysis::{Analysis, Proved};
+use hedgerow::analysis::{Analysis, Nowhere, Proved};
 use hedgerow::emit::{Style, cpp};
 use hedgerow::rewrite::Plan;
 use hedgerow::source::Sources;
