@@ -56,7 +56,9 @@ pub fn subjects() -> Vec<Subject> {
     for (stem, text) in texts {
         for name in op_names(&text) {
             let renamed = format!("{stem}_{name}");
-            let text = text.replace(&format!("op {name}("), &format!("op {renamed}("));
+            // Where it is declared, and where other items call it.
+            let text = text.replace(&format!(" {name}("), &format!(" {renamed}("));
+            let text = text.replace(&format!("({name}("), &format!("({renamed}("));
             subjects.extend(subject(&text, &renamed));
         }
     }
