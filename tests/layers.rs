@@ -22,7 +22,10 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["source", "mesh", "diagram", "check", "rewrite"],
     ),
     ("draw", &["source", "diagram", "mesh"]),
-    ("emit", &["source", "diagram", "check", "compile"]),
+    (
+        "emit",
+        &["source", "diagnostic", "diagram", "check", "compile"],
+    ),
     ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     (

@@ -9,8 +9,6 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain_of, say, table};
 use super::program::{self, Program};
-use crate::analysis::Proved;
-use crate::diagnostic::Diagnostic;
 use crate::emit::{NotEmitted, Style, cpp, rust};
 use crate::mesh::Level;
 use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
@@ -65,8 +63,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     let text = match arguments.shown {
         Shown::Table => tables(&plans),
         Shown::Json => data(&program, &ops, &plans)?,
-        Shown::Cpp => emitted(&program, cpp(&proved, &style), &proved)?,
-        Shown::Rust => emitted(&program, rust(&proved), &proved)?,
+        Shown::Cpp => emitted(&program, cpp(&proved, &style))?,
+        Shown::Rust => emitted(&program, rust(&proved))?,
     };
     match &arguments.output {
         Some(output) => files::write(output, text.as_bytes()),
@@ -100,22 +98,9 @@ fn tables(plans: &[&Plan]) -> String {
 }
 
 /// Emitted code; or what cannot be emitted, with its place.
-fn emitted(
-    program: &Program,
-    text: Result<String, NotEmitted>,
-    proved: &[&Proved],
-) -> Result<String, Failure> {
-    text.map_err(|NotEmitted { what, span }| {
-        let inside = |proved: &&&Proved| {
-            let op = proved.op().span;
-            op.file == span.file && op.touches(span.start as usize)
-        };
-        let op = proved.iter().find(inside);
-        let op = op.map_or_else(String::new, |proved| format!("`{}`: ", proved.op().name));
-        let message = format!("{op}{what} cannot be emitted");
-        let note = "`hedgerow plan` shows the operation as a table, and `hedgerow apply` and `run` carry it out";
-        let error = Diagnostic::error("not-emitted", message, span).note(note);
-        complain_of(&[error], &program.sources);
+fn emitted(program: &Program, text: Result<String, NotEmitted>) -> Result<String, Failure> {
+    text.map_err(|failure| {
+        complain_of(&[failure.diagnostic()], &program.sources);
         Failure::Silent(1.into())
     })
 }

@@ -22,6 +22,7 @@ mod lines;
 mod rust;
 mod spell;
 
+use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
 pub use cpp::{Style, StyleError, cpp};
@@ -42,5 +43,13 @@ impl NotEmitted {
             what: what.into(),
             span,
         }
+    }
+
+    /// The failure as a diagnostic.
+    pub fn diagnostic(&self) -> Diagnostic {
+        let message = format!("{} cannot be emitted", self.what);
+        Diagnostic::error("not-emitted", message, self.span).note(
+            "`hedgerow plan` shows the operation as a table, and `hedgerow apply` and `run` carry it out",
+        )
     }
 }
