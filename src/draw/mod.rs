@@ -12,6 +12,7 @@ mod assigned;
 mod figure;
 mod outer;
 mod place;
+mod sector;
 mod status;
 
 // How it is drawn.
@@ -19,9 +20,16 @@ mod curve;
 mod fan;
 mod hatch;
 mod letters;
-mod panel;
+mod pen;
 mod room;
 mod shape;
+mod spots;
+
+mod faces;
+mod panel;
+mod stars;
+mod strands;
+
 mod sheet;
 
 mod view;

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use hedgerow::draw::{draw_op, text_op};
+use hedgerow::draw::{TextBox, draw_op, text_op};
 
-use super::{example_ops, folder};
+use super::{example_ops, folder, shipped_ops};
 
 #[test]
 fn pictures_are_as_committed() {
@@ -46,7 +46,8 @@ fn every_named_element_has_an_id_and_a_title() {
             let rule = rule.to_draw();
             let label = rule.label.as_ref().map(|label| format!("{label}-"));
             for name in rule.names.iter().filter(|name| name.named) {
-                let word = name.text.replace('\'', "-prime");
+                let word = name.text.replace('-', "-minus-").replace('+', "-plus-");
+                let word = word.replace('\'', "-prime");
                 let word = word.replace('[', "-").replace(']', "");
                 let id = |side| {
                     let label = label.as_deref().unwrap_or("");
@@ -108,6 +109,27 @@ fn drawing_twice_is_drawing_once() {
     for (_, op) in example_ops() {
         assert_eq!(draw_op(&op).svg(), draw_op(&op).svg());
     }
+}
+
+#[test]
+fn pictures_of_the_library_are_small() {
+    let mut seen = 0;
+    for (stem, op) in shipped_ops() {
+        let picture = draw_op(&op);
+        // What an editor shows in a hover is base64, and no longer than 70,000 letters.
+        let small = picture.compact_svg().len();
+        assert!(small * 4 / 3 < 69_000, "{stem}::{}: {small}", op.name);
+        let texts = picture.texts();
+        for (at, a) in texts.iter().enumerate() {
+            let covers = |b: &TextBox| {
+                (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis])
+            };
+            let covered = texts[..at].iter().find(|b| covers(b));
+            assert_eq!(covered, None, "{stem}::{}: under {}", op.name, a.text);
+        }
+        seen += 1;
+    }
+    assert!(seen > 30, "only {seen} operations");
 }
 
 #[test]
