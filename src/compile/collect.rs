@@ -8,7 +8,7 @@ use super::{copy, lower, reason, width};
 use crate::check::guard::Obligation;
 use crate::check::matching::{Bound, Claim, Source, Step};
 use crate::diagram::{Access, Assignment, Drawing, Kind, LoopKind, NameId, Require};
-use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Label, Phase, Reg, Row, Walk};
+use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Label, Phase, Reg, Room, Row, Walk};
 
 /// Writes phase 1.
 pub(super) struct Collect<'o, 's, 'd, 'r> {
@@ -513,11 +513,14 @@ impl Collect<'_, '_, '_, '_> {
             }
             return;
         }
-        self.output.asm.emit(Inst::ExpectRoom {
+        let room = Room {
             vertices: count(Kind::Vertex, false),
             halfedges: count(Kind::Halfedge, false),
             edges: count(Kind::Edge, false),
             faces: count(Kind::Face, false),
+        };
+        self.output.asm.emit(Inst::ExpectRoom {
+            room,
             refusal,
             otherwise: self.fail,
         });
