@@ -6,7 +6,7 @@
 use super::names::Names;
 use super::routine::{Statement, Step, Term, Walk};
 use crate::check::{moved_fans, moved_paths};
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Pointer, Ref, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Pointer, Spoke};
 
 /// The statements of the phase, but for the attributes.
 pub(super) fn statements(drawing: &Drawing, names: &mut Names) -> Vec<Statement> {
@@ -349,7 +349,7 @@ impl Reassign<'_, '_> {
     fn vertex(&mut self, vertex: NameId) {
         let drawing = self.drawing;
         let drawn = drawing.after.mention(vertex).is_some();
-        if !drawn || drawing.erased(vertex).is_some() || self.keeps_its_spokes(vertex) {
+        if !drawn || drawing.erased(vertex).is_some() || drawing.keeps_its_spokes(vertex) {
             return;
         }
         if let Some(value) = self.spoke_of(vertex) {
@@ -361,47 +361,12 @@ impl Reassign<'_, '_> {
         }
     }
 
-    fn keeps_its_spokes(&self, vertex: NameId) -> bool {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        let items = rule
-            .names_of(Kind::Halfedge)
-            .chain(rule.names_of(Kind::Path));
-        let stays = |item: NameId| {
-            drawing.erased(item).is_none() && drawing.origin_after(item) == Some(vertex)
-        };
-        let mut spokes = items.filter(|&item| {
-            drawing.before.mention(item).is_some() && drawing.origin_before(item) == Some(vertex)
-        });
-        let mut fans = rule
-            .names_of(Kind::Fan)
-            .filter(|&fan| drawing.before.star_of_spoke(fan) == Some(vertex));
-        drawing.survives(vertex)
-            && spokes.all(stays)
-            && fans.all(|fan| drawing.after.star_of_spoke(fan) == Some(vertex))
-    }
-
-    /// A halfedge that starts at the vertex after: a named spoke, the one listed first; else
-    /// the first of a path.
-    fn spoke_of(&self, vertex: NameId) -> Option<Term> {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        let listed = drawing.after.star(vertex).and_then(|star| {
-            star.spokes.iter().find_map(|spoke| match spoke {
-                Spoke::Halfedge(Ref { name, .. }) => Some(*name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            })
-        });
-        let starts = |item: &NameId| {
-            let drawn = drawing.after.loop_of_item(*item).is_some()
-                || drawing.after.pairing(*item).is_some();
-            drawn && drawing.origin_after(*item) == Some(vertex)
-        };
-        if let Some(half) = listed.or_else(|| rule.names_of(Kind::Halfedge).find(starts)) {
+    /// A halfedge that starts at the vertex after: a named one, else the first of a path.
+    fn spoke_of(&mut self, vertex: NameId) -> Option<Term> {
+        if let Some(half) = self.drawing.spoke_after(vertex) {
             return Some(self.term(half));
         }
-        let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
-        paths.sort_by_key(|&path| drawing.may_be_empty(path));
+        let paths = self.drawing.paths_after(vertex);
         (!paths.is_empty()).then(|| self.head(&paths, 0))
     }
 }
