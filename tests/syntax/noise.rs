@@ -130,8 +130,8 @@ fn a_text_read_again_is_read_as_if_for_the_first_time() {
     let mut dice = Dice(0xD1B5_4A32_D192_ED03);
     let (mut text, mut earlier) = (whole.clone(), parse(FileId(0), &whole));
     let mut whole_items = 0;
-    for round in 0..250 {
-        let next = match round % 10 {
+    for round in 0..120 {
+        let next = match round % 3 {
             0 => whole.clone(),
             _ => mutate(&text, &mut dice),
         };
@@ -145,7 +145,7 @@ fn a_text_read_again_is_read_as_if_for_the_first_time() {
             .count();
         (text, earlier) = (next, again);
     }
-    assert!(whole_items > 5000, "only {whole_items} items to find again");
+    assert!(whole_items > 1000, "only {whole_items} items to find again");
 }
 
 #[test]
