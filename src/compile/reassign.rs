@@ -499,6 +499,9 @@ impl Reassign<'_, '_, '_, '_> {
         }
         let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
         paths.sort_by_key(|&path| self.registers.home_of_empty(path).is_some());
+        if !paths.is_empty() {
+            paths.extend(drawing.paths_where_one(vertex));
+        }
         let firsts: Vec<_> = paths
             .iter()
             .map(|&path| format!("first({})", self.word(path)))

@@ -33,7 +33,7 @@ impl Matching<'_, '_> {
         let drawing = self.drawing;
         let mut body = Vec::new();
         for path in drawing.rule.names_of(Kind::Path) {
-            if drawing.before.mention(path).is_some() && drawing.may_be_empty(path) {
+            if drawing.before.mention(path).is_some() && drawing.is_empty_somewhere(path) {
                 let Some(next) = drawing.before.item_after(path) else {
                     continue;
                 };
@@ -129,12 +129,13 @@ impl Matching<'_, '_> {
                 Term::Call(function, terms.collect())
             }
             Claim::NotAllEmpty(paths) => {
-                let mut empty = paths
-                    .iter()
-                    .map(|&path| match self.drawing.may_be_empty(path) {
-                        true => Term::name(self.names.empty(path)),
-                        false => Term::Bool(false),
-                    });
+                let mut empty =
+                    paths
+                        .iter()
+                        .map(|&path| match self.drawing.is_empty_somewhere(path) {
+                            true => Term::name(self.names.empty(path)),
+                            false => Term::Bool(false),
+                        });
                 let first = empty.next().unwrap_or(Term::Bool(false));
                 empty.fold(first, Term::and).not()
             }

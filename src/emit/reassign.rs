@@ -234,7 +234,7 @@ impl Reassign<'_, '_> {
         let places = (0..count).map(|turn| items[(at + turn * step) % count]);
         let mut ends = Vec::new();
         for item in places {
-            let may_be_empty = self.is_path(item) && self.drawing.may_be_empty(item);
+            let may_be_empty = self.is_path(item) && self.drawing.is_empty_somewhere(item);
             ends.push((
                 end(item),
                 may_be_empty.then(|| Term::name(self.names.empty(item))),
@@ -401,7 +401,10 @@ impl Reassign<'_, '_> {
             return Some(self.term(half));
         }
         let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
-        paths.sort_by_key(|&path| drawing.may_be_empty(path));
+        paths.sort_by_key(|&path| drawing.is_empty_somewhere(path));
+        if !paths.is_empty() {
+            paths.extend(drawing.paths_where_one(vertex));
+        }
         (!paths.is_empty()).then(|| self.head(&paths, 0))
     }
 }

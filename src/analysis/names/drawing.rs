@@ -54,8 +54,10 @@ impl Walk {
             self.side(after, SideName::After);
         }
         for condition in &rule.conditions {
-            if let Condition::Require { condition, .. } = condition {
-                self.value(condition);
+            match condition {
+                Condition::Require { condition, .. } => self.value(condition),
+                Condition::Alias { names, .. } => self.list(names, List::Alias),
+                Condition::Guard { .. } => {}
             }
         }
         for side in rule.before.iter().chain(&rule.after) {
