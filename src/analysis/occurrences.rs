@@ -19,7 +19,7 @@ pub fn definition(snapshot: &Snapshot, offset: usize) -> Option<Span> {
 
 /// The item of a file that is used, by its name.
 fn declared_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
-    let items = snapshot.used().iter().flat_map(|(_, tree)| &tree.items);
+    let items = snapshot.seen().flat_map(|(_, tree)| &tree.items);
     let mut names = items.filter_map(|item| match item {
         Item::Op(op) => Some(&op.name),
         Item::Script(script) => Some(&script.name),

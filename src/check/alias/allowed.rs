@@ -35,7 +35,7 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
     let wanted = wanted(rule);
     let mut problems = Vec::new();
     let mut outcome = None;
-    for (names, quotients) in sets(rule, &wanted).map_err(|problem| vec![problem])? {
+    for (names, quotients) in sets(rule, &wanted)? {
         for quotient in quotients {
             let quotient = quotient.finished();
             match laws(&quotient) {
@@ -98,7 +98,7 @@ fn wanted(rule: &Rule) -> Vec<([NameId; 2], Span)> {
 type Sets = Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>;
 
 /// The sets of names that can be one and no test keeps apart, from small to large.
-fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Problem> {
+fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem>> {
     let count = rule.names.len();
     let is_allowed = |classes: &[Vec<NameId>]| {
         classes.iter().all(|class| {
@@ -143,9 +143,9 @@ fn pairs_of(class: &[NameId]) -> impl Iterator<Item = [NameId; 2]> + '_ {
     places.flat_map(move |at| class[at + 1..].iter().map(move |&right| [class[at], right]))
 }
 
-fn unclear(why: String, span: Span) -> Problem {
+fn unclear(why: String, span: Span) -> Vec<Problem> {
     let message = format!("this `alias` is not proved: {why}");
-    Diagnostic::error("too-many-cases", message, span).into()
+    vec![Diagnostic::error("too-many-cases", message, span).into()]
 }
 
 /// "`v2` and `v3`, and `a` and `b`"
