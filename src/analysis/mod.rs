@@ -4,6 +4,7 @@
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
 mod action;
+mod aliases;
 mod argument;
 mod completion;
 pub mod element;
@@ -33,6 +34,7 @@ mod words;
 
 pub use crate::check::{Argument, Counterexample, Proved};
 pub use action::{Action, Purpose, actions};
+pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;
