@@ -70,7 +70,7 @@ pub(super) struct CheckArguments {
     /// Print why what is proved holds, law by law
     #[arg(long)]
     pub explain: bool,
-    /// Print which names could be one, and whether the operation would hold there too
+    /// Print which names could be one, and whether the op would hold there
     #[arg(long)]
     pub aliases: bool,
     /// Also show what each operation keeps, and how degrees and sizes change
