@@ -29,10 +29,10 @@ mod argument;
 mod report;
 mod testing;
 
-pub use apply::{Applied, apply, arguments};
+pub use apply::{Applied, apply, arguments, attributes};
 pub use argument::Argument;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
-pub use steps::plan_steps;
+pub use steps::{calls_of_steps, plan_steps};
 pub use testing::{Load, test};
