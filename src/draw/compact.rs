@@ -1,17 +1,25 @@
 //! A picture as a small SVG, for those who limit the size of an image, as editors do.
 //!
-//! It shows the same as [`Picture::svg`], in about half of the letters: steps count tenths of a
+//! It shows the same as [`Picture::svg`], in about half of the letters: steps count fifths of a
 //! unit, colours stand once, in a style sheet, and nothing has a name. Viewers that read no
 //! style sheets are not served.
 
 use std::fmt::Write;
 
-use super::letters::letter as outline;
 use super::shape::{FADED, Group, Ink, Paint, Picture, Shape, Stroke};
-use super::svg::{data, escaped, id, letters};
+use super::steps::{Grain, data};
+use super::svg::escaped;
+use super::words::Words;
 
 /// How many steps a unit has.
-const STEPS: f64 = 10.0;
+const STEPS: f64 = 5.0;
+const GRAIN: Grain = Grain {
+    parts: STEPS,
+    measure: 1.0,
+    slack: 2,
+};
+/// How many the size of a letter has.
+const EM: f64 = 250.0;
 
 impl Picture {
     /// The picture as a small SVG.
@@ -33,19 +41,10 @@ impl Picture {
             "}}</style><rect class=\"f{}\" width=\"100%\" height=\"100%\"/>",
             name(Ink::Paper)
         );
-        text.push_str("<defs>");
-        for letter in letters(self) {
-            let outline = outline(letter.0, letter.1);
-            let _ = write!(
-                text,
-                "<path id=\"{}\" d=\"{}\"/>",
-                id(letter),
-                data(&outline, 1.0, 1.0)
-            );
-        }
-        text.push_str("</defs>");
+        let words = Words::of(self, "", STEPS, EM);
+        text.push_str(&words.definitions("href"));
         for group in &self.groups {
-            write_group(&mut text, group);
+            write_group(&mut text, group, &words);
         }
         text.push_str("</svg>");
         text
@@ -68,19 +67,19 @@ fn name(ink: Ink) -> char {
     ink.class().chars().next().unwrap_or('x')
 }
 
-fn write_group(text: &mut String, group: &Group) {
+fn write_group(text: &mut String, group: &Group, words: &Words) {
     if group.is_faded {
         let _ = write!(text, "<g opacity=\"{FADED}\">");
     }
     for shape in &group.shapes {
-        write_shape(text, shape);
+        write_shape(text, shape, words);
     }
     if group.is_faded {
         text.push_str("</g>");
     }
 }
 
-fn write_shape(text: &mut String, shape: &Shape) {
+fn write_shape(text: &mut String, shape: &Shape, words: &Words) {
     let mut more = String::new();
     let class = match shape.paint {
         Paint::Fill(ink @ Ink::Shade(_)) => {
@@ -94,21 +93,15 @@ fn write_shape(text: &mut String, shape: &Shape) {
         }
     };
     if shape.glyphs.is_empty() {
-        let data = data(&shape.path, STEPS, 1.0);
+        let data = data(&shape.path, GRAIN);
         let _ = write!(text, "<path class=\"{class}\"{more} d=\"{data}\"/>");
         return;
     }
-    let _ = write!(text, "<g class=\"{class}\"{more}>");
-    for glyph in &shape.glyphs {
-        let [x, y] = glyph.at.to_array().map(steps);
-        let _ = write!(
-            text,
-            "<use href=\"#{}\" transform=\"translate({x} {y})scale({})\"/>",
-            id((glyph.style, glyph.code)),
-            (glyph.size * STEPS).round() / 1000.0
-        );
-    }
-    text.push_str("</g>");
+    let (id, [x, y]) = words.used(&shape.glyphs);
+    let _ = write!(
+        text,
+        "<use class=\"{class}\" href=\"#{id}\" x=\"{x}\" y=\"{y}\"/>"
+    );
 }
 
 fn write_stroke(more: &mut String, stroke: Stroke) {

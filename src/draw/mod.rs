@@ -18,6 +18,7 @@ mod status;
 // How it is drawn.
 mod curve;
 mod fan;
+mod fit;
 mod hatch;
 mod letters;
 mod pen;
@@ -38,8 +39,10 @@ mod view;
 mod compact;
 mod page;
 mod png;
+mod steps;
 mod svg;
 mod text;
+mod words;
 
 pub use page::{Section, page};
 pub use png::TooLarge;

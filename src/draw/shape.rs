@@ -4,12 +4,10 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, distance, left};
+use super::curve::{Curve, left};
+use super::fit::follow;
 use super::letters::{Glyph, Label, moved};
 use super::status::Status;
-
-/// How far a line may be from where it should be.
-const UNSEEN: f64 = 0.08;
 
 /// A step of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,10 +58,11 @@ impl Path {
         }
     }
 
-    /// The path along a curve, with no more points than are seen.
+    /// The path along a curve.
     pub fn along(curve: &Curve) -> Self {
         let mut path = Self::default();
-        path.polyline(thinned(curve.points()));
+        path.move_to(curve.points()[0]);
+        follow(&mut path, curve.points());
         path
     }
 
@@ -85,10 +84,14 @@ impl Path {
         path
     }
 
-    /// The path around a polygon, with no more points than are seen.
+    /// The path around a polygon.
     pub fn around(corners: &[DVec2]) -> Self {
         let mut path = Self::default();
-        path.polygon(thinned(corners));
+        if let Some(&first) = corners.first() {
+            path.move_to(first);
+            follow(&mut path, corners);
+            path.close();
+        }
         path
     }
 
@@ -136,29 +139,6 @@ impl Path {
         Self {
             steps: steps.collect(),
         }
-    }
-}
-
-/// The points of a line but those that lie on the way, or so near to it that nobody sees
-/// (D. H. Douglas and T. K. Peucker, "Algorithms for the reduction of the number of points",
-/// 1973).
-fn thinned(points: &[DVec2]) -> Vec<DVec2> {
-    let Some((&first, rest)) = points.split_first() else {
-        return Vec::new();
-    };
-    let Some(&last) = rest.last() else {
-        return vec![first];
-    };
-    let far = |at: &usize| distance(points[*at], [first, last]);
-    let farthest = (1..rest.len()).max_by(|a, b| far(a).total_cmp(&far(b)));
-    match farthest {
-        Some(at) if far(&at) > UNSEEN => {
-            let mut all = thinned(&points[..=at]);
-            all.pop();
-            all.extend(thinned(&points[at..]));
-            all
-        }
-        _ => vec![first, last],
     }
 }
 
@@ -297,8 +277,12 @@ impl Group {
         });
     }
 
+    /// A line; lines that are drawn alike, one after the other, are one path.
     pub fn stroke(&mut self, path: Path, stroke: Stroke) {
-        self.push(path, Paint::Stroke(stroke));
+        match self.shapes.last_mut() {
+            Some(last) if last.paint == Paint::Stroke(stroke) => last.path.steps.extend(path.steps),
+            _ => self.push(path, Paint::Stroke(stroke)),
+        }
     }
 
     fn push(&mut self, path: Path, paint: Paint) {
