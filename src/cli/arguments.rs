@@ -64,7 +64,7 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Write what rules break: .halfedges for `info`, .svg before and after, and .obj
+    /// Write what rules break: .halfedges for `info`, .svg, and .obj
     #[arg(long, value_name = "DIR")]
     pub witness: Option<PathBuf>,
     /// Print why what is proved holds, law by law
