@@ -27,6 +27,11 @@ pub trait Reader {
 
     /// The names of programs that lie beside a file, for suggestions.
     fn beside(&mut self, name: &str) -> Vec<String>;
+
+    /// The names of programs in a folder, however deep: as many as are worth looking at.
+    fn under(&mut self, _folder: &str) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Reads nothing: all files there are have been added to the [`Sources`] before.

@@ -44,8 +44,8 @@ pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
 pub use lenses::{Lens, Offer, lenses};
 pub use links::{Link, links};
 pub use occurrences::{
-    Shared, a_word, definition, mentions_of_shared, occurrences, rename, renameable, shared,
-    used_path,
+    Shared, a_word, definition, mentions_of_shared, occurrences, rename, rename_shared, renameable,
+    shared, used_path,
 };
 pub use outline::{Entry, EntryKind, folds, outline};
 pub use program::Analysis;

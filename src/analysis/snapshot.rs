@@ -141,6 +141,12 @@ impl Snapshot {
         self.used().filter(|(file, _)| self.seen.contains(file))
     }
 
+    /// The names of the files it uses, directly or through others.
+    pub fn used_names(&self) -> impl Iterator<Item = String> {
+        self.used()
+            .map(|(file, _)| self.sources.get(file).name().to_owned())
+    }
+
     /// The file that a `use` of the text means, if it could be had.
     pub fn used_file(&self, path: &str) -> Option<FileId> {
         self.sources.find(&self.name_of(path))
