@@ -36,9 +36,8 @@ impl Drawing<'_> {
         listed.or_else(|| halfedges.find(|&half| self.starts_after(half, vertex)))
     }
 
-    /// The paths that start at a vertex after, those that cannot be empty first. Behind them
-    /// come those of vertices which an `alias` lets be one with it: where all its own are empty
-    /// it is one of these, and one of theirs is not empty.
+    /// The paths that start at a vertex after, those that cannot be empty first, then
+    /// those that start there where names are one.
     pub fn paths_after(&self, vertex: NameId) -> Vec<NameId> {
         let paths = self.rule.names_of(Kind::Path);
         let mut paths: Vec<_> = paths
@@ -46,11 +45,7 @@ impl Drawing<'_> {
             .collect();
         paths.sort_by_key(|&path| self.is_empty_somewhere(path));
         if !paths.is_empty() {
-            paths.extend(self.rule.names_of(Kind::Path).filter(|&path| {
-                let origin = self.after.loop_origin(path);
-                origin
-                    .is_some_and(|origin| origin != vertex && self.rule.may_be_one(origin, vertex))
-            }));
+            paths.extend(self.paths_where_one(vertex));
         }
         paths
     }
