@@ -6,12 +6,14 @@
 mod action;
 mod argument;
 mod completion;
+mod demand;
 pub mod element;
 mod examined;
 mod files;
 mod fixes;
 mod hints;
 mod hover;
+mod invert;
 mod lenses;
 mod links;
 mod memory;
