@@ -8,6 +8,7 @@ mod drawing;
 mod expression;
 mod member;
 mod op;
+mod spokes;
 mod unroll;
 mod visit;
 

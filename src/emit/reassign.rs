@@ -9,7 +9,7 @@ use super::routine::Statement;
 use super::term::Term;
 use super::walks::{fan_walk, path_walk};
 use crate::check::{moved_fans, moved_paths};
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Pointer, Ref, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Pointer};
 
 /// The statements of the phase, but for the attributes.
 pub(super) fn statements(
@@ -323,7 +323,7 @@ impl Reassign<'_, '_> {
     fn vertex(&mut self, vertex: NameId) {
         let drawing = self.drawing;
         let drawn = drawing.after.mention(vertex).is_some();
-        if !drawn || drawing.erased(vertex).is_some() || self.keeps_its_spokes(vertex) {
+        if !drawn || drawing.erased(vertex).is_some() || drawing.keeps_its_spokes(vertex) {
             return;
         }
         let Some((value, run)) = self.spoke_of(vertex) else {
@@ -345,48 +345,15 @@ impl Reassign<'_, '_> {
         }
     }
 
-    fn keeps_its_spokes(&self, vertex: NameId) -> bool {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        let items = rule
-            .names_of(Kind::Halfedge)
-            .chain(rule.names_of(Kind::Path));
-        let stays = |item: NameId| {
-            drawing.erased(item).is_none() && drawing.origin_after(item) == Some(vertex)
-        };
-        let mut spokes = items.filter(|&item| {
-            drawing.before.mention(item).is_some() && drawing.origin_before(item) == Some(vertex)
-        });
-        let mut fans = rule
-            .names_of(Kind::Fan)
-            .filter(|&fan| drawing.before.star_of_spoke(fan) == Some(vertex));
-        drawing.survives(vertex)
-            && spokes.all(stays)
-            && fans.all(|fan| drawing.after.star_of_spoke(fan) == Some(vertex))
-    }
-
-    /// A halfedge that starts at the vertex after: a named spoke, the one listed first; else
-    /// the first of a path. Of a family of runs that may be empty it is that at each index,
-    /// and the family is told too.
+    /// A halfedge that starts at the vertex after: a named one, else the first of a path. Of a
+    /// family of runs that may be empty it is that at each index, and the family is told too.
     fn spoke_of(&mut self, vertex: NameId) -> Option<(Term, Option<NameId>)> {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        let listed = drawing.after.star(vertex).and_then(|star| {
-            star.spokes.iter().find_map(|spoke| match spoke {
-                Spoke::Halfedge(Ref { name, .. }) => Some(*name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            })
-        });
-        let starts = |item: &NameId| {
-            let drawn = drawing.after.loop_of_item(*item).is_some()
-                || drawing.after.pairing(*item).is_some();
-            drawn && drawing.origin_after(*item) == Some(vertex)
-        };
-        if let Some(half) = listed.or_else(|| rule.names_of(Kind::Halfedge).find(starts)) {
+        if let Some(half) = drawing.spoke_after(vertex) {
             return Some((self.term(half), None));
         }
-        let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
-        paths.sort_by_key(|&path| drawing.is_empty_at_some_size(path));
+        let paths = drawing.paths_after(vertex);
         let &first = paths.first()?;
         let certain = !drawing.is_empty_at_some_size(first);
         if rule.is_member(first) && !certain && !rule.is_member(vertex) {
