@@ -4,6 +4,7 @@
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
 mod action;
+mod aliases;
 mod argument;
 mod completion;
 mod demand;
@@ -35,6 +36,7 @@ mod words;
 
 pub use crate::check::{Argument, Counterexample, Proved};
 pub use action::{Action, Purpose, actions};
+pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;

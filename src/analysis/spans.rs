@@ -95,6 +95,10 @@ impl Spans {
                     self.value(condition);
                 }
                 Condition::Guard { span, .. } => self.all.push(*span),
+                Condition::Alias { names, span } => {
+                    self.all.push(*span);
+                    self.all.extend(names.iter().map(|name| name.span));
+                }
             }
         }
     }

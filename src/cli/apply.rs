@@ -11,9 +11,7 @@ use super::place::{self, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::Param;
-use crate::mesh::{
-    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers, write_obj,
-};
+use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers};
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
 
@@ -29,6 +27,10 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     meshes::expect_place(&arguments.output)?;
     let mut obj = meshes::read(&arguments.mesh)?;
     let values = values(&program, op, arguments, &mut obj)?;
+    let attributes = run::attributes(&program.analysis.program, op, &program.analysis.plans);
+    for (kind, name, default) in &attributes {
+        obj.bring((*kind, name, *default));
+    }
     let before = Counts::of(&obj.mesh);
     let applied = run::apply(
         &program.analysis.program,
@@ -43,8 +45,16 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     })?;
     match applied {
         Applied::Done { result, created } => {
-            write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
-            let report = Report::applied(plan, &obj, result, &created, before);
+            meshes::write(&arguments.output, &mut obj)?;
+            let numbers = meshes::numbers(&arguments.output, &obj);
+            let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
+            let report = Report {
+                result: result.and_then(name),
+                created: created.iter().filter_map(|&new| name(new)).collect(),
+                applied: true,
+                after: Counts::of(&obj.mesh),
+                ..Report::nothing(plan, before)
+            };
             match arguments.format {
                 Format::Json => say_json(&report)?,
                 Format::Human => say(&report.show()),
@@ -53,7 +63,10 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         }
         Applied::Refused(reason) => {
             if arguments.format == Format::Json {
-                say_json(&Report::refused(plan, &reason, before))?;
+                say_json(&Report {
+                    refused: Some(reason.clone()),
+                    ..Report::nothing(plan, before)
+                })?;
             }
             Err(Failure::Refused(reason))
         }
@@ -165,38 +178,16 @@ struct Report {
 }
 
 impl Report {
-    fn refused(plan: &Plan, reason: &str, before: Counts) -> Self {
+    /// The mesh stays as it is.
+    fn nothing(plan: &Plan, before: Counts) -> Self {
         Self {
             op: plan.name.clone(),
             applied: false,
-            refused: Some(reason.to_string()),
+            refused: None,
             result: None,
             created: Vec::new(),
             before,
             after: before,
-        }
-    }
-
-    fn applied(
-        plan: &Plan,
-        obj: &Obj,
-        result: Option<(ElementKind, u32)>,
-        created: &[(ElementKind, u32)],
-        before: Counts,
-    ) -> Self {
-        let numbers = obj.written_numbers();
-        let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
-        Self {
-            op: plan.name.clone(),
-            applied: true,
-            refused: None,
-            result: result.and_then(name),
-            created: created
-                .iter()
-                .filter_map(|&element| name(element))
-                .collect(),
-            before,
-            after: Counts::of(&obj.mesh),
         }
     }
 
@@ -221,7 +212,7 @@ impl Report {
     }
 }
 
-/// An element as `--at` names it in the written file; holes have no number there.
+/// An element as `--at` names it in the written file; in an OBJ file holes have no number.
 fn element(mesh: &Mesh, numbers: &WrittenNumbers, kind: ElementKind, id: u32) -> Option<String> {
     // A step may have created what a later one has erased.
     if !mesh.is_alive(kind, id) {

@@ -64,12 +64,15 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Write what rejected rules break: .halfedges for `info`, and .obj
+    /// Write what rules break: .halfedges for `info`, .svg, and .obj
     #[arg(long, value_name = "DIR")]
     pub witness: Option<PathBuf>,
     /// Print why what is proved holds, law by law
     #[arg(long)]
     pub explain: bool,
+    /// Print which names could be one, and whether the op would hold there
+    #[arg(long)]
+    pub aliases: bool,
     /// Also show what each operation keeps, and how degrees and sizes change
     #[arg(short, long)]
     pub verbose: bool,
@@ -83,9 +86,9 @@ pub(super) struct RunArguments {
     /// A program, and the script in it if there are several
     #[arg(value_name = "FILE[::SCRIPT]")]
     pub script: String,
-    /// The mesh to run it on (.obj)
+    /// The mesh to run it on (.obj, .halfedges)
     pub mesh: PathBuf,
-    /// Where to write the result (.obj)
+    /// Where to write the result (.obj, .halfedges)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// Where to write a picture of the result (.png or .svg)
@@ -104,11 +107,12 @@ pub(super) struct ApplyArguments {
     /// A program and an operation in it
     #[arg(value_name = "FILE::OP")]
     pub op: String,
-    /// The mesh (.obj)
+    /// The mesh (.obj, .halfedges)
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
-    /// with the numbers of the file, from 1; several in the
-    /// order of the parameters, or by name: --at a=halfedge:1-2
+    /// with the numbers of the file (from 1 in .obj, ids in
+    /// .halfedges); several in the order of the parameters, or
+    /// by name: --at a=halfedge:1-2
     #[arg(
         long = "at",
         value_name = "PLACE",
@@ -119,7 +123,7 @@ pub(super) struct ApplyArguments {
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Where to write the result (.obj)
+    /// Where to write the result (.obj, .halfedges)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// What the answer looks like
@@ -237,7 +241,7 @@ pub(super) struct LspArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ViewArguments {
-    /// The mesh (.obj)
+    /// The mesh (.obj, .halfedges)
     pub mesh: PathBuf,
     /// Where to write the picture (.png or .svg)
     #[arg(short, long)]

@@ -24,6 +24,14 @@ impl Failure {
         Self::Usage(message.to_string())
     }
 
+    /// What is wrong, where it has not been said already.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Failure::NotProved | Failure::Silent(_) => None,
+            Failure::Usage(message) | Failure::Refused(message) => Some(message),
+        }
+    }
+
     /// Says why, on standard error.
     pub fn tell(&self) {
         match self {

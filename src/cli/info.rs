@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::meshes;
 use super::output::{say, say_json, table};
 use crate::mesh::{
-    Bin, Element, Lengths, Level, Measures, Mesh, Summary, read_dump, validate_level,
+    AttributeSummary, Bin, Element, Lengths, Level, Measures, Mesh, Summary, validate_level,
 };
 
 /// How many bars of a histogram are shown.
@@ -21,14 +21,11 @@ const BARS_IN_A_LINE: usize = 5;
 /// Describes a mesh, or the tables of a dump.
 pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
     let shown = arguments.mesh.display().to_string();
-    if arguments
-        .mesh
-        .extension()
-        .is_some_and(|end| end == "halfedges")
-    {
+    if meshes::is_tables(&arguments.mesh) {
         return describe_dump(&shown, arguments);
     }
-    let obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh)?;
+    obj.bring_all();
     if let Some(level) = arguments.level {
         return tell_level(arguments, &obj.mesh, level.level());
     }
@@ -43,9 +40,11 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
 }
 
 fn describe_dump(shown: &str, arguments: &InfoArguments) -> Result<(), Failure> {
-    let text = std::fs::read_to_string(&arguments.mesh)
-        .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
-    let dump = read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
+    let dump = meshes::read_tables(&arguments.mesh)?;
+    if let Some(level) = arguments.level {
+        let mesh = meshes::only_table(&arguments.mesh, dump)?;
+        return tell_level(arguments, &mesh, level.level());
+    }
     let meshes = dump.meshes.iter();
     let meshes = meshes.map(|(name, mesh)| (name.as_str(), Summary::of(mesh)));
     match arguments.format {
@@ -133,6 +132,11 @@ fn show(file: &str, summary: &Summary) -> String {
     if let Some(measures) = &summary.measures {
         rows.extend(measured(measures));
     }
+    let attributes = summary.attributes.iter().enumerate();
+    rows.extend(attributes.map(|(at, AttributeSummary { name, of, ty })| {
+        let head = if at == 0 { "attributes" } else { "" };
+        row(head, format!("{name}: {of} {ty}"))
+    }));
     rows.push(match (&summary.invalid, summary.level) {
         (Some(law), _) => row("validity", format!("broken: {law}")),
         (None, Some(level)) => row("validity", format!("valid, of level {}", level.name())),

@@ -1,19 +1,99 @@
-//! Meshes from files, and the files they go to.
+//! Meshes from files, and the files they go to: OBJ, or tables (`.halfedges`).
 
 use std::path::Path;
 
 use super::failure::Failure;
-use crate::mesh::{Obj, read_obj};
+use super::files;
+use super::output::complain;
+use crate::mesh::{
+    Dump, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, write_dump, write_obj,
+};
+
+/// Whether a file holds tables of halfedges, by its name.
+pub(super) fn is_tables(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end == "halfedges")
+}
 
 /// Reads a mesh. A file without a vertex is taken for something else.
 pub(super) fn read(path: &Path) -> Result<Obj, Failure> {
+    let shown = path.display();
+    if is_tables(path) {
+        let mesh = only_table(path, read_tables(path)?)?;
+        validate(&mesh)
+            .map_err(|law| Failure::usage(format!("{shown}: this is no valid mesh: {law}")))?;
+        return Ok(Obj::from_tables(mesh));
+    }
     let obj = read_obj(path).map_err(Failure::usage)?;
     if obj.mesh.vertex_count() == 0 {
-        let shown = path.display();
         let message = format!("{shown}: there is no vertex in it: is it an OBJ file?");
         return Err(Failure::usage(message));
     }
     Ok(obj)
+}
+
+/// Reads tables as they stand, whether they are meshes or not.
+pub(super) fn read_tables(path: &Path) -> Result<Dump, Failure> {
+    let shown = path.display();
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::usage(format!("cannot read `{shown}`: {error}")))?;
+    read_dump(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
+}
+
+/// The table of a file that has one.
+pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
+    match (dump.meshes.pop(), dump.meshes.len()) {
+        (Some((_, mesh)), 0) => Ok(mesh),
+        (_, others) => {
+            let count = if others == 0 { 0 } else { others + 1 };
+            let shown = path.display();
+            let message = format!("{shown}: a file with one `mesh` is wanted; this has {count}");
+            Err(Failure::usage(message))
+        }
+    }
+}
+
+/// Writes a mesh, and says in a line what the file cannot hold.
+pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
+    if !is_tables(path) {
+        write_obj(path, obj).map_err(Failure::usage)?;
+        tell_unheld(path, obj);
+        return Ok(());
+    }
+    obj.bring_all();
+    let tables = Dump {
+        meshes: vec![("mesh".into(), obj.mesh.clone())],
+        ..Dump::default()
+    };
+    files::write(path, write_dump(&tables).as_bytes())?;
+    if obj.has_groups() {
+        let shown = path.display();
+        complain(&format!(
+            "warning: {shown} cannot hold the groups and materials of the mesh; an .obj file can"
+        ));
+    }
+    Ok(())
+}
+
+/// Says which attributes an OBJ file has no place for.
+fn tell_unheld(path: &Path, obj: &Obj) {
+    let unheld = obj.unheld().into_iter();
+    let told: Vec<_> = unheld
+        .map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})"))
+        .collect();
+    if !told.is_empty() {
+        let (shown, told) = (path.display(), told.join(", "));
+        complain(&format!(
+            "warning: {shown} cannot hold {told}; a .halfedges file can"
+        ));
+    }
+}
+
+/// The numbers that elements have in a file of this name.
+pub(super) fn numbers(path: &Path, obj: &Obj) -> WrittenNumbers {
+    match is_tables(path) {
+        true => WrittenNumbers::of_tables(&obj.mesh),
+        false => obj.written_numbers(),
+    }
 }
 
 /// Whether a file can go to a place, as far as can be told before there is one: asked first,

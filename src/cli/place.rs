@@ -3,7 +3,7 @@
 use crate::diagram::Type;
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Obj, VertexId};
 
-/// An element by the numbers of its file, 1-based.
+/// An element by the numbers of its file: from 1 in OBJ files, ids in tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
     /// The edge between two vertices.
@@ -20,16 +20,11 @@ pub(super) enum Place {
 pub(super) fn read(text: &str) -> Result<Place, String> {
     let wrong = || {
         format!(
-            "`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with numbers from 1"
+            "`{text}` is no place: write edge:A-B, halfedge:A-B, vertex:A or face:N with the numbers of the file"
         )
     };
     let (kind, numbers) = text.split_once(':').ok_or_else(wrong)?;
-    let number = |text: &str| {
-        text.parse::<u32>()
-            .ok()
-            .filter(|&number| number > 0)
-            .ok_or_else(wrong)
-    };
+    let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
     let pair = || {
         let (from, to) = numbers.split_once('-').ok_or_else(wrong)?;
         Ok::<_, String>((number(from)?, number(to)?))
@@ -110,7 +105,6 @@ mod tests {
             "",
             "edge",
             "edge:3",
-            "edge:0-1",
             "vertex:-1",
             "corner:1",
             "face:99999999999",

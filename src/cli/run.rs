@@ -13,7 +13,6 @@ use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
 use crate::draw::{View, draw_mesh};
-use crate::mesh::write_obj;
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
@@ -40,6 +39,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let started = Instant::now();
     let mut obj = meshes::read(&arguments.mesh)?;
     let load = started.elapsed().as_secs_f64();
+    for attribute in prepared.attributes() {
+        obj.bring(attribute);
+    }
     let before = Counts::of(&obj.mesh);
 
     let started = Instant::now();
@@ -51,7 +53,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let run = started.elapsed().as_secs_f64();
 
     let started = Instant::now();
-    write_obj(&arguments.output, &obj).map_err(Failure::usage)?;
+    meshes::write(&arguments.output, &mut obj)?;
     if let Some(picture) = &arguments.picture {
         write_picture(&draw_mesh(&obj.mesh, &View::default()), picture, 1.0)?;
     }

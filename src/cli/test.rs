@@ -7,10 +7,11 @@ use serde::Serialize;
 use super::arguments::{Format, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
+use super::meshes;
 use super::output::{complain_of, say, say_json};
 use super::program::{self, Program};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{Mesh, read_obj};
+use crate::mesh::Obj;
 use crate::rewrite::Watch;
 use crate::run;
 use crate::source::Span;
@@ -102,11 +103,11 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
 }
 
 /// The mesh of a path that is written in some file: beside it.
-fn load(program: &Program, path: &str, span: Span) -> Result<Mesh, String> {
+fn load(program: &Program, path: &str, span: Span) -> Result<Obj, String> {
     let home = Path::new(program.sources.get(span.file).name());
     let folder = home.parent().unwrap_or(Path::new(""));
-    let obj = read_obj(&folder.join(path)).map_err(|error| error.to_string())?;
-    Ok(obj.mesh)
+    let read = meshes::read(&folder.join(path));
+    read.map_err(|failure| failure.reason().unwrap_or_default().to_owned())
 }
 
 /// What a test prints; it is shown only if the test fails.

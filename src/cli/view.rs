@@ -5,12 +5,12 @@ use glam::DVec3;
 use super::arguments::ViewArguments;
 use super::draw::write_picture;
 use super::failure::Failure;
+use super::meshes;
 use crate::draw::{View, draw_mesh};
-use crate::mesh::read_obj;
 
 /// Makes a picture of a mesh.
 pub(super) fn view(arguments: &ViewArguments) -> Result<(), Failure> {
-    let obj = read_obj(&arguments.mesh).map_err(Failure::usage)?;
+    let obj = meshes::read(&arguments.mesh)?;
     let mut view = View::default();
     if let Some(from) = &arguments.from {
         view.from = direction(from)?;

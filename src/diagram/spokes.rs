@@ -36,13 +36,17 @@ impl Drawing<'_> {
         listed.or_else(|| halfedges.find(|&half| self.starts_after(half, vertex)))
     }
 
-    /// The paths that start at a vertex after, those that cannot be empty first.
+    /// The paths that start at a vertex after, those that cannot be empty first, then
+    /// those that start there where names are one.
     pub fn paths_after(&self, vertex: NameId) -> Vec<NameId> {
         let paths = self.rule.names_of(Kind::Path);
         let mut paths: Vec<_> = paths
             .filter(|&path| self.starts_after(path, vertex))
             .collect();
-        paths.sort_by_key(|&path| self.is_empty_at_some_size(path));
+        paths.sort_by_key(|&path| self.is_empty_somewhere(path));
+        if !paths.is_empty() {
+            paths.extend(self.paths_where_one(vertex));
+        }
         paths
     }
 

@@ -26,8 +26,7 @@ impl Reassign<'_, '_> {
     /// Whether each item is a run that may be empty.
     fn is_of_runs(&self, orbit: &Loop) -> bool {
         let mut items = orbit.items.iter().map(|item| item.item.name);
-        orbit.each
-            && items.all(|item| self.is_path(item) && self.drawing.is_empty_at_some_size(item))
+        orbit.each && items.all(|item| self.is_path(item) && self.drawing.is_empty_somewhere(item))
     }
 
     /// A loop of runs each of which may be empty: those that are not are linked in their

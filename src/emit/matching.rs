@@ -169,7 +169,7 @@ impl Matching<'_, '_> {
             .names_of(Kind::Path)
             .filter(|&path| rule.is_first(path))
         {
-            if drawing.before.mention(path).is_some() && drawing.is_empty_at_some_size(path) {
+            if drawing.before.mention(path).is_some() && drawing.is_empty_somewhere(path) {
                 let Some(next) = drawing.before.item_after(path) else {
                     continue;
                 };
@@ -338,7 +338,7 @@ impl Matching<'_, '_> {
     }
     /// Whether all of these paths are empty.
     fn are_empty(&self, paths: &[NameId]) -> Term {
-        let empty = |&path: &NameId| match self.drawing.is_empty_at_some_size(path) {
+        let empty = |&path: &NameId| match self.drawing.is_empty_somewhere(path) {
             true => self.names.empty(path),
             false => Term::Bool(false),
         };

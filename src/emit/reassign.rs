@@ -198,7 +198,7 @@ impl Reassign<'_, '_> {
         let places = (0..count).map(|turn| items[(at + turn * step) % count]);
         let mut ends = Vec::new();
         for item in places {
-            let may_be_empty = self.is_path(item) && self.drawing.is_empty_at_some_size(item);
+            let may_be_empty = self.is_path(item) && self.drawing.is_empty_somewhere(item);
             ends.push((end(item), may_be_empty.then(|| self.names.empty(item))));
             if !may_be_empty {
                 break;
@@ -355,7 +355,7 @@ impl Reassign<'_, '_> {
         }
         let paths = drawing.paths_after(vertex);
         let &first = paths.first()?;
-        let certain = !drawing.is_empty_at_some_size(first);
+        let certain = !drawing.is_empty_somewhere(first);
         if rule.is_member(first) && !certain && !rule.is_member(vertex) {
             return Some((self.turning(true, |this| this.term(first)), Some(first)));
         }

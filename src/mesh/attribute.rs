@@ -40,6 +40,9 @@ macro_rules! attribute_types {
         pub enum ColumnData { $($variant(Vec<$type>)),* }
 
         impl AttributeType {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
             pub fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),* }
             }
@@ -130,6 +133,26 @@ impl Value {
         }
     }
 
+    /// The value that is made of these reals, the other way around from [`Value::reals`];
+    /// `None` if they are too many or too few, or the type is not made of reals.
+    pub fn from_reals(ty: AttributeType, reals: &[f64]) -> Option<Self> {
+        match (ty, reals) {
+            (AttributeType::Real, &[x]) => Some(Self::Real(x)),
+            (AttributeType::Vec2, &[x, y]) => Some(Self::Vec2(DVec2::new(x, y))),
+            (AttributeType::Vec3, &[x, y, z]) => Some(Self::Vec3(DVec3::new(x, y, z))),
+            (AttributeType::Vec4, &[x, y, z, w]) => Some(Self::Vec4(DVec4::new(x, y, z, w))),
+            (AttributeType::Mat3, reals) => {
+                let columns = reals.try_into().ok()?;
+                Some(Self::Mat3(DMat3::from_cols_array(columns)))
+            }
+            (AttributeType::Mat4, reals) => {
+                let columns = reals.try_into().ok()?;
+                Some(Self::Mat4(DMat4::from_cols_array(columns)))
+            }
+            _ => None,
+        }
+    }
+
     /// Whether the values agree bit for bit, which for reals is not quite `==`.
     pub fn is_identical(self, other: Self) -> bool {
         match self {
@@ -198,6 +221,13 @@ impl Column {
 
     pub fn attribute_type(&self) -> AttributeType {
         self.default.attribute_type()
+    }
+
+    /// Whether a program can say the name. Columns with other names are scratch and
+    /// bookkeeping, and go into no file.
+    pub fn is_sayable(&self) -> bool {
+        let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+        self.name.chars().all(of_name)
     }
 
     pub fn default_value(&self) -> Value {
@@ -317,6 +347,13 @@ impl Mesh {
                 column,
             )
         })
+    }
+
+    /// The columns of all kinds that go into files.
+    pub fn sayable_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
+        let all = ElementKind::ALL.into_iter();
+        let all = all.flat_map(|kind| self.columns(kind));
+        all.filter(|(_, column)| column.is_sayable())
     }
 
     /// `None` for the column of another mesh that this one does not have.

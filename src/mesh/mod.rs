@@ -52,10 +52,10 @@ pub use journal::Bookmark;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
 pub use obj::{
-    Indexed, Obj, ObjError, ObjReason, WrittenNumbers, read_obj, read_obj_from, replace_file,
-    write_obj, write_obj_to,
+    Indexed, Obj, ObjError, ObjReason, WantedAttribute, WrittenNumbers, read_obj, read_obj_from,
+    replace_file, write_obj, write_obj_to,
 };
 pub use polygons::Polygons;
-pub use summary::{Bin, Lengths, Measures, Summary};
+pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};
 pub use validate::validate;
 pub use walk::{LoopWalk, SpokeWalk};

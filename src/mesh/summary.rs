@@ -24,6 +24,17 @@ pub struct Summary {
     pub below_next_level: Option<String>,
     /// Missing when the mesh is invalid.
     pub measures: Option<Measures>,
+    pub attributes: Vec<AttributeSummary>,
+}
+
+/// A column that a program can name.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct AttributeSummary {
+    pub name: String,
+    /// The kind of the elements that have it.
+    pub of: &'static str,
+    #[serde(rename = "type")]
+    pub ty: &'static str,
 }
 
 /// What can be measured on a valid mesh. Isolated vertices are left out.
@@ -81,8 +92,19 @@ impl Summary {
             level,
             below_next_level: below.map(|reason| reason.to_string()),
             measures: level.map(|_| Measures::of(mesh)),
+            attributes: attributes(mesh),
         }
     }
+}
+
+fn attributes(mesh: &Mesh) -> Vec<AttributeSummary> {
+    let columns = mesh.sayable_columns();
+    let told = columns.map(|(id, column)| AttributeSummary {
+        name: column.name().to_owned(),
+        of: id.kind.name(),
+        ty: column.attribute_type().name(),
+    });
+    told.collect()
 }
 
 fn isolated_vertices(mesh: &Mesh) -> usize {

@@ -7,7 +7,7 @@ use super::report::{Failure, diagnostic, expect_level};
 use super::steps::with_steps;
 use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{ElementKind, Mesh};
+use crate::mesh::{ElementKind, Mesh, Value};
 use crate::resolve::{Program, Script, Variable};
 use crate::rewrite::{Machine, Outcome, Plan, Trap, Unwatched};
 
@@ -37,7 +37,31 @@ pub fn arguments(
     prepare(&parameters_alone(program, op), 0, &[])?.arguments(texts)
 }
 
-/// Applies an operation of a program, all of whose plans are given. Parameters that are not given take their defaults.
+/// The attributes that an operation uses and that are not scratch: what it would take from a
+/// file. None if the operation is not proved.
+pub fn attributes(
+    program: &Program,
+    op: usize,
+    plans: &[Option<Plan>],
+) -> Vec<(ElementKind, String, Value)> {
+    let plan = plans.get(op).and_then(Option::as_ref);
+    let columns = plan.map(|plan| columns(program, plan, plans));
+    let columns = columns.and_then(Result::ok).unwrap_or_default();
+    let public = columns.public();
+    public
+        .map(|(kind, name, default)| (kind, name.to_owned(), default))
+        .collect()
+}
+
+/// The columns that an operation and its steps need.
+fn columns(program: &Program, plan: &Plan, plans: &[Option<Plan>]) -> Result<Columns, Diagnostic> {
+    let used = with_steps(plans, [plan]);
+    let used = used.into_iter().map(|plan| &plan.code);
+    Columns::of(&program.attributes, used)
+}
+
+/// Applies an operation of a program, all of whose plans are given. Parameters that are not
+/// given take their defaults.
 ///
 /// # Errors
 /// The arguments do not fit the parameters, or an expression of the operation has no value
@@ -71,9 +95,7 @@ pub fn apply(
     let slots = prepared
         .slots(mesh, arguments, &mut code.texts)
         .map_err(failure)?;
-    let used = with_steps(plans, [plan]);
-    let used = used.into_iter().map(|plan| &plan.code);
-    let columns = Columns::of(&program.attributes, used).map_err(failure)?;
+    let columns = columns(program, plan, plans).map_err(failure)?;
     let mut machine = Machine::new(plans);
     machine.trust_level(plan.level);
     machine.use_columns(columns.bind(mesh).map_err(failure)?);

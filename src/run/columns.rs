@@ -8,7 +8,7 @@ use super::lower::Names;
 use crate::compile::{element_kind, lower};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Attribute, Type};
-use crate::mesh::{ColumnId, ElementKind, Mesh, Value};
+use crate::mesh::{ColumnId, ElementKind, Mesh, Value, WantedAttribute};
 use crate::rewrite::{Assembler, Code, Inst, Machine, Unwatched};
 use crate::source::Span;
 
@@ -66,6 +66,12 @@ impl Columns {
             needed.transpose()
         });
         Ok(Self(needed.collect::<Result<_, _>>()?))
+    }
+
+    /// The attributes that are not scratch.
+    pub(super) fn public(&self) -> impl Iterator<Item = WantedAttribute<'_>> {
+        let needed = self.0.iter().flatten().filter(|needed| !needed.private);
+        needed.map(|needed| (needed.kind, needed.name.as_str(), needed.default))
     }
 
     /// Puts the columns on a mesh, and says where they lie.

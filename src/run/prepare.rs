@@ -8,7 +8,7 @@ use super::lower::Lowering;
 use super::steps::with_steps;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
 use crate::rewrite::{Code, Plan, TooLarge};
 use crate::source::Span;
@@ -142,6 +142,11 @@ impl Prepared<'_> {
     /// The code of the script, to look at.
     pub fn code(&self) -> &Code {
         &self.code
+    }
+
+    /// The attributes that it uses and that are not scratch: what it would take from a file.
+    pub fn attributes(&self) -> impl Iterator<Item = WantedAttribute<'_>> {
+        self.columns.public()
     }
 
     /// Reads the arguments, each a name and a text, by the types of the parameters.

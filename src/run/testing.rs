@@ -2,18 +2,18 @@
 
 use super::function::Functions;
 use super::lower::Lowering;
-use super::prepare::prepare_script;
+use super::prepare::{Prepared, prepare_script};
 use super::report::{Failure, Report, run_with};
 use crate::compile::Scope;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
-use crate::mesh::{Mesh, shape};
+use crate::mesh::{Mesh, Obj, shape};
 use crate::resolve::{Program, TestMesh};
 use crate::rewrite::{Inst, Plan, Watch};
 use crate::source::Span;
 
-/// Gives the mesh of a file that a test loads, by its path as it is written.
-pub type Load<'l> = dyn FnMut(&str, Span) -> Result<Mesh, String> + 'l;
+/// Gives the file of a mesh that a test loads, by its path as it is written.
+pub type Load<'l> = dyn FnMut(&str, Span) -> Result<Obj, String> + 'l;
 
 /// Runs a test of a program, by its number.
 ///
@@ -46,20 +46,26 @@ pub fn test(
     let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
     let mut made = Vec::new();
     for mesh in std::iter::once(&test.begin).chain(&test.meshes) {
-        made.push(make(mesh, load).map_err(failure)?);
+        made.push(make(mesh, &prepared, load).map_err(failure)?);
     }
     let mut mesh = made.remove(0);
     run_with(&prepared, &mut mesh, &[], made, watch)
 }
 
-fn make(mesh: &TestMesh, load: &mut Load) -> Result<Mesh, Diagnostic> {
+fn make(mesh: &TestMesh, prepared: &Prepared, load: &mut Load) -> Result<Mesh, Diagnostic> {
     match mesh {
         TestMesh::Empty => Ok(Mesh::default()),
         TestMesh::Made { constructor, sizes } => Ok(constructed(constructor, sizes)),
-        TestMesh::Loaded { path, span } => load(path, *span).map_err(|why| {
-            let message = format!("`{path}` cannot be loaded: {why}");
-            Diagnostic::error("test-mesh", message, *span)
-        }),
+        TestMesh::Loaded { path, span } => {
+            let mut obj = load(path, *span).map_err(|why| {
+                let message = format!("`{path}` cannot be loaded: {why}");
+                Diagnostic::error("test-mesh", message, *span)
+            })?;
+            for attribute in prepared.attributes() {
+                obj.bring(attribute);
+            }
+            Ok(obj.mesh)
+        }
     }
 }
 

@@ -135,6 +135,10 @@ impl Shift for Condition {
                 level.shift(by);
                 span.shift(by);
             }
+            Condition::Alias { names, span } => {
+                names.shift(by);
+                span.shift(by);
+            }
         }
     }
 }

@@ -3191,19 +3191,11 @@ pub fn more_collapse_face(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
     if !all_differ(&v) {
         return None; // two of `v[i]` are one vertex
     }
-    let mut all: Vec<HalfedgeId> = Vec::new();
+    let mut all: Vec<FaceId> = vec![f];
     for i in 0..n {
-        all.push(h[i]);
-        all.push(k[i]);
+        all.push(g[i]);
     }
     if !all_differ(&all) {
-        return None; // two of `h[i]`, `k[i]` are one halfedge
-    }
-    let mut all_2: Vec<FaceId> = vec![f];
-    for i in 0..n {
-        all_2.push(g[i]);
-    }
-    if !all_differ(&all_2) {
         return None; // two of `f`, `g[i]` are one face
     }
     if (0..n).any(|i| P_is_empty[i]) {
@@ -3255,13 +3247,13 @@ pub fn more_cut_every_other_side(mesh: &mut Mesh, f: FaceId) -> bool {
     // 1. Collect: nothing is written before all of this has passed.
     // Each halfedge of f is tried.
     for h_0 in mesh.face_halfedges(f).collect::<Vec<_>>() {
-        let all_4 = mesh.loop_from(h_0).collect::<Vec<_>>();
-        if all_4.len() % 2 != 0 {
+        let all_3 = mesh.loop_from(h_0).collect::<Vec<_>>();
+        if all_3.len() % 2 != 0 {
             continue; // the number of sides of `f` is no multiple of 2
         }
-        let h = all_4.iter().skip(0).step_by(2).copied().collect::<Vec<_>>();
+        let h = all_3.iter().skip(0).step_by(2).copied().collect::<Vec<_>>();
         let count = h.len();
-        let k = all_4.iter().skip(1).step_by(2).copied().collect::<Vec<_>>();
+        let k = all_3.iter().skip(1).step_by(2).copied().collect::<Vec<_>>();
         let t: Vec<HalfedgeId> = (0..count).map(|i| mesh.twin(h[i])).collect();
         let v: Vec<VertexId> = (0..count).map(|i| mesh.vertex(h[i])).collect();
         let u: Vec<VertexId> = (0..count).map(|i| mesh.vertex(t[i])).collect();
@@ -3282,19 +3274,11 @@ pub fn more_cut_every_other_side(mesh: &mut Mesh, f: FaceId) -> bool {
         if !all_differ(&all) {
             continue; // two of `v[i]`, `u[i]` are one vertex
         }
-        let mut all_2: Vec<HalfedgeId> = Vec::new();
+        let mut all_2: Vec<FaceId> = vec![f];
         for i in 0..count {
-            all_2.push(k[i]);
-            all_2.push(t[i]);
+            all_2.push(g[i]);
         }
         if !all_differ(&all_2) {
-            continue; // two of `k[i]`, `t[i]` are one halfedge
-        }
-        let mut all_3: Vec<FaceId> = vec![f];
-        for i in 0..count {
-            all_3.push(g[i]);
-        }
-        if !all_differ(&all_3) {
             continue; // two of `f`, `g[i]` are one face
         }
         let m_position: Vec<DVec3> = (0..count).map(|i| (mesh.position(v[i]) + mesh.position(u[i])) / 2.0).collect();

@@ -24,6 +24,7 @@ pub(super) const PARTS: &[(&str, &str)] = &[
     ("after", "after {\n  $0\n}"),
     ("require", "require ${1:condition} else \"${2:reason}\""),
     ("guard", "guard ${1|surface,simple|}"),
+    ("alias", "alias ${1:v2} ${2:v3}"),
     (
         "rule",
         "rule ${1:name} {\n  before {\n    $0\n  }\n  after {\n  }\n}",

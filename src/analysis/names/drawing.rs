@@ -35,8 +35,10 @@ impl Walk {
 
     fn conditions(&mut self, conditions: &[Condition]) {
         for condition in conditions {
-            if let Condition::Require { condition, .. } = condition {
-                self.value(condition);
+            match condition {
+                Condition::Require { condition, .. } => self.value(condition),
+                Condition::Alias { names, .. } => self.list(names, List::Alias),
+                Condition::Guard { .. } => {}
             }
         }
     }

@@ -37,7 +37,7 @@ impl Tests<'_, '_> {
             }
             if self.result.is_new(from) {
                 new.push(from);
-            } else if is_path && self.drawing.may_be_empty(path) {
+            } else if is_path && self.drawing.is_empty_somewhere(path) {
                 later.push((from, path));
             } else {
                 sure.push(self.term(from));
@@ -98,7 +98,7 @@ impl Tests<'_, '_> {
                 paths.push(path);
             }
             match from == vertex {
-                true if is_path && self.drawing.may_be_empty(path) => later.push(path),
+                true if is_path && self.drawing.is_empty_somewhere(path) => later.push(path),
                 true => sure += 1,
                 false => {}
             }

@@ -35,6 +35,14 @@ pub(super) fn tests(
         names,
         body: Vec::new(),
     };
+    // The result is told name by name here, as if all were distinct.
+    if let (Some(alias), true) = (
+        drawing.rule.aliases.first(),
+        guard.iter().any(Obligation::is_test),
+    ) {
+        let what = "a guard of names that may be one";
+        return Err(NotEmitted::new(what, alias.span));
+    }
     for obligation in guard.iter().filter(|obligation| obligation.is_test()) {
         let reason = obligation.statement.refusal(drawing.rule);
         tests.test(&obligation.statement, reason)?;

@@ -18,10 +18,11 @@ use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 pub struct Obj {
     pub mesh: Mesh,
     pub(super) kept: Kept,
-    pub(super) color: Option<ColumnId>,
     vertex_numbers: Option<ColumnId>,
     face_numbers: Option<ColumnId>,
     corners: Option<ColumnId>,
+    /// Whether elements go by their ids: they come from tables, not from an OBJ file.
+    by_ids: bool,
 }
 
 /// The number of every vertex and face in the file as it would be written now.
@@ -40,10 +41,18 @@ impl Obj {
         Self {
             mesh,
             kept,
-            color: None,
             vertex_numbers: None,
             face_numbers: None,
             corners: None,
+            by_ids: false,
+        }
+    }
+
+    /// A mesh whose file numbers its elements by their ids.
+    pub fn from_tables(mesh: Mesh) -> Self {
+        Self {
+            by_ids: true,
+            ..Self::from_mesh(mesh)
         }
     }
 
@@ -62,12 +71,9 @@ impl Obj {
         obj.kept = kept;
         if !colors.is_empty() {
             let white = Value::Vec3(DVec3::ONE);
-            obj.color = obj
-                .mesh
-                .add_column(ElementKind::Vertex, "color", white)
-                .ok();
-            let values = obj
-                .color
+            let column = obj.mesh.add_column(ElementKind::Vertex, "color", white);
+            let values = column
+                .ok()
                 .and_then(|column| obj.mesh.values_mut::<DVec3>(column));
             for (value, &color) in values.into_iter().flatten().zip(colors) {
                 *value = DVec3::from_array(color);
@@ -106,12 +112,18 @@ impl Obj {
     /// The vertex that the file numbers so, if it still lives. What comes from a file
     /// stays in its slot.
     pub fn vertex_by_number(&self, number: u32) -> Option<VertexId> {
+        if self.by_ids {
+            return Some(VertexId(number)).filter(|&v| self.mesh.vertex_alive(v));
+        }
         let v = VertexId(number.checked_sub(1)?);
         (self.vertex_number(v)? == number).then_some(v)
     }
 
     /// The face that the file numbers so, if it still lives.
     pub fn face_by_number(&self, number: u32) -> Option<FaceId> {
+        if self.by_ids {
+            return Some(FaceId(number)).filter(|&f| self.mesh.face_alive(f));
+        }
         let f = FaceId(number.checked_sub(1)?);
         (self.face_number(f)? == number).then_some(f)
     }
@@ -157,11 +169,11 @@ impl Obj {
         let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
         let (old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_number(f).is_some());
         let face_order: Vec<FaceId> = old.into_iter().chain(new).collect();
-        let mut vertices = vec![0; self.mesh.capacity(ElementKind::Vertex)];
+        let mut vertices = vec![MISSING; self.mesh.capacity(ElementKind::Vertex)];
         for (number, v) in (1..).zip(&vertex_order) {
             vertices[v.index()] = number;
         }
-        let mut faces = vec![0; self.mesh.capacity(ElementKind::Face)];
+        let mut faces = vec![MISSING; self.mesh.capacity(ElementKind::Face)];
         for (number, f) in (1..).zip(&face_order) {
             faces[f.index()] = number;
         }
@@ -175,11 +187,25 @@ impl Obj {
 }
 
 impl WrittenNumbers {
+    /// The numbers in tables: ids.
+    pub fn of_tables(mesh: &Mesh) -> Self {
+        let mut vertices = vec![MISSING; mesh.capacity(ElementKind::Vertex)];
+        let mut faces = vec![MISSING; mesh.capacity(ElementKind::Face)];
+        mesh.vertices().for_each(|v| vertices[v.index()] = v.0);
+        mesh.faces().for_each(|f| faces[f.index()] = f.0);
+        Self {
+            vertices,
+            faces,
+            vertex_order: mesh.vertices().collect(),
+            face_order: mesh.faces().collect(),
+        }
+    }
+
     pub fn vertex(&self, v: VertexId) -> Option<u32> {
         self.vertices
             .get(v.index())
             .copied()
-            .filter(|&number| number > 0)
+            .filter(|&number| number != MISSING)
     }
 
     /// The number of a face among the faces; a hole has none.
@@ -187,6 +213,6 @@ impl WrittenNumbers {
         self.faces
             .get(f.index())
             .copied()
-            .filter(|&number| number > 0)
+            .filter(|&number| number != MISSING)
     }
 }

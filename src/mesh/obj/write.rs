@@ -11,10 +11,11 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use tempfile::NamedTempFile;
 
+use super::attributes::{Corners, OfCorner};
 use super::error::{ObjError, ObjReason};
-use super::kept::{MISSING, State};
+use super::kept::State;
 use super::numbers::{Obj, WrittenNumbers};
-use crate::mesh::id::{FaceId, HalfedgeId};
+use crate::mesh::id::FaceId;
 
 /// Writes `obj` to `path`. A symbolic link stays one: what it leads to is replaced. The
 /// permissions of an old file are kept.
@@ -126,9 +127,8 @@ fn write_text(output: &mut impl Write, obj: &Obj, numbers: &WrittenNumbers) -> i
     for library in &obj.kept.libraries {
         write_statement(output, "mtllib", library)?;
     }
-    let colors = obj
-        .color
-        .and_then(|column| obj.mesh.values::<DVec3>(column));
+    let colors = obj.color();
+    let colors = colors.and_then(|column| obj.mesh.values::<DVec3>(column));
     for &v in &numbers.vertex_order {
         let DVec3 { x, y, z } = obj.mesh.position(v);
         write!(output, "v {x} {y} {z}")?;
@@ -137,7 +137,10 @@ fn write_text(output: &mut impl Write, obj: &Obj, numbers: &WrittenNumbers) -> i
         }
         output.write_all(b"\n")?;
     }
-    for (keyword, table) in [("vt", &obj.kept.texture), ("vn", &obj.kept.normals)] {
+    let corners = [OfCorner::Texture, OfCorner::Normal];
+    let corners = corners.map(|what| Corners::of(obj, what, &numbers.face_order));
+    for (keyword, corners) in ["vt", "vn"].into_iter().zip(&corners) {
+        let table = corners.rows();
         for row in &table.rows {
             output.write_all(keyword.as_bytes())?;
             for number in &row[..table.width] {
@@ -151,7 +154,7 @@ fn write_text(output: &mut impl Write, obj: &Obj, numbers: &WrittenNumbers) -> i
         if let Some(state) = state_of(obj, f) {
             write_state(output, obj, &mut current, state)?;
         }
-        write_face(output, obj, numbers, f)?;
+        write_face(output, obj, numbers, &corners, f)?;
     }
     Ok(())
 }
@@ -210,16 +213,15 @@ fn write_face(
     output: &mut impl Write,
     obj: &Obj,
     numbers: &WrittenNumbers,
+    [texture, normals]: &[Corners; 2],
     f: FaceId,
 ) -> io::Result<()> {
-    let row = |row: Option<u32>| row.map_or(MISSING, |row| row + 1);
-    let texture = |h: HalfedgeId| row(obj.texture_index(h));
-    let normal = |h: HalfedgeId| row(obj.normal_index(h));
-    let has_corners = !obj.kept.corner_vertices.is_empty();
-    let all = |table: &dyn Fn(HalfedgeId) -> u32| {
-        has_corners && obj.mesh.face_halfedges(f).all(|h| table(h) != MISSING)
+    let all = |corners: &Corners| {
+        let mut sides = obj.mesh.face_halfedges(f);
+        sides.all(|h| corners.row(h).is_some())
     };
-    let (with_texture, with_normals) = (all(&texture), all(&normal));
+    let (with_texture, with_normals) = (all(texture), all(normals));
+    let number = |corners: &Corners, h| corners.row(h).map_or(0, |row| row + 1);
     output.write_all(b"f")?;
     for h in obj.mesh.face_halfedges(f) {
         write!(
@@ -229,9 +231,12 @@ fn write_face(
         )?;
         match (with_texture, with_normals) {
             (false, false) => {}
-            (true, false) => write!(output, "/{}", texture(h))?,
-            (false, true) => write!(output, "//{}", normal(h))?,
-            (true, true) => write!(output, "/{}/{}", texture(h), normal(h))?,
+            (true, false) => write!(output, "/{}", number(texture, h))?,
+            (false, true) => write!(output, "//{}", number(normals, h))?,
+            (true, true) => {
+                let (texture, normal) = (number(texture, h), number(normals, h));
+                write!(output, "/{texture}/{normal}")?;
+            }
         }
     }
     output.write_all(b"\n")

@@ -1,0 +1,129 @@
+//! Attributes in files: tables hold all of them, OBJ files what the format has a place for.
+
+use crate::bench::{Bench, SQUARE};
+
+const TWO: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.25 0.5\nvt 0.75 0.5\n\
+    vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/2/1\n";
+
+/// A program that uses attributes as `body` says.
+fn run(bench: &Bench, body: &str, from: &str, to: &str) -> (String, String) {
+    let program = format!(
+        "use \"std/polygon.hedge\"\n\
+         attr uv: halfedge vec2 = vec2(9, 9)\n\
+         attr normal: vertex vec3 = vec3(0, 0, 0)\n\
+         attr color: vertex vec3 = vec3(1, 1, 1)\n\
+         attr crease: edge real = 0.5\n\
+         attr part: face int = -1\n\
+         private attr scratch: vertex mat4 = mat4(0)\n\
+         script s() {{ {body} }}\n"
+    );
+    bench.write("s.hedge", program);
+    let said = bench.run(&["run", "s.hedge", from, "-o", to]);
+    assert_eq!(said.code, 0, "{said:?}");
+    (said.out, said.err)
+}
+
+#[test]
+fn corners_of_obj_files_are_values() {
+    let bench = Bench::new();
+    bench.write("m.obj", TWO);
+    let body = "for f in faces { for h in f.halfedges { h.uv = h.uv + vec2(1, 0) } }\n\
+        print sum(dot(v.normal, v.normal) for v in vertices)";
+    let (_, err) = run(&bench, body, "m.obj", "n.obj");
+    // What is said besides, nothing is lost.
+    assert_eq!(err, "");
+    let written = bench.read("n.obj");
+    let rows = "vt 1 0\nvt 1.25 0.5\nvt 1.75 0.5\nvn 0 0 1\n";
+    let faces = "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/2/1\n";
+    assert!(written.ends_with(&format!("{rows}{faces}")), "{written}");
+    // What a program does not name stays as the file had it.
+    run(&bench, "print count(edges)", "m.obj", "n.obj");
+    assert_eq!(bench.read("n.obj"), TWO);
+    let told = bench.succeeds(&["info", "m.obj"]);
+    assert!(
+        told.contains("  attributes            uv: halfedge vec2\n"),
+        "{told}"
+    );
+}
+
+#[test]
+fn values_of_vertices_stand_at_all_their_corners() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    let body = "for v in vertices { v.normal = vec3(0, 0, 1) v.color = v.position }";
+    let (_, err) = run(&bench, body, "m.obj", "n.obj");
+    assert_eq!(err, "");
+    let written = bench.read("n.obj");
+    assert!(written.contains("v 1 1 0 1 1 0\n"), "{written}");
+    assert_eq!(written.matches("vn ").count(), 1, "{written}");
+    // And come back from there.
+    let body = "assert all(v.normal == vec3(0, 0, 1) and v.color == v.position for v in vertices)";
+    run(&bench, body, "n.obj", "k.obj");
+    assert_eq!(bench.read("k.obj"), written);
+}
+
+#[test]
+fn what_a_file_cannot_hold_is_said_in_one_line() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    let body = "for e in edges { e.crease = 2 } for f in faces { f.part = f.part + 1 }";
+    let (_, err) = run(&bench, body, "m.obj", "n.obj");
+    let told = "warning: n.obj cannot hold `crease` (edge real), `part` (face int); \
+        a .halfedges file can\n";
+    assert_eq!(err, told);
+    let (_, err) = run(&bench, body, "m.obj", "n.halfedges");
+    assert_eq!(err, "");
+    bench.write("g.obj", format!("g wing\n{SQUARE}"));
+    let (_, err) = run(&bench, body, "g.obj", "n.halfedges");
+    assert!(
+        err.contains("cannot hold the groups and materials"),
+        "{err}"
+    );
+}
+
+#[test]
+fn tables_hold_all_attributes_after_erasing() {
+    let bench = Bench::new();
+    bench.write("m.obj", TWO);
+    // Elements come and go first, so the tables have gaps.
+    let body = "var first = true\n\
+        for e in edges where first and not boundary(e) {\n\
+          let v = must bisect(e)  must dissolve_vertex(v)  first = false\n\
+        }\n\
+        for e in edges { e.crease = length(e) / 3 }\n\
+        for f in faces { f.part = 7 }\n\
+        for v in vertices { v.scratch = mat4(2) v.normal = v.position / 3 }\n\
+        for h in halfedges { h.uv = h.uv / 7 }";
+    run(&bench, body, "m.obj", "a.halfedges");
+    let tables = bench.read("a.halfedges");
+    assert!(!tables.contains("scratch"), "{tables}");
+    for told in ["face int", "edge real", "vertex vec3", "halfedge vec2"] {
+        assert!(
+            bench.succeeds(&["info", "a.halfedges"]).contains(told),
+            "{told}"
+        );
+    }
+    let same = "assert all(e.crease == length(e) / 3 for e in edges)\n\
+        assert all(f.part == 7 for f in faces)\n\
+        assert all(v.normal == v.position / 3 for v in vertices)\n\
+        print sum(h.uv for h in halfedges)";
+    run(&bench, same, "a.halfedges", "b.halfedges");
+    assert_eq!(bench.read("b.halfedges"), tables);
+}
+
+#[test]
+fn places_in_tables_are_ids() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    run(&bench, "print 1", "m.obj", "m.halfedges");
+    let op = "std/polygon.hedge::inset_vertex";
+    let apply = |to| bench.succeeds(&["apply", op, "m.halfedges", "--at", "face:0", "-o", to]);
+    assert!(apply("n.halfedges").contains("result   vertex:4\n"));
+    assert!(apply("n.obj").contains("result   vertex:5\n"));
+    bench.write("two.halfedges", "mesh a\nmesh b\n");
+    let words = "a file with one `mesh` is wanted; this has 2";
+    bench.fails(2, &["view", "two.halfedges", "-o", "x.svg"], words);
+    bench.write("broken.halfedges", "mesh a\nvertex 0 halfedge 3 at 0 0 0\n");
+    let words = "this is no valid mesh";
+    bench.fails(2, &["view", "broken.halfedges", "-o", "x.svg"], words);
+}
