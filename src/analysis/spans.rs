@@ -3,7 +3,8 @@
 use super::snapshot::{Snapshot, span_of};
 use crate::source::Span;
 use crate::syntax::tree::{
-    Action, ActionKind, Block, Condition, Expr, ExprKind, Item, Name, Rule, Side, Spoke, Statement,
+    Action, ActionKind, Block, Condition, Expr, ExprKind, Item, Name, Rule, Shown, Side, Spoke,
+    Statement,
 };
 
 /// The parts around a byte, the smallest first: a word, the name, the statement, the side,
@@ -209,7 +210,10 @@ impl Spans {
                 self.block(then);
                 otherwise.iter().for_each(|block| self.block(block));
             }
-            ActionKind::Print(values) => values.iter().for_each(|value| self.value(value)),
+            ActionKind::Print(values) => {
+                let values = values.iter().flat_map(Shown::values);
+                values.for_each(|value| self.value(value));
+            }
             ActionKind::Assert { condition, .. } => self.value(condition),
             ActionKind::Return(value) => value.iter().for_each(|value| self.value(value)),
             ActionKind::Block(block) => self.block(block),

@@ -19,7 +19,8 @@ Exit codes:
   0  all is well
   1  something is not proved or not formatted, or a script failed
   2  bad usage, or a file that cannot be read or written
-  3  the operation was refused";
+  3  the operation was refused
+  130  interrupted by Ctrl-C, with nothing written";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -79,15 +80,17 @@ pub(super) struct CheckArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(disable_help_flag = true)]
 pub(super) struct RunArguments {
     /// A program, and the script in it if there are several
-    #[arg(value_name = "FILE[::SCRIPT]")]
-    pub script: String,
+    #[arg(value_name = "FILE[::SCRIPT]", required_unless_present = "help")]
+    pub script: Option<String>,
     /// The mesh to run it on (.obj, .halfedges)
-    pub mesh: PathBuf,
+    #[arg(required_unless_present = "help")]
+    pub mesh: Option<PathBuf>,
     /// Where to write the result (.obj, .halfedges)
-    #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    #[arg(short, long, value_name = "FILE", required_unless_present = "help")]
+    pub output: Option<PathBuf>,
     /// Where to write a picture of the result (.png or .svg)
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
@@ -97,6 +100,9 @@ pub(super) struct RunArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    /// Print help; behind FILE::SCRIPT, that of the script, with its parameters
+    #[arg(short, long)]
+    pub help: bool,
 }
 
 #[derive(Debug, Args)]

@@ -3,7 +3,7 @@
 //! The only place, with the language server, that touches files and streams.
 //! Results go to standard output, everything said about them to standard error. Exit
 //! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
-//! usage or a file that cannot be read or written; 3 the operation was refused.
+//! usage or a file that cannot be read or written; 3 the operation was refused; 130 interrupted.
 
 mod apply;
 mod arguments;
@@ -15,6 +15,7 @@ mod failure;
 mod files;
 mod fmt;
 mod info;
+mod interrupt;
 mod library;
 mod lsp;
 mod meshes;
@@ -24,6 +25,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod script;
 mod test;
 mod view;
 mod witness;

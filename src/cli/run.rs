@@ -8,17 +8,27 @@ use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
+use super::interrupt;
 use super::meshes;
 use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
+use super::script;
 use crate::draw::{View, draw_mesh};
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
+    let (Some(script), Some(mesh), Some(output), false) = (
+        &arguments.script,
+        &arguments.mesh,
+        &arguments.output,
+        arguments.help,
+    ) else {
+        return script::help(arguments.script.as_deref());
+    };
     let started = Instant::now();
-    let (path, name) = program::part(&arguments.script);
+    let (path, name) = program::part(script);
     let program = program::read_sound(path)?;
     let script = program::find_script(&program, name)?;
     let complain = |diagnostics: &[_], code: u8| {
@@ -31,13 +41,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .arguments(&settings(&arguments.set)?)
         .map_err(|errors| complain(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
-    meshes::expect_place(&arguments.output)?;
+    meshes::expect_place(output)?;
     if let Some(picture) = &arguments.picture {
         expect_picture(picture)?;
     }
 
     let started = Instant::now();
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(mesh)?;
     let load = started.elapsed().as_secs_f64();
     for attribute in prepared.attributes() {
         obj.bring(attribute);
@@ -46,14 +56,21 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 
     let started = Instant::now();
     let name = program.analysis.program.scripts[script].name.clone();
+    interrupt::listen();
     let mut progress = Progress::new(&name, arguments.format == Format::Json);
     let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);
     progress.finish();
-    let report = report.map_err(|failure| complain(&[failure.diagnostic], 1))?;
+    let report = report.map_err(|failure| {
+        let code = match failure.diagnostic.code {
+            "interrupted" => interrupt::CODE,
+            _ => 1,
+        };
+        complain(&[failure.diagnostic], code)
+    })?;
     let run = started.elapsed().as_secs_f64();
 
     let started = Instant::now();
-    meshes::write(&arguments.output, &mut obj)?;
+    meshes::write(output, &mut obj)?;
     if let Some(picture) = &arguments.picture {
         write_picture(&draw_mesh(&obj.mesh, &View::default()), picture, 1.0)?;
     }

@@ -5,7 +5,7 @@
 //! walked here without recursion. Everything else recurses once a level.
 
 use crate::diagnostic::Diagnostic;
-use crate::syntax::tree::{Action, ActionKind, Block, Expr, ExprKind};
+use crate::syntax::tree::{Action, ActionKind, Block, Expr, ExprKind, Shown};
 
 use super::report::Report;
 
@@ -188,7 +188,10 @@ fn push_parts<'a>(action: &'a Action, mut push: impl FnMut(Node<'a>)) {
             push(Node::Block(then));
             otherwise.iter().for_each(|block| push(Node::Block(block)));
         }
-        ActionKind::Print(values) => values.iter().for_each(|value| push(Node::Expr(value))),
+        ActionKind::Print(values) => {
+            let values = values.iter().flat_map(Shown::values);
+            values.for_each(|value| push(Node::Expr(value)));
+        }
         ActionKind::Assert { condition, .. } => push(Node::Expr(condition)),
         ActionKind::Return(value) => value.iter().for_each(|value| push(Node::Expr(value))),
         ActionKind::Block(block) => push(Node::Block(block)),

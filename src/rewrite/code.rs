@@ -8,6 +8,7 @@
 use std::sync::Arc;
 
 use super::Function;
+use super::print::RealDigits;
 use super::wide::{Lanes, Matrix};
 use crate::mesh::ElementKind;
 
@@ -933,15 +934,18 @@ pub enum Inst {
     },
     PrintReal {
         from: Reg,
+        digits: RealDigits,
     },
     PrintVec {
         from: Reg,
+        digits: RealDigits,
     },
     /// Prints a vector or matrix with columns of this size.
     PrintWide {
         from: Reg,
         size: u8,
         columns: u8,
+        digits: RealDigits,
     },
     PrintElement {
         kind: ElementKind,

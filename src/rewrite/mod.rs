@@ -42,7 +42,7 @@ pub use code::{
 pub use function::Function;
 pub use machine::{Count, Machine};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
-pub use print::{ElementText, RealText, VectorText, WideText};
+pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use steps::{BELOW, Steps};
 pub use trap::{Message, Site, Trap};
 pub use watch::{Unwatched, Watch};

@@ -80,7 +80,7 @@ fn places() {
         ("edge", "is no place"),
         ("edge:1", "is no place"),
         ("edge:1-2-3", "is no place"),
-        ("edge:0-1", "is no place"),
+        ("edge:0-1", "no vertex 0"),
         ("edge:-1-2", "is no place"),
         ("edge:1.5-2", "is no place"),
         ("edge:99999999999-1", "is no place"),

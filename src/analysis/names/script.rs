@@ -2,7 +2,7 @@
 
 use super::symbol::{Role, SymbolKind};
 use super::walk::Walk;
-use crate::syntax::tree::{Action, ActionKind, Block, Param};
+use crate::syntax::tree::{Action, ActionKind, Block, Param, Shown};
 
 impl Walk {
     /// Parameters, and the body that sees them.
@@ -101,7 +101,10 @@ impl Walk {
                 self.leave();
                 otherwise.iter().for_each(|block| self.block(block));
             }
-            ActionKind::Print(values) => values.iter().for_each(|value| self.value(value)),
+            ActionKind::Print(values) => {
+                let values = values.iter().flat_map(Shown::values);
+                values.for_each(|value| self.value(value));
+            }
             ActionKind::Assert { condition, .. } => self.value(condition),
             ActionKind::Return(value) => value.iter().for_each(|value| self.value(value)),
             ActionKind::Block(block) => self.block(block),

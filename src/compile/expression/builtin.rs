@@ -1,5 +1,6 @@
 //! Calls of what is part of the language.
 
+use super::angle;
 use super::operator::{matrix, wide};
 use crate::diagram::{Builtin, Type};
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Reg};
@@ -117,6 +118,9 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
             asm.trap_at(place, load(HalfedgeField::Edge, to, from));
             asm.trap_at(place, Inst::LengthEdge { to, edge: to });
         }
+        Builtin::AngleCorner | Builtin::Cotangent | Builtin::DihedralAngle => {
+            angle::lower(asm, place, builtin, from, to);
+        }
         Builtin::CentroidEdge => {
             let (halfedge, other) = (asm.reg(), asm.vec());
             let (of, element) = (ElementField::Edge, from);
@@ -198,30 +202,7 @@ fn of_two(asm: &mut Assembler, place: u32, builtin: Builtin, [left, right]: [Reg
             });
             Inst::LengthVec { to, from: between }
         }
-        Builtin::Angle => {
-            // The arc tangent of sine over cosine is exact near 0 and a half turn, where
-            // the arc cosine is not.
-            let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
-            asm.emit(Inst::Cross {
-                to: cross,
-                left,
-                right,
-            });
-            asm.emit(Inst::LengthVec {
-                to: sine,
-                from: cross,
-            });
-            asm.emit(Inst::Dot {
-                to: cosine,
-                left,
-                right,
-            });
-            Inst::Atan2Real {
-                to,
-                left: sine,
-                right: cosine,
-            }
-        }
+        Builtin::Angle => angle::between(asm, left, right, to),
         _ => return unknown(asm, place),
     };
     asm.trap_at(place, inst);

@@ -20,6 +20,8 @@ mod expression;
 
 mod name;
 
+mod text;
+
 mod recover;
 
 mod failure;
