@@ -80,17 +80,16 @@ pub(super) struct CheckArguments {
 }
 
 #[derive(Debug, Args)]
-#[command(disable_help_flag = true)]
+#[command(after_help = "Behind FILE::SCRIPT, --help is about the script and its parameters.")]
 pub(super) struct RunArguments {
     /// A program, and the script in it if there are several
-    #[arg(value_name = "FILE[::SCRIPT]", required_unless_present = "help")]
-    pub script: Option<String>,
+    #[arg(value_name = "FILE[::SCRIPT]")]
+    pub script: String,
     /// The mesh to run it on (.obj, .halfedges)
-    #[arg(required_unless_present = "help")]
-    pub mesh: Option<PathBuf>,
+    pub mesh: PathBuf,
     /// Where to write the result (.obj, .halfedges)
-    #[arg(short, long, value_name = "FILE", required_unless_present = "help")]
-    pub output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
     /// Where to write a picture of the result (.png or .svg)
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
@@ -100,9 +99,6 @@ pub(super) struct RunArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// Print help; behind FILE::SCRIPT, that of the script, with its parameters
-    #[arg(short, long)]
-    pub help: bool,
 }
 
 #[derive(Debug, Args)]

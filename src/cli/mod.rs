@@ -33,20 +33,29 @@ mod witness;
 use std::process::ExitCode;
 
 use clap::Parser;
+use clap::error::ErrorKind;
 
 use arguments::{Arguments, Command};
+use failure::Failure;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
+            let words = std::env::args_os().skip(1);
+            let words = words.map(|word| word.to_string_lossy().into_owned());
+            if error.kind() == ErrorKind::DisplayHelp
+                && let Some(script) = script::asked(words)
+            {
+                return ended(script::help(&script));
+            }
             // Help and version are no failures; a closed pipe is nobody's.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
     };
-    let done = match arguments.command {
+    ended(match arguments.command {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
@@ -59,7 +68,11 @@ pub fn main() -> ExitCode {
         Command::Fmt(arguments) => fmt::fmt(&arguments),
         Command::Test(arguments) => test::test(&arguments),
         Command::Std(arguments) => library::std(&arguments),
-    };
+    })
+}
+
+/// The exit code of a command; a failure is told.
+fn ended(done: Result<(), Failure>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

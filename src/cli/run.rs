@@ -13,22 +13,13 @@ use super::meshes;
 use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
-use super::script;
 use crate::draw::{View, draw_mesh};
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
-    let (Some(script), Some(mesh), Some(output), false) = (
-        &arguments.script,
-        &arguments.mesh,
-        &arguments.output,
-        arguments.help,
-    ) else {
-        return script::help(arguments.script.as_deref());
-    };
     let started = Instant::now();
-    let (path, name) = program::part(script);
+    let (path, name) = program::part(&arguments.script);
     let program = program::read_sound(path)?;
     let script = program::find_script(&program, name)?;
     let complain = |diagnostics: &[_], code: u8| {
@@ -41,13 +32,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .arguments(&settings(&arguments.set)?)
         .map_err(|errors| complain(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
-    meshes::expect_place(output)?;
+    meshes::expect_place(&arguments.output)?;
     if let Some(picture) = &arguments.picture {
         expect_picture(picture)?;
     }
 
     let started = Instant::now();
-    let mut obj = meshes::read(mesh)?;
+    let mut obj = meshes::read(&arguments.mesh)?;
     let load = started.elapsed().as_secs_f64();
     for attribute in prepared.attributes() {
         obj.bring(attribute);
@@ -70,7 +61,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let run = started.elapsed().as_secs_f64();
 
     let started = Instant::now();
-    meshes::write(output, &mut obj)?;
+    meshes::write(&arguments.output, &mut obj)?;
     if let Some(picture) = &arguments.picture {
         write_picture(&draw_mesh(&obj.mesh, &View::default()), picture, 1.0)?;
     }

@@ -1,23 +1,21 @@
 //! `hedgerow run FILE::SCRIPT --help`: what a script does, and what it can be told.
 
-use clap::CommandFactory;
-
-use super::arguments::Arguments;
 use super::failure::Failure;
 use super::output::{complain_of, say, table};
 use super::program::{self, Program};
 use crate::resolve::Script;
 
-/// Says what a script does, or all scripts of a file if none is named; without a file, what
-/// `run` does.
-pub(super) fn help(script: Option<&str>) -> Result<(), Failure> {
-    let Some(script) = script else {
-        let mut command = Arguments::command();
-        if let Some(run) = command.find_subcommand_mut("run") {
-            say(run.render_help().to_string().trim_end());
-        }
-        return Ok(());
-    };
+/// The script that the arguments of this process ask help about, if they do: the first word
+/// behind `run` that is no option.
+pub(super) fn asked(mut arguments: impl Iterator<Item = String>) -> Option<String> {
+    let command = arguments.find(|argument| !argument.starts_with('-'));
+    command.filter(|command| command == "run")?;
+    let mut rest = arguments.take_while(|argument| argument != "--help" && argument != "-h");
+    rest.find(|argument| !argument.starts_with('-'))
+}
+
+/// Says what a script does, or all scripts of a file if none is named.
+pub(super) fn help(script: &str) -> Result<(), Failure> {
     let (path, name) = program::part(script);
     let program = program::read(path)?;
     complain_of(&program.analysis.diagnostics, &program.sources);

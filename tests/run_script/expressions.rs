@@ -228,7 +228,7 @@ fn elements_with_extreme_values() {
         .replace("e.vertices_sum", "e.halfedge.vertex.position.x");
     assert_eq!(
         printed(&mut shape::grid(3, 3), &body),
-        ["vertex 10", "edge 3"]
+        ["vertex 6", "edge 0"]
     );
     let failed = "print argmin(area(f) for f in holes)";
     assert!(printed(&mut shape::grid(1, 1), failed).len() == 1);

@@ -236,11 +236,11 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
         true => Err(Failure::at(scene.span())),
         false => Ok(()),
     });
+    let open = open.labelled(Phrase::Operator).boxed();
     let hole = select! { T::Hole => () }.map_with(|(), scene| name_here(scene));
     let callee = name().or(hole.then_ignore(open.clone().rewind())).boxed();
-    let arguments = open
-        .labelled(Phrase::Operator)
-        .ignore_then(inside.recover_with(via_parser(broken)));
+    let inside = inside.recover_with(via_parser(broken)).boxed();
+    let arguments = open.ignore_then(inside).boxed();
     callee
         .then(arguments.or_not())
         .validate(|(name, arguments), _, emitter| {
