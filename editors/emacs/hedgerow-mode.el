@@ -16,7 +16,7 @@
 
 (defconst hedgerow-keywords
   '("use" "private" "attr" "fn" "op" "script" "test" "keeps" "rule" "before" "require" "guard"
-    "after" "face" "hole" "loop" "edge" "vertex" "each" "new" "keep" "erase" "let" "var" "if"
+    "alias" "after" "face" "hole" "loop" "edge" "vertex" "each" "new" "keep" "erase" "let" "var" "if"
     "else" "repeat" "for" "in" "where" "while" "drain" "by" "update" "must" "print" "assert"
     "return" "break" "continue" "and" "or" "not" "div" "mod" "true" "false"))
 

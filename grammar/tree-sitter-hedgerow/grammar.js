@@ -6,7 +6,7 @@
 // What can never be a name; a word after a dot and a type may be any of them.
 const HARD = [
   "use", "attr", "fn", "op", "script",
-  "keeps", "rule", "before", "require", "guard", "after",
+  "keeps", "rule", "before", "require", "guard", "alias", "after",
   "face", "hole", "loop", "edge", "vertex",
   "each", "new", "keep", "erase",
   "let", "var", "if", "else", "repeat", "for", "in",
@@ -126,7 +126,7 @@ module.exports = grammar({
 
     property: ($) => $.identifier,
 
-    _rules: ($) => seq(repeat($._condition), $.rule, repeat(choice($.rule, $._condition))),
+    _rules: ($) => repeat1($.rule),
     rule: ($) => seq("rule", field("name", $.identifier), "{", optional($._rewrite), "}"),
 
     // A side that lacks is a mistake of meaning, which is told elsewhere.
@@ -138,11 +138,12 @@ module.exports = grammar({
     before: ($) => seq("before", "{", repeat($._statement), "}"),
     after: ($) => seq("after", "{", repeat($._statement), "}"),
 
-    _condition: ($) => choice($.require, $.guard),
+    _condition: ($) => choice($.require, $.guard, $.alias),
     require: ($) => seq(
       "require", field("condition", $._value), optional(seq("else", field("reason", $.text))),
     ),
     guard: ($) => seq("guard", field("level", $.identifier)),
+    alias: ($) => seq("alias", $.name, repeat1($.name)),
 
     _statement: ($) => choice($.ring, $.edge, $.star, $.names, $.change),
 

@@ -5,15 +5,17 @@
 //! for names. No file uses itself, directly or through others.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use strsim::damerau_levenshtein;
 
+use super::readings::Readings;
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, FOLDER};
 use crate::resolve::Unit;
 use crate::source::{FileId, Sources, Span};
+use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
-use crate::syntax::{Parsed, parse};
 
 /// Where texts come from.
 pub trait Reader {
@@ -25,6 +27,11 @@ pub trait Reader {
 
     /// The names of programs that lie beside a file, for suggestions.
     fn beside(&mut self, name: &str) -> Vec<String>;
+
+    /// The names of programs in a folder, however deep: as many as are worth looking at.
+    fn under(&mut self, _folder: &str) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Reads nothing: all files there are have been added to the [`Sources`] before.
@@ -54,18 +61,19 @@ pub(super) type Absent = HashMap<String, Missing>;
 
 /// Adds every file that `root` uses, directly or through others, to `sources`; gives what
 /// could not be had.
-pub(super) fn fetch(sources: &mut Sources, root: FileId, reader: &mut dyn Reader) -> Absent {
+pub(super) fn fetch(
+    sources: &mut Sources,
+    root: FileId,
+    reader: &mut dyn Reader,
+    readings: &mut Readings,
+) -> Absent {
     let mut absent = Absent::new();
     let mut seen = vec![root];
     let mut open = vec![root];
     while let Some(file) = open.pop() {
         let source = sources.get(file);
-        // To read a file twice takes time while somebody types; most use no other.
-        if !source.text().contains("use") {
-            continue;
-        }
         let here = source.name().to_owned();
-        let paths = uses(&parse(file, source.text()));
+        let paths = uses(&readings.read(file, source));
         for (path, _) in paths {
             let name = name_of(&here, &path);
             let found = match sources.find(&name) {
@@ -149,7 +157,7 @@ fn uses(parsed: &Parsed) -> Vec<(String, Span)> {
 /// A file of the program.
 pub(super) struct Part {
     pub file: FileId,
-    pub parsed: Parsed,
+    pub parsed: Rc<Parsed>,
     /// The files it uses, by their places among the parts.
     pub uses: Vec<usize>,
     /// Whether one that it uses could not be had.
@@ -179,14 +187,20 @@ pub(super) struct Parts {
 
 impl Parts {
     /// Gathers what `root` is made of from `sources`.
-    pub fn of(sources: &Sources, root: FileId, absent: &Absent) -> Self {
+    pub fn of(sources: &Sources, root: FileId, absent: &Absent, readings: &mut Readings) -> Self {
         let mut parts = Self::default();
-        parts.visit(sources, root, absent);
+        parts.visit(sources, root, absent, readings);
         parts
     }
 
-    fn visit(&mut self, sources: &Sources, file: FileId, absent: &Absent) -> usize {
-        let parsed = parse(file, sources.get(file).text());
+    fn visit(
+        &mut self,
+        sources: &Sources,
+        file: FileId,
+        absent: &Absent,
+        readings: &mut Readings,
+    ) -> usize {
+        let parsed = readings.read(file, sources.get(file));
         let paths = uses(&parsed);
         let place = self.parts.len();
         self.places.insert(file, place);
@@ -217,7 +231,7 @@ impl Parts {
                 Some(&place) => place,
                 None => {
                     self.open.push((used, Some(span)));
-                    let place = self.visit(sources, used, absent);
+                    let place = self.visit(sources, used, absent, readings);
                     self.open.pop();
                     place
                 }

@@ -2,7 +2,6 @@
 
 use super::side::Sketch;
 use super::snapshot::Snapshot;
-use super::verdict::Verdict;
 use crate::source::Span;
 use crate::syntax::TokenKind;
 use crate::syntax::tree::{Item, Op, Rule, Statement};
@@ -24,7 +23,7 @@ pub struct Hint {
 pub fn hints(snapshot: &Snapshot, part: std::ops::Range<usize>) -> Vec<Hint> {
     let mut hints = Vec::new();
     for item in snapshot.items() {
-        let span = super::span_of(item);
+        let span = item.span();
         if span.end as usize >= part.start
             && span.start as usize <= part.end
             && let Item::Op(op) = item
@@ -40,9 +39,8 @@ pub fn hints(snapshot: &Snapshot, part: std::ops::Range<usize>) -> Vec<Hint> {
 
 fn op_hints(snapshot: &Snapshot, op: &Op, hints: &mut Vec<Hint>) {
     let resolved = snapshot.resolved(op);
-    let resolved = resolved.map(|at| (&snapshot.program().ops[at], snapshot.examined(at)));
-    if let (Some(result), Some((known, _))) = (&op.result, resolved)
-        && let Some(ty) = known.result
+    if let (Some(result), None, Some(at)) = (&op.result, &op.steps, resolved)
+        && let Some(ty) = snapshot.program().ops[at].result
     {
         hints.push(Hint {
             after: result.span,
@@ -51,8 +49,7 @@ fn op_hints(snapshot: &Snapshot, op: &Op, hints: &mut Vec<Hint>) {
             meaning: format!("the op returns {}", super::a_type(ty)),
         });
     }
-    let proved = resolved.and_then(|(_, examined)| examined.proved.as_ref());
-    let verdict = Verdict::of(&op.name.text, proved);
+    let verdict = snapshot.verdict(op);
     for (at, rule) in op.rules.iter().enumerate() {
         outer_ends(rule, hints);
         if let (Some(verdict), Some(after)) = (verdict.rules.get(at), &rule.after) {
@@ -114,21 +111,19 @@ fn follows_let(snapshot: &Snapshot, name: Span) -> bool {
 
 /// The types of variables that are declared without one.
 fn variables(snapshot: &Snapshot, hints: &mut Vec<Hint>) {
-    for script in &snapshot.program().scripts {
-        for variable in script.variables.iter().skip(script.params.len()) {
-            let mention = snapshot.names().at(variable.span.start as usize);
-            let symbol = mention.map(|mention| snapshot.names().symbol(mention.symbol));
-            let is_bare = symbol.is_some_and(|symbol| {
-                symbol.definition == Some(variable.span) && symbol.ty.is_none()
+    let variables = snapshot.program().variables();
+    for variable in variables.filter(|of| of.span.file == snapshot.file()) {
+        let mention = snapshot.names().at(variable.span.start as usize);
+        let symbol = mention.map(|mention| snapshot.names().symbol(mention.symbol));
+        let is_bare = symbol
+            .is_some_and(|symbol| symbol.definition == Some(variable.span) && symbol.ty.is_none());
+        if is_bare && follows_let(snapshot, variable.span) {
+            hints.push(Hint {
+                after: variable.span,
+                label: format!(": {}", variable.ty.word()),
+                is_type: true,
+                meaning: format!("`{}` is {}", variable.name, super::a_type(variable.ty)),
             });
-            if is_bare && follows_let(snapshot, variable.span) {
-                hints.push(Hint {
-                    after: variable.span,
-                    label: format!(": {}", variable.ty.word()),
-                    is_type: true,
-                    meaning: format!("`{}` is {}", variable.name, super::a_type(variable.ty)),
-                });
-            }
         }
     }
 }

@@ -3,8 +3,9 @@
 use std::rc::Rc;
 
 use super::element::{Element, element};
-use super::names::{Mention, Symbol, SymbolKind};
+use super::names::{Mention, SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
+use super::types::type_of;
 use super::verdict::Verdict;
 use super::words::{Word, word};
 use crate::diagram;
@@ -113,7 +114,9 @@ fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Ca
         ))),
         SymbolKind::Element(_) => {
             let found = element(snapshot, mention.symbol, offset);
-            found.map(Card::Element).or_else(|| Some(declared(symbol)))
+            found
+                .map(Card::Element)
+                .or_else(|| Some(declared(snapshot, mention.symbol)))
         }
         SymbolKind::Script | SymbolKind::Function | SymbolKind::Attribute => {
             item_card(snapshot, &symbol.name)
@@ -122,13 +125,17 @@ fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Ca
             let (_, op) = snapshot.op_at(offset)?;
             Some(Card::Op(op_card(snapshot, op)))
         }
-        SymbolKind::Parameter | SymbolKind::Index | SymbolKind::Variable => Some(declared(symbol)),
+        SymbolKind::Parameter | SymbolKind::Index | SymbolKind::Variable => {
+            Some(declared(snapshot, mention.symbol))
+        }
         SymbolKind::Elsewhere => None,
     }
 }
 
-fn declared(symbol: &Symbol) -> Card {
-    let head = match &symbol.ty {
+fn declared(snapshot: &Snapshot, id: SymbolId) -> Card {
+    let symbol = snapshot.names().symbol(id);
+    let known = || type_of(snapshot, id).map(|ty| ty.word().to_owned());
+    let head = match symbol.ty.clone().or_else(known) {
         Some(ty) => format!("{}: {ty}", symbol.name),
         None => symbol.name.clone(),
     };
@@ -159,9 +166,6 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
 
 /// What there is to say about an op.
 pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
-    let proved = snapshot
-        .resolved(op)
-        .and_then(|at| snapshot.examined(at).proved.as_ref());
     let wrong = snapshot.diagnostics();
     let wrong = wrong
         .iter()
@@ -171,7 +175,7 @@ pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
         docs: op.docs.clone(),
         diagram: snapshot.readable(op),
         is_current: snapshot.is_readable(op),
-        verdict: Verdict::of(&op.name.text, proved),
+        verdict: snapshot.verdict(op),
         wrong: wrong.map(|told| told.message.clone()).collect(),
     }
 }

@@ -1,7 +1,6 @@
 //! What is told and offered above an item.
 
 use super::snapshot::Snapshot;
-use super::verdict::Verdict;
 use crate::source::Span;
 use crate::syntax::tree::Item;
 
@@ -37,13 +36,11 @@ pub fn lenses(snapshot: &Snapshot) -> Vec<Lens> {
     for item in snapshot.items() {
         match item {
             Item::Op(op) => {
-                let proved = snapshot
-                    .resolved(op)
-                    .and_then(|at| snapshot.examined(at).proved.as_ref());
-                let verdict = Verdict::of(&op.name.text, proved);
+                let verdict = snapshot.verdict(op);
                 let cases: usize = verdict.rules.iter().map(|rule| rule.cases).sum();
                 let title = match (verdict.proved, cases) {
                     (false, _) => "not proved".to_owned(),
+                    (true, 0) => "proved, step by step".to_owned(),
                     (true, 1) => "proved, 1 case".to_owned(),
                     (true, cases) => format!("proved, {cases} cases"),
                 };
@@ -54,7 +51,9 @@ pub fn lenses(snapshot: &Snapshot) -> Vec<Lens> {
                     name: op.name.text.clone(),
                 };
                 lenses.push(lens(title, Offer::Proof));
-                lenses.push(lens("show diagram".into(), Offer::Diagram));
+                if op.steps.is_none() {
+                    lenses.push(lens("show diagram".into(), Offer::Diagram));
+                }
             }
             Item::Script(script) => lenses.push(Lens {
                 span: script.name.span,

@@ -4,6 +4,7 @@
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
 mod action;
+mod aliases;
 mod argument;
 mod completion;
 pub mod element;
@@ -14,22 +15,26 @@ mod hints;
 mod hover;
 mod lenses;
 mod links;
+mod memory;
 pub mod names;
 mod occurrences;
 mod outline;
 mod place;
 mod program;
+mod readings;
 mod refactor;
 pub mod side;
 mod signature;
 mod snapshot;
 mod spans;
 mod tokens;
+mod types;
 mod verdict;
 mod words;
 
 pub use crate::check::{Argument, Counterexample, Proved};
 pub use action::{Action, Purpose, actions};
+pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;
@@ -39,13 +44,13 @@ pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
 pub use lenses::{Lens, Offer, lenses};
 pub use links::{Link, links};
 pub use occurrences::{
-    Shared, a_word, definition, mentions_of_shared, occurrences, rename, renameable, shared,
-    used_path,
+    Shared, a_word, definition, mentions_of_shared, occurrences, rename, rename_shared, renameable,
+    shared, used_path,
 };
 pub use outline::{Entry, EntryKind, folds, outline};
 pub use program::Analysis;
 pub use signature::{Call, signature};
-pub use snapshot::{Snapshot, span_of};
+pub use snapshot::Snapshot;
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
 pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdicts};

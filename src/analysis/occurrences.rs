@@ -19,7 +19,7 @@ pub fn definition(snapshot: &Snapshot, offset: usize) -> Option<Span> {
 
 /// The item of a file that is used, by its name.
 fn declared_elsewhere(snapshot: &Snapshot, name: &str) -> Option<Span> {
-    let items = snapshot.used().iter().flat_map(|(_, tree)| &tree.items);
+    let items = snapshot.seen().flat_map(|(_, tree)| &tree.items);
     let mut names = items.filter_map(|item| match item {
         Item::Op(op) => Some(&op.name),
         Item::Script(script) => Some(&script.name),
@@ -129,6 +129,27 @@ pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>,
         text: to.to_owned(),
     };
     Ok(names.mentions_of(mention.symbol).map(edit).collect())
+}
+
+/// What changes the name of an item in a text that may not be the one that declares it.
+///
+/// # Errors
+///
+/// Says why it cannot be changed to this.
+pub fn rename_shared(snapshot: &Snapshot, item: &Shared, to: &str) -> Result<Vec<Edit>, String> {
+    let mentions = mentions_of_shared(snapshot, item);
+    if let Some(first) = mentions.first()
+        && let Some(taken) = taken(snapshot, first.symbol, to)
+    {
+        let file = snapshot.sources().get(snapshot.file()).name();
+        let what = a_word(taken);
+        return Err(format!("there is already {what} `{to}` in `{file}`"));
+    }
+    let edits = mentions.into_iter().map(|mention| Edit {
+        span: mention.span,
+        text: to.to_owned(),
+    });
+    Ok(edits.collect())
 }
 
 /// Whether a text can be a name.

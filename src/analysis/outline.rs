@@ -149,7 +149,7 @@ pub fn folds(snapshot: &Snapshot) -> Vec<(Span, bool)> {
     let mut folds = Vec::new();
     for item in snapshot.items() {
         if !matches!(item, Item::Broken(_) | Item::Use(_) | Item::Attr(_)) {
-            folds.push((super::span_of(item), false));
+            folds.push((item.span(), false));
         }
         if let Item::Op(op) = item {
             for rule in &op.rules {

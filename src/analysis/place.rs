@@ -2,7 +2,7 @@
 //! where nothing around it can be read.
 
 use super::names::SideName;
-use super::snapshot::{Snapshot, span_of};
+use super::snapshot::Snapshot;
 use crate::syntax::tree::{self, Item, Rule};
 use crate::syntax::{Token, TokenKind as T};
 
@@ -179,15 +179,15 @@ fn within(tokens: &[Token]) -> Place {
                     }
                 }
                 closed = open.is_empty();
-                // Behind a side the op goes on.
-                if matches!(opener, T::Before | T::After | T::Rule) {
+                // Behind a side the op goes on; behind a block its steps do.
+                if matches!(opener, T::Before | T::After | T::Rule | T::Steps) {
                     opener = open.last().map_or(tokens[0].kind, |(_, of)| *of);
                 }
             }
             T::RightParen => {
                 open.pop_if(|(bracket, _)| *bracket == T::LeftParen);
             }
-            T::Before | T::After | T::Rule | T::Require | T::Guard | T::Each => {
+            T::Before | T::After | T::Rule | T::Steps | T::Require | T::Guard | T::Each => {
                 opener = token.kind;
             }
             _ => {}
@@ -211,6 +211,7 @@ fn within(tokens: &[Token]) -> Place {
             None => head(tokens, last),
             Some((_, T::Before)) => side(tokens, SideName::Before),
             Some((_, T::After)) => side(tokens, SideName::After),
+            Some((_, T::Steps)) => value(last),
             Some((_, T::Each)) => Place::Nowhere,
             Some(_) if first == T::Op => op_body(opener, last),
             Some(_) => value(last),
@@ -341,5 +342,5 @@ pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)>
 /// The item that a cursor is in or behind, and its index.
 pub fn item_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &Item)> {
     let mut items = snapshot.items().iter().enumerate().rev();
-    items.find(|(_, item)| (span_of(item).start as usize) <= offset)
+    items.find(|(_, item)| (item.span().start as usize) <= offset)
 }

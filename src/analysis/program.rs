@@ -2,6 +2,7 @@
 
 use super::Examined;
 use super::files::{Absent, Part, Parts, Reader, fetch};
+use super::readings::Readings;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
@@ -34,22 +35,28 @@ impl Analysis {
     /// Nothing is added to `sources`, so a `use` of what is not there is an error, also of a
     /// file of the library: see [`Analysis::with`].
     pub fn of(sources: &Sources, file: FileId) -> Self {
-        Self::of_present(sources, file, &Absent::new())
+        Self::of_present(sources, file, &Absent::new(), &mut Readings::default())
     }
 
     /// The same, after the files it uses have been added to `sources`: those of the library,
     /// and others as the reader gives them.
     pub fn with(sources: &mut Sources, file: FileId, reader: &mut dyn Reader) -> Self {
-        let absent = fetch(sources, file, reader);
-        Self::of_present(sources, file, &absent)
+        let mut readings = Readings::default();
+        let absent = fetch(sources, file, reader, &mut readings);
+        Self::of_present(sources, file, &absent, &mut readings)
     }
 
-    fn of_present(sources: &Sources, file: FileId, absent: &Absent) -> Self {
+    fn of_present(
+        sources: &Sources,
+        file: FileId,
+        absent: &Absent,
+        readings: &mut Readings,
+    ) -> Self {
         let Parts {
             parts,
             mut diagnostics,
             ..
-        } = Parts::of(sources, file, absent);
+        } = Parts::of(sources, file, absent, readings);
         let units: Vec<_> = parts.iter().map(Part::unit).collect();
         let resolved = resolve_all(&units);
         for part in &parts {

@@ -46,7 +46,7 @@ pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize
 }
 
 fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
-    let used = snapshot.used().iter().flat_map(|(_, tree)| &tree.items);
+    let used = snapshot.seen().flat_map(|(_, tree)| &tree.items);
     let declared = snapshot.items().iter().chain(used).find_map(|item| {
         let (name, params, result, docs) = match item {
             Item::Op(op) => (&op.name, &op.params, &op.result, &op.docs),

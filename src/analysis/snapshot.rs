@@ -6,54 +6,41 @@
 //! op that could be read, for what is shown while somebody types in the middle of it.
 
 use std::cell::{OnceCell, RefCell};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::rc::Rc;
-use std::sync::Arc;
 
 use super::files::{Parts, Reader, fetch, name_of};
+use super::memory::{Memory, Passage};
 use super::names::Names;
-use super::{Examined, files};
+use super::{Examined, StepsVerdict, Verdict, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::resolve::{Program, resolve_all};
-use crate::rewrite::Function;
-use crate::run::Functions;
-use crate::source::{FileId, Sources, Span};
+use crate::rewrite::Plan;
+use crate::run::{Functions, calls_of_steps, plan_steps};
+use crate::source::{FileId, Sources};
 use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
-
-/// How many proofs are remembered before those of other texts are dropped.
-const MOST_REMEMBERED: usize = 1024;
 
 /// What is known of one text.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     sources: Sources,
     file: FileId,
-    parsed: Parsed,
-    used: Vec<(FileId, tree::File)>,
+    parsed: Rc<Parsed>,
+    used: Vec<(FileId, Rc<Parsed>)>,
+    seen: Vec<FileId>,
     program: Program,
-    functions: Arc<[Function]>,
+    functions: Functions,
     told: Vec<Diagnostic>,
     names: Names,
     surroundings: u64,
+    /// The ops that have to be proved: its own, and what the steps of those call.
+    due: BTreeSet<usize>,
     examined: Vec<OnceCell<Rc<Examined>>>,
+    planned: OnceCell<Planned>,
     memory: Rc<RefCell<Memory>>,
-}
-
-/// What one snapshot of a document leaves to the next.
-#[derive(Clone, Debug, Default)]
-struct Memory {
-    proofs: HashMap<String, Remembered>,
-    readable: BTreeMap<String, Rc<diagram::Op>>,
-}
-
-#[derive(Clone, Debug)]
-struct Remembered {
-    surroundings: u64,
-    at: Span,
-    examined: Rc<Examined>,
 }
 
 impl Snapshot {
@@ -71,20 +58,24 @@ impl Snapshot {
     fn read(name: &str, text: &str, reader: &mut dyn Reader, memory: Rc<RefCell<Memory>>) -> Self {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
-        let absent = fetch(&mut sources, file, reader);
         let Parts {
             mut parts,
             diagnostics: mut told,
             ..
-        } = Parts::of(&sources, file, &absent);
+        } = {
+            let readings = &mut memory.borrow_mut().readings;
+            let absent = fetch(&mut sources, file, reader, readings);
+            Parts::of(&sources, file, &absent, readings)
+        };
         let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
         let resolved = resolve_all(&units);
         told.extend(resolved.diagnostics);
         drop(units);
+        let seen = parts[0].uses.iter().map(|&used| parts[used].file);
+        let seen = seen.collect();
         let own = parts.remove(0);
-        let used = parts.into_iter().map(|part| (part.file, part.parsed.tree));
-        let Parsed { diagnostics, .. } = &own.parsed;
-        told.extend(diagnostics.iter().cloned());
+        let used = parts.into_iter().map(|part| (part.file, part.parsed));
+        told.extend(own.parsed.diagnostics.iter().cloned());
         told.retain(|told| told.span().file == file);
         let program = resolved.program;
         let (functions, too_large) = Functions::of(&program);
@@ -110,8 +101,11 @@ impl Snapshot {
             file,
             parsed: own.parsed,
             used: used.collect(),
+            seen,
+            due: due(&program, &functions, file),
             program,
-            functions: functions.code,
+            functions,
+            planned: OnceCell::new(),
             told,
             memory,
         }
@@ -138,8 +132,19 @@ impl Snapshot {
     }
 
     /// The files it uses, directly or through others.
-    pub fn used(&self) -> &[(FileId, tree::File)] {
-        &self.used
+    pub fn used(&self) -> impl Iterator<Item = (FileId, &tree::File)> {
+        self.used.iter().map(|(file, read)| (*file, &read.tree))
+    }
+
+    /// The files whose items can be named in it: those it uses itself.
+    pub fn seen(&self) -> impl Iterator<Item = (FileId, &tree::File)> {
+        self.used().filter(|(file, _)| self.seen.contains(file))
+    }
+
+    /// The names of the files it uses, directly or through others.
+    pub fn used_names(&self) -> impl Iterator<Item = String> {
+        self.used()
+            .map(|(file, _)| self.sources.get(file).name().to_owned())
     }
 
     /// The file that a `use` of the text means, if it could be had.
@@ -153,7 +158,7 @@ impl Snapshot {
 
     /// Whether it depends on a file of this name, be it there or not.
     pub fn looks_for(&self, file: &str) -> bool {
-        let used = self.used.iter().map(|(_, tree)| tree);
+        let used = self.used().map(|(_, tree)| tree);
         let own = std::iter::once(&self.parsed.tree);
         let has = self
             .sources
@@ -204,9 +209,10 @@ impl Snapshot {
 
     /// Proves one more op, and says whether there was one.
     pub fn examine_next(&self) -> bool {
-        let left = self.own().find(|&op| self.examined[op].get().is_none());
+        let mut due = self.due.iter();
+        let left = due.find(|&&op| self.examined[op].get().is_none());
         match left {
-            Some(op) => {
+            Some(&op) => {
                 self.examined(op);
                 true
             }
@@ -216,28 +222,65 @@ impl Snapshot {
 
     /// How many ops have been looked at, and how many there are.
     pub fn progress(&self) -> (usize, usize) {
-        let done = self.own().filter(|&op| self.examined[op].get().is_some());
-        (done.count(), self.own().count())
+        let mut due = self.due.iter();
+        let all = due.len();
+        let done = due
+            .by_ref()
+            .filter(|&&op| self.examined[op].get().is_some());
+        (done.count(), all)
     }
 
     /// The ops of the program that stand in this file.
     fn own(&self) -> impl Iterator<Item = usize> + '_ {
-        let ops = self.program.ops.iter().enumerate();
-        let own = ops.filter(|(_, op)| op.span.file == self.file);
-        own.map(|(at, _)| at)
+        let due = self.due.iter().copied();
+        due.filter(|&op| self.program.ops[op].span.file == self.file)
+    }
+
+    /// What is proved of an op of the tree.
+    pub fn verdict(&self, op: &tree::Op) -> Verdict {
+        let known = self.resolved(op);
+        let proved = known.and_then(|at| self.examined(at).proved.as_ref());
+        let steps = known.filter(|_| op.steps.is_some());
+        let steps = steps.and_then(|at| StepsVerdict::of(&self.program, &self.planned().plans, at));
+        Verdict::of(&op.name.text, proved, steps)
+    }
+
+    /// The plans of ops in steps, and of those that they call.
+    fn planned(&self) -> &Planned {
+        self.planned.get_or_init(|| {
+            let ops = &self.program.ops;
+            if self.own().all(|op| ops[op].steps.is_none()) {
+                return Planned::default();
+            }
+            let plan = |op| {
+                let is_due = self.due.contains(&op);
+                is_due.then(|| self.examined(op).plan.clone()).flatten()
+            };
+            let mut plans: Vec<_> = (0..ops.len()).map(plan).collect();
+            let mut told = plan_steps(&self.program, &self.functions, &mut plans);
+            told.retain(|told| told.span().file == self.file);
+            Planned { plans, told }
+        })
     }
 
     fn examine(&self, op: usize) -> Rc<Examined> {
         let op = &self.program.ops[op];
         let span = op.diagram.as_ref().map_or(op.span, |diagram| diagram.span);
-        let text = self.sources.slice(span);
-        if let Some(known) = self.memory.borrow().proofs.get(text)
-            && known.surroundings == self.surroundings
-            && op.diagram.is_some()
-        {
-            return moved(&known.examined, known.at, span);
+        let passage = Passage {
+            text: self.sources.slice(span),
+            span,
+            surroundings: self.surroundings,
+        };
+        let known = self.memory.borrow().recall(passage);
+        if let Some(known) = known.filter(|_| op.diagram.is_some()) {
+            return known;
         }
-        let examined = Rc::new(Examined::of(op, &self.told, &self.sources, &self.functions));
+        let examined = Rc::new(Examined::of(
+            op,
+            &self.told,
+            &self.sources,
+            &self.functions.code,
+        ));
         let labels = examined.diagnostics.iter().flat_map(|told| &told.labels);
         let is_alone = labels.map(|label| label.span).all(|label| {
             label.file == span.file && span.start <= label.start && label.end <= span.end
@@ -245,16 +288,7 @@ impl Snapshot {
         let was_read = examined.proved.is_some() || !examined.diagnostics.is_empty();
         if is_alone && was_read {
             let mut memory = self.memory.borrow_mut();
-            if memory.proofs.len() > MOST_REMEMBERED {
-                let here = self.text();
-                memory.proofs.retain(|text, _| here.contains(text.as_str()));
-            }
-            let remembered = Remembered {
-                surroundings: self.surroundings,
-                at: span,
-                examined: Rc::clone(&examined),
-            };
-            memory.proofs.insert(text.to_owned(), remembered);
+            memory.keep(passage, &examined, self.text());
         }
         examined
     }
@@ -265,6 +299,7 @@ impl Snapshot {
         for op in self.own() {
             diagnostics.extend(self.examined(op).diagnostics.iter().cloned());
         }
+        diagnostics.extend(self.planned().told.iter().cloned());
         diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
         diagnostics
     }
@@ -272,7 +307,7 @@ impl Snapshot {
     /// The item that covers a byte, and its index.
     pub fn item_at(&self, offset: usize) -> Option<(usize, &Item)> {
         let mut items = self.items().iter().enumerate();
-        items.find(|(_, item)| span_of(item).touches(offset))
+        items.find(|(_, item)| item.span().touches(offset))
     }
 
     /// The op that covers a byte, and the index of its item.
@@ -291,17 +326,29 @@ impl Snapshot {
     }
 }
 
-/// The whole of an item.
-pub fn span_of(item: &Item) -> Span {
-    match item {
-        Item::Use(item) => item.span,
-        Item::Attr(item) => item.span,
-        Item::Fn(item) => item.span,
-        Item::Op(item) => item.span,
-        Item::Script(item) => item.span,
-        Item::Test(item) => item.span,
-        Item::Broken(span) => *span,
+/// What came of ops in steps.
+#[derive(Clone, Debug, Default)]
+struct Planned {
+    plans: Vec<Option<Plan>>,
+    told: Vec<Diagnostic>,
+}
+
+/// The ops of a file, and all that their steps lead to.
+fn due(program: &Program, functions: &Functions, file: FileId) -> BTreeSet<usize> {
+    let ops = &program.ops;
+    let own = (0..ops.len()).filter(|&at| ops[at].span.file == file);
+    let mut open: Vec<usize> = own.collect();
+    if open.iter().all(|&at| ops[at].steps.is_none()) {
+        return open.into_iter().collect();
     }
+    let calls = calls_of_steps(program, functions);
+    let mut due = BTreeSet::new();
+    while let Some(op) = open.pop() {
+        if due.insert(op) {
+            open.extend(calls.get(&op).into_iter().flatten());
+        }
+    }
+    due
 }
 
 /// What a proof may depend on besides the op: attributes, functions, and what is used.
@@ -309,35 +356,11 @@ fn surroundings(tree: &tree::File, sources: &Sources, file: FileId) -> u64 {
     let mut hasher = DefaultHasher::new();
     for item in &tree.items {
         if matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_)) {
-            sources.slice(span_of(item)).hash(&mut hasher);
+            sources.slice(item.span()).hash(&mut hasher);
         }
     }
     for other in sources.ids().filter(|other| *other != file) {
         sources.get(other).text().hash(&mut hasher);
     }
     hasher.finish()
-}
-
-/// The same answer for an op that stands elsewhere now.
-fn moved(examined: &Rc<Examined>, was: Span, is: Span) -> Rc<Examined> {
-    if was == is || examined.diagnostics.is_empty() {
-        return Rc::clone(examined);
-    }
-    let shift = |span: &mut Span| {
-        let length = span.end - span.start;
-        span.start = (span.start - was.start) + is.start;
-        span.end = span.start + length;
-        span.file = is.file;
-    };
-    let mut moved = Examined::clone(examined);
-    for diagnostic in &mut moved.diagnostics {
-        diagnostic
-            .labels
-            .iter_mut()
-            .for_each(|label| shift(&mut label.span));
-        for fix in &mut diagnostic.fixes {
-            fix.edits.iter_mut().for_each(|edit| shift(&mut edit.span));
-        }
-    }
-    Rc::new(moved)
 }

@@ -1,10 +1,10 @@
 //! The parts of a text that lie in one another, as its tree has them.
 
-use super::snapshot::{Snapshot, span_of};
+use super::snapshot::Snapshot;
 use crate::source::Span;
+use crate::syntax::Part;
 use crate::syntax::tree::{
-    Action, ActionKind, Block, Condition, Expr, ExprKind, Item, Name, Rule, Shown, Side, Spoke,
-    Statement,
+    Action, Block, Condition, Expr, Item, Name, Rule, Side, Spoke, Statement,
 };
 
 /// The parts around a byte, the smallest first: a word, the name, the statement, the side,
@@ -12,7 +12,7 @@ use crate::syntax::tree::{
 pub fn around(snapshot: &Snapshot, offset: usize) -> Vec<Span> {
     let mut found = Spans::default();
     for item in snapshot.items() {
-        if span_of(item).touches(offset) {
+        if item.span().touches(offset) {
             found.item(item);
         }
     }
@@ -57,11 +57,15 @@ struct Spans {
 
 impl Spans {
     fn item(&mut self, item: &Item) {
-        self.all.push(span_of(item));
+        self.all.push(item.span());
         match item {
             Item::Op(op) => {
                 self.all.extend(op.params.iter().map(|param| param.span));
                 op.rules.iter().for_each(|rule| self.rule(rule));
+                if let Some(steps) = &op.steps {
+                    self.conditions(&steps.conditions);
+                    self.block(&steps.body);
+                }
             }
             Item::Script(script) => self.block(&script.body),
             Item::Fn(function) => self.block(&function.body),
@@ -78,7 +82,11 @@ impl Spans {
             .iter()
             .chain(&rule.after)
             .for_each(|side| self.side(side));
-        for condition in &rule.conditions {
+        self.conditions(&rule.conditions);
+    }
+
+    fn conditions(&mut self, conditions: &[Condition]) {
+        for condition in conditions {
             match condition {
                 Condition::Require {
                     condition, span, ..
@@ -87,6 +95,10 @@ impl Spans {
                     self.value(condition);
                 }
                 Condition::Guard { span, .. } => self.all.push(*span),
+                Condition::Alias { names, span } => {
+                    self.all.push(*span);
+                    self.all.extend(names.iter().map(|name| name.span));
+                }
             }
         }
     }
@@ -156,102 +168,18 @@ impl Spans {
 
     fn action(&mut self, action: &Action) {
         self.all.push(action.span);
-        match &action.kind {
-            ActionKind::Let { value, .. } => self.value(value),
-            ActionKind::Assign { target, value } => {
-                self.value(target);
-                self.value(value);
-            }
-            ActionKind::Repeat {
-                count: value, body, ..
-            }
-            | ActionKind::While {
-                condition: value,
-                body,
-            } => {
-                self.value(value);
-                self.block(body);
-            }
-            ActionKind::For {
-                sequence,
-                filter,
-                body,
-                ..
-            }
-            | ActionKind::Update {
-                sequence,
-                filter,
-                body,
-                ..
-            } => {
-                self.value(sequence);
-                filter.iter().for_each(|filter| self.value(filter));
-                self.block(body);
-            }
-            ActionKind::Drain {
-                sequence,
-                key,
-                condition,
-                body,
-                ..
-            } => {
-                self.value(sequence);
-                self.value(key);
-                condition.iter().for_each(|condition| self.value(condition));
-                self.block(body);
-            }
-            ActionKind::If {
-                condition,
-                then,
-                otherwise,
-                ..
-            } => {
-                self.value(condition);
-                self.block(then);
-                otherwise.iter().for_each(|block| self.block(block));
-            }
-            ActionKind::Print(values) => {
-                let values = values.iter().flat_map(Shown::values);
-                values.for_each(|value| self.value(value));
-            }
-            ActionKind::Assert { condition, .. } => self.value(condition),
-            ActionKind::Return(value) => value.iter().for_each(|value| self.value(value)),
-            ActionKind::Block(block) => self.block(block),
-            ActionKind::Expr(value) => self.value(value),
-            ActionKind::Break | ActionKind::Continue | ActionKind::Broken => {}
-        }
+        action.each_part(&mut |part| self.part(part));
     }
 
     fn value(&mut self, value: &Expr) {
         self.all.push(value.span);
-        match &value.kind {
-            ExprKind::Field(base, _) => self.value(base),
-            ExprKind::Call { args, .. } => args.iter().for_each(|arg| self.value(arg)),
-            ExprKind::Must(inner) | ExprKind::Unary(_, inner) => self.value(inner),
-            ExprKind::Binary(_, left, right) => {
-                self.value(left);
-                self.value(right);
-            }
-            ExprKind::If {
-                condition,
-                then,
-                otherwise,
-            } => {
-                self.value(condition);
-                self.block(then);
-                self.block(otherwise);
-            }
-            ExprKind::Aggregate {
-                body,
-                sequence,
-                filter,
-                ..
-            } => {
-                self.value(body);
-                self.value(sequence);
-                filter.iter().for_each(|filter| self.value(filter));
-            }
-            _ => {}
+        value.each_part(&mut |part| self.part(part));
+    }
+
+    fn part(&mut self, part: Part) {
+        match part {
+            Part::Expr(value) => self.value(value),
+            Part::Block(block) => self.block(block),
         }
     }
 }

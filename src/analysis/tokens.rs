@@ -10,7 +10,7 @@ use crate::diagram::Kind;
 use crate::resolve::is_function;
 use crate::source::Span;
 use crate::syntax::tree::{ActionKind, Block, Item};
-use crate::syntax::{CommentKind, TokenKind};
+use crate::syntax::{CommentKind, Part, TokenKind};
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -199,7 +199,11 @@ fn type_spans(snapshot: &Snapshot) -> HashSet<Span> {
     let mut spans = HashSet::new();
     for item in snapshot.items() {
         let (params, body): (&[_], Option<&Block>) = match item {
-            Item::Op(op) => (&op.params, None),
+            Item::Op(op) => {
+                let result = op.result.as_ref().filter(|_| op.steps.is_some());
+                spans.extend(result.map(|result| result.span));
+                (&op.params, op.steps.as_ref().map(|steps| &steps.body))
+            }
             Item::Script(script) => (&script.params, Some(&script.body)),
             Item::Fn(function) => {
                 spans.extend(function.result.as_ref().map(|result| result.span));
@@ -213,18 +217,27 @@ fn type_spans(snapshot: &Snapshot) -> HashSet<Span> {
             Item::Use(_) | Item::Broken(_) => (&[], None),
         };
         spans.extend(params.iter().map(|param| param.ty.span));
-        if let Some(body) = body {
-            let declared = body
-                .statements
-                .iter()
-                .filter_map(|action| match &action.kind {
-                    ActionKind::Let { ty: Some(ty), .. } => Some(ty.span),
-                    _ => None,
-                });
-            spans.extend(declared);
-        }
+        body.into_iter()
+            .for_each(|body| declared_types(body, &mut spans));
     }
     spans
+}
+
+/// The types that `let` and `var` declare, however deep.
+fn declared_types(block: &Block, spans: &mut HashSet<Span>) {
+    for action in &block.statements {
+        if let ActionKind::Let { ty: Some(ty), .. } = &action.kind {
+            spans.insert(ty.span);
+        }
+        action.each_part(&mut |part| within(part, spans));
+    }
+}
+
+fn within(part: Part, spans: &mut HashSet<Span>) {
+    match part {
+        Part::Block(block) => declared_types(block, spans),
+        Part::Expr(value) => value.each_part(&mut |part| within(part, spans)),
+    }
 }
 
 /// Where `keeps` names a property.

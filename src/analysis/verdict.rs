@@ -7,7 +7,8 @@ use serde::Serialize;
 use super::Analysis;
 use crate::check::{Proof, Proved, SizeChange};
 use crate::diagram::{Level, Rule};
-use crate::resolve::ResolvedOp;
+use crate::resolve::{Program, ResolvedOp};
+use crate::rewrite::Plan;
 
 /// What was proved of an operation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -149,39 +150,34 @@ pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
     let ops = analysis.program.ops.iter().enumerate();
     let ops = ops.filter(|(_, op)| op.span.file == analysis.file);
     let verdict = |(at, op): (usize, &ResolvedOp)| {
-        let verdict = Verdict::of(&op.name, analysis.proved[at].as_ref());
-        match steps(analysis, at) {
-            Some(steps) => Verdict {
-                proved: true,
-                steps: Some(steps),
-                ..verdict
-            },
-            None => verdict,
-        }
+        let steps = StepsVerdict::of(&analysis.program, &analysis.plans, at);
+        Verdict::of(&op.name, analysis.proved[at].as_ref(), steps)
     };
     ops.map(verdict).collect()
 }
 
-/// What an op in steps calls, if it has a plan.
-fn steps(analysis: &Analysis, op: usize) -> Option<StepsVerdict> {
-    let plan = analysis.plans[op].as_ref()?;
-    let calls = plan.steps.as_ref()?.calls.iter();
-    let ops = &analysis.program.ops;
-    let calls = calls.filter_map(|&(called, _)| Some(ops.get(usize::from(called))?.name.clone()));
-    Some(StepsVerdict {
-        calls: calls.collect(),
-        level: plan.level,
-    })
+impl StepsVerdict {
+    /// What an op in steps calls, if it has a plan.
+    pub(super) fn of(program: &Program, plans: &[Option<Plan>], op: usize) -> Option<Self> {
+        let plan = plans.get(op)?.as_ref()?;
+        let calls = plan.steps.as_ref()?.calls.iter();
+        let calls = calls
+            .filter_map(|&(called, _)| Some(program.ops.get(usize::from(called))?.name.clone()));
+        Some(Self {
+            calls: calls.collect(),
+            level: plan.level,
+        })
+    }
 }
 
 impl Verdict {
-    /// The verdict on one op, given its proof.
-    pub fn of(op: &str, proved: Option<&Proved>) -> Self {
+    /// The verdict on one op, given its proof; on one in steps, given what they lead to.
+    pub(super) fn of(op: &str, proved: Option<&Proved>, steps: Option<StepsVerdict>) -> Self {
         Self {
             op: op.to_owned(),
-            proved: proved.is_some(),
+            proved: proved.is_some() || steps.is_some(),
             rules: proved.into_iter().flat_map(rules).collect(),
-            steps: None,
+            steps,
         }
     }
 }

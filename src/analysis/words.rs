@@ -42,6 +42,10 @@ const MEANINGS: &[(&str, &str)] = &[
         "the weakest tests, found by the compiler, that keep a mesh of this level one",
     ),
     (
+        "alias",
+        "names that may stand for one element: the operation is proved for that too",
+    ),
+    (
         "face",
         "a cycle of `next` around an interior face, counterclockwise: `face f0: v0 -a-> v1 -b-> v2 -c-> v0`",
     ),

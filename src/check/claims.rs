@@ -180,7 +180,7 @@ impl Reach<'_> {
         for orbit in &rule.after.loops {
             let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
             let may_be_empty = |&item: &NameId| {
-                rule.kind(item) == Kind::Path && self.drawing.is_empty_at_some_size(item)
+                rule.kind(item) == Kind::Path && self.drawing.is_empty_somewhere(item)
             };
             if !rule.is_first(orbit.face.name) || !items.iter().all(may_be_empty) {
                 continue;

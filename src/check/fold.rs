@@ -51,16 +51,24 @@ pub(super) fn fold_obligations(
     found: &mut Vec<Obligation>,
 ) {
     for Obligation { statement, because } in obligations {
-        let statement = near(fold, statement);
-        let key = |statement: &Statement| statement.without_origin();
-        let known = found
-            .iter_mut()
-            .find(|known| key(&known.statement) == key(&statement));
-        match known {
-            Some(known) if because.is_none() => known.because = None,
-            Some(_) => {}
-            None => found.push(Obligation { statement, because }),
-        }
+        add_obligation(near(fold, statement), because, found);
+    }
+}
+
+/// Adds a statement to those found in other cases: it is left to test if it is in one of them.
+pub(super) fn add_obligation(
+    statement: Statement,
+    because: Option<&'static str>,
+    found: &mut Vec<Obligation>,
+) {
+    let key = |statement: &Statement| statement.without_origin();
+    let known = found
+        .iter_mut()
+        .find(|known| key(&known.statement) == key(&statement));
+    match known {
+        Some(known) if because.is_none() => known.because = None,
+        Some(_) => {}
+        None => found.push(Obligation { statement, because }),
     }
 }
 

@@ -26,6 +26,7 @@
 //! asks [`guard`]. Only this layer makes a [`Proved`], and only that can be compiled. Nothing
 //! here knows the machine.
 
+mod alias;
 mod apart;
 mod argument;
 mod around;
@@ -60,6 +61,7 @@ mod vertices_are_orbits;
 mod voltage;
 mod witness;
 
+pub use alias::{Identification, Verdict, identifications};
 pub use argument::Argument;
 pub use facts::{Change, Facts, moved_fans, moved_paths};
 pub use properties::SizeChange;

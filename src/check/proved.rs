@@ -9,8 +9,9 @@ use super::problem::Problem;
 use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
-    apart, ends_agree, families, mend, names_are_accounted_for, new_is_placed, next_is_permutation,
-    nothing_dangles, properties, reach, twin_is_involution, vertices_are_orbits,
+    alias, apart, ends_agree, families, mend, names_are_accounted_for, new_is_placed,
+    next_is_permutation, nothing_dangles, properties, reach, twin_is_involution,
+    vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
@@ -144,6 +145,8 @@ pub(super) struct Broken {
     pub problems: Vec<Problem>,
     /// For law 7 the arcs of the case that fails.
     pub arcs: Option<Vec<Arc>>,
+    /// What carrying it out came to, if that has been tried.
+    pub outcome: Option<Outcome>,
 }
 
 impl From<Vec<Problem>> for Broken {
@@ -151,6 +154,7 @@ impl From<Vec<Problem>> for Broken {
         Self {
             problems,
             arcs: None,
+            outcome: None,
         }
     }
 }
@@ -161,12 +165,15 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
     statements(&drawing)?;
     let rings = vertices_are_orbits::test(&drawing)?;
+    let aliased = alias::allowed(op, rule)?;
     let matching = reach::matching(op, &drawing, &apart::pairs(&drawing))?;
     let guard = match rule.guard {
-        Some((level, _)) => obligations(&drawing, level),
+        Some((level, _)) => aliased.obligations(obligations(&drawing, level), level),
         None => Vec::new(),
     };
-    let facts = Facts::of(&drawing, &matching, &guard, rings.cases);
+    let cases = rings.cases + aliased.cases();
+    let mut facts = Facts::of(&drawing, &matching, &guard, cases);
+    aliased.keeps_no_more(&mut facts);
     let Facts {
         keeps,
         change,

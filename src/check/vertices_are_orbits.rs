@@ -85,6 +85,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
                 return Err(Broken {
                     problems,
                     arcs: Some(arcs.collect()),
+                    outcome: None,
                 });
             }
             rings.cases += 1;

@@ -87,6 +87,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             return Err(Broken {
                 problems,
                 arcs: Some(arcs.collect()),
+                outcome: None,
             });
         }
         let walk = Walk {

@@ -65,12 +65,15 @@ pub(super) struct CheckArguments {
     /// Programs (.hedge)
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Write what rejected rules break: .halfedges for `info`, and .obj
+    /// Write what rules break: .halfedges for `info`, .svg, and .obj
     #[arg(long, value_name = "DIR")]
     pub witness: Option<PathBuf>,
     /// Print why what is proved holds, law by law
     #[arg(long)]
     pub explain: bool,
+    /// Print which names could be one, and whether the op would hold there
+    #[arg(long)]
+    pub aliases: bool,
     /// Also show what each operation keeps, and how degrees and sizes change
     #[arg(short, long)]
     pub verbose: bool,

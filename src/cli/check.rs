@@ -10,7 +10,8 @@ use super::output::{complain_of, say, say_json, table};
 use super::program;
 use super::witness::Witnesses;
 use crate::analysis::{
-    GuardVerdict, ProvedStatement, RuleArgument, RuleVerdict, Verdict, verdicts, why_proved,
+    GuardVerdict, ProvedStatement, RuleAliases, RuleArgument, RuleVerdict, Verdict, aliases,
+    verdicts, why_proved,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::source::{Sources, Span};
@@ -33,8 +34,16 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         };
         sound &= program.analysis.is_sound();
         let verdicts = verdicts(&program.analysis);
+        let aliases = match arguments.aliases {
+            true => aliases(&program.analysis),
+            false => Vec::new(),
+        };
         if let Some(folder) = &arguments.witness {
             witnesses.write(folder, &program.analysis.counterexamples)?;
+            let broken = aliases.iter().flat_map(|rule| &rule.sets);
+            for set in broken {
+                witnesses.write(folder, set.example.as_slice())?;
+            }
         }
         match arguments.format {
             Format::Human => {
@@ -49,10 +58,14 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
                         say(&explained(&argument));
                     }
                 }
+                for rule in &aliases {
+                    say(&super::aliases::show(rule));
+                }
             }
             Format::Json => files.push(FileReport {
                 file: path.display().to_string(),
                 ops: verdicts,
+                aliases: arguments.aliases.then_some(aliases),
                 diagnostics: program
                     .analysis
                     .diagnostics
@@ -206,6 +219,8 @@ struct Report {
 struct FileReport {
     file: String,
     ops: Vec<Verdict>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    aliases: Option<Vec<RuleAliases>>,
     diagnostics: Vec<DiagnosticReport>,
 }
 

@@ -5,6 +5,7 @@
 //! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
 //! usage or a file that cannot be read or written; 3 the operation was refused; 130 interrupted.
 
+mod aliases;
 mod apply;
 mod arguments;
 mod check;

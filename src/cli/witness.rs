@@ -7,6 +7,7 @@ use std::path::Path;
 use super::failure::Failure;
 use super::output::complain;
 use crate::analysis::Counterexample;
+use crate::draw::draw_op;
 use crate::mesh::{Dump, Obj, write_dump, write_obj};
 
 /// Writes counterexamples, each under a name of its own.
@@ -30,6 +31,9 @@ impl Witnesses {
             let name = self.name(example);
             let path = folder.join(format!("{name}.halfedges"));
             fs::write(&path, write_dump(&dump(example))).map_err(failed)?;
+            complain(&format!("written: {}", path.display()));
+            let path = folder.join(format!("{name}.svg"));
+            fs::write(&path, draw_op(&example.drawn()).svg()).map_err(failed)?;
             complain(&format!("written: {}", path.display()));
             if example.is_polygons() {
                 let path = folder.join(format!("{name}.obj"));

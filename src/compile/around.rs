@@ -1,6 +1,7 @@
 //! Families in phase 3: loops that are drawn with `each`.
 
 use super::reassign::Reassign;
+use super::registers::Home;
 use crate::check::matching::Bound;
 use crate::diagram::{Loop, NameId};
 use crate::rewrite::{Inst, Reg};
@@ -58,7 +59,7 @@ impl Reassign<'_, '_, '_, '_> {
         // From here on an index counts the runs that are there.
         let cycle = self.registers.cycle.replace(heads);
         let turns = self.registers.begin_turns(&mut self.output.asm);
-        let [tail, head] = [(tails, 0), (heads, 1)].map(|end| self.end_at(end));
+        let [tail, head] = [(tails, 0), (heads, 1)].map(|end| self.end(end));
         for at in 0..period {
             let count = orbit.items.len();
             let [item, next] = [at, (at + 1) % count].map(|at| orbit.items[at].item.name);
@@ -75,25 +76,14 @@ impl Reassign<'_, '_, '_, '_> {
             self.lies_in(item, orbit.face.name);
         }
         self.registers.end_turns(&mut self.output.asm, turns);
-        let head = self.end_at((heads, 0));
+        let head = self.end((heads, 0));
         self.face_halfedge(orbit, head);
         self.face_kind(orbit);
     }
 
-    fn end_at(&mut self, (buffer, shift): (u16, i16)) -> Reg {
-        let asm = &mut self.output.asm;
-        let index = self
-            .registers
-            .index()
-            .unwrap_or_else(|| asm.constant_int(0));
-        let to = asm.reg();
-        asm.emit(Inst::Member {
-            buffer,
-            index,
-            shift,
-            to,
-        });
-        to
+    fn end(&mut self, (buffer, shift): (u16, i16)) -> Reg {
+        let home = Home::Member { buffer, shift };
+        self.registers.read(&mut self.output.asm, home)
     }
 
     /// The first halfedge of some path of a family that is not empty.

@@ -4,7 +4,8 @@
 //! orbit of the preview. All of it belongs to phase 1.
 
 use super::collect::{Collect, Collected};
-use super::reassign::{Onto, Reassign};
+use super::onto::Onto;
+use super::reassign::Reassign;
 use super::registers::Home;
 use super::run::Run;
 use crate::check::guard::{Obligation, Statement};

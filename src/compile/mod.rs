@@ -5,17 +5,24 @@
 //! machine, and as a table to read. The table is exhaustive; the code leaves out what
 //! provably does not change.
 
-mod around;
-mod collect;
-mod expression;
-mod guard;
 mod operation;
-mod reason;
+
+mod bind;
+mod collect;
+mod guard;
+mod walk;
+
+mod around;
+mod around_vertex;
+mod assign;
+mod onto;
 mod reassign;
+
+mod expression;
+mod reason;
 mod registers;
 mod run;
 mod turns;
-mod walk;
 
 pub use expression::{
     Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::collect::Collect;
-use super::reassign::{Onto, Reassign};
+use super::onto::Onto;
+use super::reassign::Reassign;
 use super::registers::{Home, Registers};
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};

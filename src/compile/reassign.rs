@@ -1,14 +1,13 @@
 //! Phase 3, reassign: every pointer of every named element.
 
-use super::attribute;
 use super::collect::Collected;
+use super::onto::Onto;
 use super::operation::Output;
-use super::registers::{Home, Registers};
+use super::registers::Registers;
 use super::run::Run;
-use super::width;
 use crate::check::matching::Bound;
-use crate::diagram::{Access, Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Spoke};
-use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId};
+use crate::rewrite::{ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
 pub(super) struct Reassign<'o, 's, 'd, 'r> {
@@ -19,68 +18,6 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     /// Where the pointers are set.
     pub onto: Onto,
     pub rows: &'r mut Vec<Row>,
-}
-
-/// Where pointers are set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Onto {
-    /// On the mesh.
-    Mesh,
-    /// On the sheet over the mesh that guards look at.
-    Preview,
-}
-
-impl Onto {
-    /// The same store, there.
-    fn aim(self, inst: Inst) -> Inst {
-        match (self, inst) {
-            (
-                Onto::Preview,
-                Inst::Store {
-                    field,
-                    halfedge,
-                    value,
-                },
-            ) => Inst::PreviewStore {
-                field,
-                halfedge,
-                value,
-            },
-            (Onto::Preview, Inst::StoreHalfedge { of, element, value }) => {
-                Inst::PreviewStoreHalfedge { of, element, value }
-            }
-            (Onto::Preview, Inst::StoreHole { face, hole }) => {
-                Inst::PreviewStoreHole { face, hole }
-            }
-            (
-                Onto::Preview,
-                Inst::StoreAll {
-                    field,
-                    buffer,
-                    value,
-                },
-            ) => Inst::PreviewStoreAll {
-                field,
-                buffer,
-                value,
-            },
-            (
-                Onto::Preview,
-                Inst::StoreSpan {
-                    field,
-                    span,
-                    index,
-                    value,
-                },
-            ) => Inst::PreviewStoreSpan {
-                field,
-                span,
-                index,
-                value,
-            },
-            (_, inst) => inst,
-        }
-    }
 }
 
 impl Reassign<'_, '_, '_, '_> {
@@ -127,7 +64,7 @@ impl Reassign<'_, '_, '_, '_> {
         self.drawing.rule.kind(item) == Kind::Path
     }
 
-    fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
+    pub(super) fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
         self.rows.push(Row::set(target, value, inst.is_some()));
         if let Some(inst) = inst {
             self.output.asm.emit(self.onto.aim(inst));
@@ -288,7 +225,12 @@ impl Reassign<'_, '_, '_, '_> {
     }
 
     /// Sets a pointer of every halfedge of a run, if it was collected.
-    fn store_run(&mut self, field: HalfedgeField, run: NameId, value: NameId) -> Option<Inst> {
+    pub(super) fn store_run(
+        &mut self,
+        field: HalfedgeField,
+        run: NameId,
+        value: NameId,
+    ) -> Option<Inst> {
         let rule = self.drawing.rule;
         let Run { buffer, ends } = self.collected.runs[rule.first_member(run).index()]?;
         let value = self.element(value);
@@ -410,168 +352,6 @@ impl Reassign<'_, '_, '_, '_> {
             self.for_each(half, |this| {
                 this.pointer(HalfedgeField::Vertex, half, origin, changed);
             });
-        }
-    }
-
-    fn fans(&mut self) {
-        let drawing = self.drawing;
-        for fan in drawing.rule.names_of(Kind::Fan) {
-            let Some(vertex) = drawing.after.star_of_spoke(fan) else {
-                continue;
-            };
-            if !drawing.rule.is_first(fan) {
-                continue;
-            }
-            self.for_each(fan, |this| {
-                let target = format!("vertex around {}", this.word(fan));
-                let store = this.store_run(HalfedgeField::Vertex, fan, vertex);
-                this.set(target, this.word(vertex).into(), store);
-            });
-        }
-    }
-
-    /// A vertex keeps its halfedge as long as none of its spokes has left.
-    fn vertices(&mut self) {
-        let drawing = self.drawing;
-        for vertex in drawing.rule.names_of(Kind::Vertex) {
-            let drawn = drawing.after.mention(vertex).is_some();
-            if !drawn || drawing.erased(vertex).is_some() || !drawing.rule.is_first(vertex) {
-                continue;
-            }
-            self.for_each(vertex, |this| this.vertex(vertex));
-        }
-    }
-
-    fn vertex(&mut self, vertex: NameId) {
-        let Some((value, text)) = self.spoke_of(vertex) else {
-            return;
-        };
-        let store = Inst::StoreHalfedge {
-            of: ElementField::Vertex,
-            element: self.element(vertex),
-            value,
-        };
-        let keeps = self.keeps_its_spokes(vertex);
-        self.set(
-            format!("{}.halfedge", self.word(vertex)),
-            text,
-            (!keeps).then_some(store),
-        );
-    }
-
-    fn keeps_its_spokes(&self, vertex: NameId) -> bool {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        let items = rule
-            .names_of(Kind::Halfedge)
-            .chain(rule.names_of(Kind::Path));
-        let fan_stays = |fan: NameId| drawing.after.star_of_spoke(fan) == Some(vertex);
-        let stays = |item: NameId| {
-            drawing.erased(item).is_none() && drawing.origin_after(item) == Some(vertex)
-        };
-        let mut spokes = items.filter(|&item| {
-            drawing.before.mention(item).is_some() && drawing.origin_before(item) == Some(vertex)
-        });
-        let mut fans = rule
-            .names_of(Kind::Fan)
-            .filter(|&fan| drawing.before.star_of_spoke(fan) == Some(vertex));
-        drawing.survives(vertex) && spokes.all(stays) && fans.all(fan_stays)
-    }
-
-    /// A halfedge that starts at the vertex after: a named spoke, the one listed first; else
-    /// the first of a path that cannot be empty; else of one found not to be empty.
-    fn spoke_of(&mut self, vertex: NameId) -> Option<(Reg, String)> {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        let listed = drawing.after.star(vertex).and_then(|star| {
-            star.spokes.iter().find_map(|spoke| match spoke {
-                Spoke::Halfedge(Ref { name, .. }) => Some(*name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            })
-        });
-        let starts = |item: &NameId| {
-            let drawn = drawing.after.loop_of_item(*item).is_some()
-                || drawing.after.pairing(*item).is_some();
-            drawn && drawing.origin_after(*item) == Some(vertex)
-        };
-        if let Some(half) = listed.or_else(|| rule.names_of(Kind::Halfedge).find(starts)) {
-            return Some((self.element(half), self.word(half).into()));
-        }
-        let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
-        paths.sort_by_key(|&path| self.registers.home_of_empty(path).is_some());
-        let firsts: Vec<_> = paths
-            .iter()
-            .map(|&path| format!("first({})", self.word(path)))
-            .collect();
-        let first = *paths.first()?;
-        let certain = self.registers.home_of_empty(first).is_none();
-        if rule.is_member(first) && !certain && !rule.is_member(vertex) {
-            return Some((
-                self.first_around(first),
-                format!("first({})", self.word(first)),
-            ));
-        }
-        let reg = self.head(&paths, 0);
-        Some((
-            reg,
-            if certain {
-                firsts[0].clone()
-            } else {
-                firsts.join(" or ")
-            },
-        ))
-    }
-
-    fn assignments(&mut self) {
-        let rule = self.drawing.rule;
-        for (assignment, &home) in rule.assignments.iter().zip(&self.collected.values) {
-            let target = assignment.target.name;
-            if !rule.is_first(target) {
-                continue;
-            }
-            let word = rule.attribute(assignment.attribute);
-            let text = self.output.words(assignment.value.span);
-            self.rows.push(Row {
-                cell: Cell::Set {
-                    target: format!("{}.{word}", self.word(target)),
-                    value: text,
-                },
-                executed: true,
-            });
-            self.for_each(target, |this| {
-                let value = this.value(home, width(assignment.value.ty));
-                let element = this.element(target);
-                let store = match assignment.attribute {
-                    Access::Position => Inst::StorePosition {
-                        vertex: element,
-                        value,
-                    },
-                    Access::Declared(number) => Inst::StoreAttribute {
-                        attribute: attribute(number),
-                        element,
-                        value,
-                    },
-                };
-                this.output.asm.emit(store);
-            });
-        }
-    }
-
-    /// The value of an assignment.
-    fn value(&mut self, home: Home, width: u16) -> Reg {
-        match (home, self.registers.index()) {
-            (Home::Reg(value), _) => value,
-            (Home::Member { buffer, .. }, index) => {
-                let index = index.unwrap_or_else(|| self.output.asm.constant_int(0));
-                let to = self.output.asm.block(width);
-                self.output.asm.emit(Inst::BufferGetWide {
-                    buffer,
-                    index,
-                    width,
-                    to,
-                });
-                to
-            }
         }
     }
 }

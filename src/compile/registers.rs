@@ -80,7 +80,7 @@ impl Registers {
             registers.elements[name.index()] = Home::Reg(reg);
             if kind == Kind::Path {
                 registers.lasts[name.index()] = Home::Reg(asm.reg());
-                if drawing.is_empty_at_some_size(name) && drawing.before.mention(name).is_some() {
+                if drawing.is_empty_somewhere(name) && drawing.before.mention(name).is_some() {
                     registers.empty[name.index()] = Some(Home::Reg(asm.reg()));
                 }
             }
@@ -103,7 +103,7 @@ impl Registers {
             if rule.kind(name) == Kind::Path {
                 self.lasts[at] = home();
                 let drawn = drawing.before.mention(name).is_some();
-                self.empty[at] = (drawn && drawing.is_empty_at_some_size(name)).then(home);
+                self.empty[at] = (drawn && drawing.is_empty_somewhere(name)).then(home);
             }
             return;
         }

@@ -99,6 +99,16 @@ impl<'a> Drawing<'a> {
             .or_else(|| self.origin_after(view.twin(item)?))
     }
 
+    /// The paths that start after at a vertex which an `alias` lets be one with this one. Where
+    /// all its own are empty it is, and one of these is not.
+    pub fn paths_where_one(&self, vertex: NameId) -> impl Iterator<Item = NameId> + '_ {
+        let paths = self.rule.names_of(Kind::Path);
+        paths.filter(move |&path| {
+            let origin = self.after.loop_origin(path);
+            origin.is_some_and(|origin| origin != vertex && self.rule.may_be_one(origin, vertex))
+        })
+    }
+
     /// Whether a path may have no halfedge: its ends before are one vertex, and it is
     /// not the whole of its loop.
     pub fn may_be_empty(&self, path: NameId) -> bool {
@@ -109,9 +119,9 @@ impl<'a> Drawing<'a> {
         !alone && self.before.loop_origin(path) == self.before.loop_target(path)
     }
 
-    /// The same, on a cycle of some size, of a path in a rule that was unrolled: the members
-    /// of a family are one where the cycle is short.
-    pub fn is_empty_at_some_size(&self, path: NameId) -> bool {
+    /// The same of some match: where an `alias` lets its ends be one, and in a rule that was
+    /// unrolled on a cycle of some size, since the members of a family are one where it is short.
+    pub fn is_empty_somewhere(&self, path: NameId) -> bool {
         let rule = self.rule;
         let view = &self.before;
         let first = |vertex: NameId| rule.first_member(vertex);
@@ -120,7 +130,10 @@ impl<'a> Drawing<'a> {
         // With `each`, a period of one item is the whole loop where the cycle is shortest.
         let items = orbit.map(|orbit| orbit.items.len() / if orbit.each { size } else { 1 });
         let [from, to] = [view.loop_origin(path), view.loop_target(path)];
-        items != Some(1) && from.map(first) == to.map(first)
+        let one = from
+            .zip(to)
+            .is_some_and(|(from, to)| rule.may_be_one(from, to));
+        items != Some(1) && (one || from.map(first) == to.map(first))
     }
 }
 

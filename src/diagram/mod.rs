@@ -8,6 +8,7 @@ mod drawing;
 mod expression;
 mod member;
 mod op;
+mod spokes;
 mod unroll;
 mod visit;
 
@@ -17,8 +18,8 @@ pub use expression::{
     Type, Unary,
 };
 pub use op::{
-    Assignment, Cycle, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param, Property,
-    Ref, Require, Role, Rule, Side, Spoke, Star,
+    Alias, Assignment, Cycle, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param,
+    Property, Ref, Require, Role, Rule, Side, Spoke, Star,
 };
 pub use unroll::{Naming, Unrolled};
 

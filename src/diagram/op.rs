@@ -219,6 +219,8 @@ pub struct Rule {
     pub requires: Vec<Require>,
     /// The level that the mesh has, and that it must have again afterwards.
     pub guard: Option<(Level, Span)>,
+    /// Names that may stand for one element.
+    pub aliases: Vec<Alias>,
     /// The drawing after.
     pub after: Side,
     /// What is created.
@@ -260,12 +262,28 @@ impl Rule {
         self.name(id).kind
     }
 
+    /// Whether an `alias` lets two names stand for one element.
+    pub fn may_be_one(&self, left: NameId, right: NameId) -> bool {
+        let lists = |alias: &Alias, name: NameId| alias.names.iter().any(|of| of.name == name);
+        let mut aliases = self.aliases.iter();
+        aliases.any(|alias| lists(alias, left) && lists(alias, right))
+    }
+
     /// All names of one kind.
     pub fn names_of(&self, kind: Kind) -> impl Iterator<Item = NameId> + '_ {
         (0..self.names.len() as u32)
             .map(NameId)
             .filter(move |&id| self.kind(id) == kind)
     }
+}
+
+/// `alias v2 v3`: any two of these names may stand for one element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alias {
+    /// The names, all of one kind.
+    pub names: Vec<Ref>,
+    /// The whole statement.
+    pub span: Span,
 }
 
 /// The index of a rule with families: it runs around a cycle of any size.

@@ -6,35 +6,34 @@ use super::guard;
 use super::matching::Matching;
 use super::names::Names;
 use super::reassign;
-use super::routine::{Alternative, Parameter, Routine, Statement, Term, without_unread};
+use super::routine::{Alternative, Routine, Statement, without_unread};
+use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Kind, Pointer, Rule, Type};
+use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
 
-/// Which pointers of a halfedge the mesh stores.
+/// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pointers {
-    /// `prev` too.
-    WithPrev,
-    /// Who wants `prev` walks.
-    WithoutPrev,
+pub(super) struct Conventions {
+    /// Whether halfedges store `prev`; if not, who wants it walks.
+    pub prev: bool,
+    /// Whether there are vertices at which no halfedge starts.
+    pub isolated_vertices: bool,
 }
 
 /// The routine of a proved operation.
-pub(super) fn routine(proved: &Proved, pointers: Pointers) -> Result<Routine, NotEmitted> {
+pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routine, NotEmitted> {
     let op = proved.op();
     if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
         let what = format!("a parameter of type `{}`", param.ty.word());
         return Err(NotEmitted::new(what, param.span));
     }
-    if let Some(rule) = op.rules.iter().find(|rule| rule.has_families()) {
-        return Err(NotEmitted::new("a drawing with `each`", rule.span));
-    }
     let mut params = Vec::new();
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
+        let rule = proof.drawn(rule);
         let mut names = Names::new(op, rule);
-        let body = alternative(rule, proof, pointers, &mut names)?;
+        let body = alternative(rule, proof, conventions, &mut names)?;
         rules.push(Alternative {
             label: rule.label.clone(),
             body: without_unread(body),
@@ -61,21 +60,22 @@ pub(super) fn routine(proved: &Proved, pointers: Pointers) -> Result<Routine, No
 fn alternative(
     rule: &Rule,
     proof: &Proof,
-    pointers: Pointers,
+    conventions: Conventions,
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let drawing = Drawing::new(rule);
-    let mut rest = phases(&drawing, proof, pointers, names)?;
+    let mut rest = phases(&drawing, proof, conventions, names)?;
     // From the last attempt outwards: each holds all that comes after it.
     let attempts: Vec<_> = proof
         .matching()
         .iter()
         .enumerate()
-        .filter(|(_, step)| matches!(step, Step::Attempt { .. }))
+        .filter(|(_, step)| is_tried(step))
         .map(|(at, _)| at)
         .collect();
-    let matching = Matching {
+    let mut matching = Matching {
         drawing: &drawing,
+        conventions,
         names,
     };
     let mut end = proof.matching().len();
@@ -90,8 +90,8 @@ fn alternative(
         body.extend(rest);
         rest = vec![Statement::Attempt {
             kind: rule.kind(element),
-            element: names.word(element).into(),
-            halfedge: names.word(halfedge).into(),
+            element: matching.names.word(element).into(),
+            halfedge: matching.names.begin(halfedge),
             body,
         }];
         end = at;
@@ -101,17 +101,41 @@ fn alternative(
     Ok(body)
 }
 
+/// Whether several halfedges are tried.
+fn is_tried(step: &Step) -> bool {
+    matches!(step, Step::Attempt { tries, .. } if *tries != Some(1))
+}
+
 /// Everything that comes after matching: the questions, and phases 2 to 4.
 fn phases(
     drawing: &Drawing,
     proof: &Proof,
-    pointers: Pointers,
+    conventions: Conventions,
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let rule = drawing.rule;
-    let mut body = Matching { drawing, names }.distinct_and_paths(proof.matching());
+    let mut body = Matching {
+        drawing,
+        conventions,
+        names,
+    }
+    .distinct_and_paths(proof.matching());
     for require in &rule.requires {
-        let condition = Expressions { names }.term(&require.condition)?;
+        let repeated = match require.index {
+            None => false,
+            Some(0) => true,
+            // What holds at index 0 is asked at every index.
+            Some(_) => continue,
+        };
+        let ask = |names: &mut Names| Expressions { names }.term(&require.condition);
+        let condition = names.for_each(repeated, ask)?;
+        if repeated {
+            body.push(Statement::Refuse {
+                when: condition.not().for_some(names.turns()),
+                reason: require.reason.clone(),
+            });
+            continue;
+        }
         let mut parts = Vec::new();
         conjuncts(condition, &mut parts);
         body.extend(parts.into_iter().map(|part| Statement::Refuse {
@@ -125,29 +149,19 @@ fn phases(
         body.push(Statement::Blank);
         body.push(Statement::Comment("2. Allocate what is new.".into()));
     }
-    for created in &rule.created {
-        body.push(Statement::New {
-            kind: rule.kind(created.name),
-            name: names.word(created.name).into(),
-        });
-    }
-    let mut sets = reassign::statements(drawing, names);
-    sets.retain(|set| {
-        let is_prev = matches!(
-            set,
-            Statement::Set {
-                pointer: Pointer::Prev,
-                ..
+    for created in rule.created.iter().map(|created| created.name) {
+        let (kind, name) = (rule.kind(created), names.word(created).to_string());
+        if rule.is_member(created) {
+            if rule.is_first(created) {
+                let turns = names.turns();
+                body.push(Statement::NewEach { kind, name, turns });
             }
-        );
-        pointers == Pointers::WithPrev || !is_prev
-    });
-    for (target, value) in values {
-        sets.push(Statement::SetPosition {
-            vertex: target,
-            value,
-        });
+        } else {
+            body.push(Statement::New { kind, name });
+        }
     }
+    let mut sets = reassign::statements(drawing, names, conventions);
+    sets.extend(values);
     if !sets.is_empty() {
         body.push(Statement::Blank);
         body.push(Statement::Comment(
@@ -158,22 +172,30 @@ fn phases(
     let erased: Vec<_> = rule
         .erased
         .iter()
-        .filter(|erased| !matches!(rule.kind(erased.name), Kind::Path | Kind::Fan))
+        .map(|erased| erased.name)
+        .filter(|&erased| rule.is_first(erased))
+        .filter(|&erased| !matches!(rule.kind(erased), Kind::Path | Kind::Fan))
         .collect();
     if !erased.is_empty() {
         body.push(Statement::Blank);
         body.push(Statement::Comment("4. Erase what is gone.".into()));
     }
     for erased in erased {
-        body.push(Statement::Erase {
-            kind: rule.kind(erased.name),
-            name: names.word(erased.name).into(),
+        let member = rule.is_member(erased);
+        let erase = Statement::Erase {
+            kind: rule.kind(erased),
+            element: names.for_each(member, |names| names.term(erased)),
+        };
+        body.push(match member {
+            true => Statement::Turn {
+                turns: names.turns(),
+                body: vec![erase],
+            },
+            false => erase,
         });
     }
     body.push(Statement::Return {
-        result: rule
-            .result
-            .map(|result| Term::name(names.word(result.name))),
+        result: rule.result.map(|result| names.term(result.name)),
     });
     Ok(body)
 }
@@ -189,36 +211,70 @@ fn conjuncts(term: Term, parts: &mut Vec<Term>) {
     }
 }
 
-/// Evaluates the right-hand sides, on the mesh as it was: where each goes, and its name.
+/// Evaluates the right-hand sides, on the mesh as it was; what sets them.
 fn values(
     drawing: &Drawing,
     names: &mut Names,
     body: &mut Vec<Statement>,
-) -> Result<Vec<(Term, Term)>, NotEmitted> {
-    let mut values = Vec::new();
-    for assignment in &drawing.rule.assignments {
+) -> Result<Vec<Statement>, NotEmitted> {
+    let rule = drawing.rule;
+    let mut sets = Vec::new();
+    for assignment in &rule.assignments {
         if assignment.attribute != Access::Position {
-            let word = drawing.rule.attribute(assignment.attribute);
+            let word = rule.attribute(assignment.attribute);
             let what = format!("the attribute `{word}`");
             return Err(NotEmitted::new(what, assignment.span));
         }
-        let target = names.word(assignment.target.name).to_string();
-        let name = names.fresh(&format!("{}_position", target.trim_end_matches('_')));
-        let value = Expressions { names }.term(&assignment.value)?;
-        let may_fail = !is_surely_finite(&assignment.value);
-        body.push(Statement::Bind {
-            ty: Type::Vec3,
-            name: name.clone(),
-            value,
+        let target = assignment.target.name;
+        if !rule.is_first(target) {
+            continue;
+        }
+        let member = rule.is_member(target);
+        let word = names.word(target).trim_end_matches('_').to_string();
+        let name = names.fresh(&format!("{word}_position"));
+        let evaluate = |names: &mut Names| Expressions { names }.term(&assignment.value);
+        let value = names.for_each(member, evaluate)?;
+        let (turns, ty) = (names.turns(), Type::Vec3);
+        let bound = name.clone();
+        body.push(match member {
+            true => Statement::Gather {
+                ty,
+                name: bound,
+                turns: turns.clone(),
+                item: value,
+            },
+            false => Statement::Bind {
+                ty,
+                name: bound,
+                value,
+            },
         });
-        if may_fail {
-            let text = &drawing.rule.name(assignment.target.name).text;
+        let (vertex, value) = names.for_each(member, |names| {
+            let value = match member {
+                true => names.member(&name, 0),
+                false => Term::name(&name),
+            };
+            (names.term(target), value)
+        });
+        if !is_surely_finite(&assignment.value) {
+            let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
+            let text = &rule.name(target).text;
             body.push(Statement::Refuse {
-                when: Term::Call(super::routine::Function::IsFinite, vec![Term::name(&name)]).not(),
+                when: match member {
+                    true => infinite.for_some(turns.clone()),
+                    false => infinite,
+                },
                 reason: format!("the new position of `{text}` is not finite"),
             });
         }
-        values.push((Term::name(target), Term::name(name)));
+        let set = Statement::SetPosition { vertex, value };
+        sets.push(match member {
+            true => Statement::Turn {
+                turns,
+                body: vec![set],
+            },
+            false => set,
+        });
     }
-    Ok(values)
+    Ok(sets)
 }

@@ -2,7 +2,7 @@
 
 use super::NotEmitted;
 use super::names::Names;
-use super::routine::{Around, Fold, Function, Parameter, Term};
+use super::term::{Around, Fold, Function, Parameter, Term};
 use crate::diagram::{
     Access, Binary, Builtin, Collection, Expr, ExprKind, FoldFunction, Type, Unary,
 };
@@ -33,7 +33,7 @@ impl Expressions<'_> {
             ExprKind::Read(Access::Declared(_), _) => {
                 return Err(NotEmitted::new("an attribute of the program", expr.span));
             }
-            ExprKind::Element(name) => Term::name(self.names.word(*name)),
+            ExprKind::Element(name) => self.names.term(*name),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
             ExprKind::Follow(pointer, base) => self.term(base)?.follow(*pointer),
             ExprKind::Read(Access::Position, base) => Term::Position(Box::new(self.term(base)?)),

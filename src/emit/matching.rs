@@ -1,7 +1,9 @@
 //! Phase 1, collect: names are bound by following pointers, and what is drawn is tested.
 
+use super::build::Conventions;
 use super::names::Names;
-use super::routine::{Function, Statement, Term};
+use super::routine::Statement;
+use super::term::{Function, Term};
 use crate::check::matching::{Bound, Claim, Source, Step};
 use crate::compile::why_refused;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Type};
@@ -9,50 +11,257 @@ use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Type};
 /// Writes what matching does.
 pub(super) struct Matching<'d, 'n> {
     pub drawing: &'d Drawing<'d>,
-    pub names: &'n Names,
+    pub conventions: Conventions,
+    pub names: &'n mut Names,
 }
 
 impl Matching<'_, '_> {
-    /// Binds names, in order. The tests come when all are bound.
-    pub fn steps(&self, steps: &[Step]) -> Vec<Statement> {
-        let binds = steps.iter().filter_map(|step| match step {
-            Step::Bind { name, source } => Some(Statement::Bind {
-                ty: self.ty(*name),
-                name: self.bound_word(*name).into(),
-                value: self.source(*source),
-            }),
-            // A drawing with `each` is not emitted.
-            Step::Walk { .. } => None,
-            Step::Parameter { .. } | Step::Attempt { .. } | Step::Test(_) => None,
+    /// Binds names, in order. The tests come when all are bound, but for those that tell how
+    /// long families are.
+    pub fn steps(&mut self, steps: &[Step]) -> Vec<Statement> {
+        let mut body = Vec::new();
+        for step in steps {
+            match step {
+                Step::Bind { name, source } => body.push(self.bind(*name, *source)),
+                Step::Walk { orbit, halfedges } => self.walk(*orbit, halfedges, &mut body),
+                Step::Attempt {
+                    element,
+                    halfedge,
+                    tries: Some(1),
+                } => self.begin(*element, *halfedge, &mut body),
+                Step::Parameter { .. } | Step::Attempt { .. } | Step::Test(_) => {}
+            }
+        }
+        body
+    }
+
+    /// The halfedge to begin with, where further ones would match alike.
+    fn begin(&mut self, element: NameId, halfedge: NameId, body: &mut Vec<Statement>) {
+        let rule = self.drawing.rule;
+        let pointer = match rule.kind(element) {
+            Kind::Vertex => Pointer::VertexHalfedge,
+            Kind::Edge => Pointer::EdgeHalfedge,
+            _ => Pointer::FaceHalfedge,
+        };
+        if pointer == Pointer::VertexHalfedge && self.conventions.isolated_vertices {
+            body.push(Statement::Refuse {
+                when: Term::Call(Function::IsIsolated, vec![self.term(element)]),
+                reason: format!(
+                    "{} is isolated: no halfedge starts there",
+                    rule.quoted(element)
+                ),
+            });
+        }
+        body.push(Statement::Bind {
+            ty: Type::Halfedge,
+            name: self.names.begin(halfedge),
+            value: self.term(element).follow(pointer),
         });
-        binds.collect()
+    }
+
+    fn bind(&mut self, bound: Bound, source: Source) -> Statement {
+        let member = self.drawing.rule.is_member(bound.name());
+        let value = self.turning(member, |this| this.source(source));
+        let word = match bound {
+            Bound::Element(name) | Bound::First(name) => self.names.word(name),
+            Bound::Last(path) => self.names.last_word(path),
+        };
+        self.named(self.ty(bound), word.to_string(), value, member)
+    }
+
+    /// A name for a value, or for those of each index.
+    fn named(&self, ty: Type, name: String, value: Term, member: bool) -> Statement {
+        match member {
+            true => Statement::Gather {
+                ty,
+                name,
+                turns: self.names.turns(),
+                item: value,
+            },
+            false => Statement::Bind { ty, name, value },
+        }
+    }
+
+    /// Makes a term; of members, what stands for each index.
+    fn turning(&mut self, member: bool, make: impl FnOnce(&Matching) -> Term) -> Term {
+        let (drawing, conventions) = (self.drawing, self.conventions);
+        self.names.for_each(member, |names| {
+            make(&Matching {
+                drawing,
+                conventions,
+                names,
+            })
+        })
+    }
+
+    /// Walks an orbit once around and deals its halfedges out to the families of a period.
+    fn walk(&mut self, orbit: NameId, halfedges: &[NameId], body: &mut Vec<Statement>) {
+        let rule = self.drawing.rule;
+        let ty = Type::Halfedge;
+        let (function, what) = match rule.kind(orbit) {
+            Kind::Vertex => (Function::SpokesFrom, "spokes"),
+            _ => (Function::LoopFrom, "sides"),
+        };
+        let from = Term::name(self.names.begin(halfedges[0]));
+        let mut all = Term::Call(function, vec![from]);
+        let period = halfedges.len() as i64;
+        if period > 1 {
+            let name = self.names.fresh("all");
+            let value = std::mem::replace(&mut all, Term::name(&name));
+            body.push(Statement::BindList { ty, name, value });
+            let groups = vec![all.clone(), Term::Int(period)];
+            let rest = Term::Call(Function::Remainder, groups);
+            body.push(Statement::Refuse {
+                when: rest.equals(Term::Int(0)).not(),
+                reason: format!(
+                    "the number of {what} of {} is no multiple of {period}",
+                    rule.quoted(orbit)
+                ),
+            });
+        }
+        for (place, &half) in (0..).zip(halfedges) {
+            let mut value = all.clone();
+            if period > 1 {
+                let dealt = vec![value, Term::Int(place), Term::Int(period)];
+                value = Term::Call(Function::Every, dealt);
+            }
+            let turn = rule.offset(half);
+            if turn != 0 {
+                value = Term::Call(Function::Turned, vec![value, Term::Int(turn)]);
+            }
+            let name = self.names.word(half).to_string();
+            body.push(Statement::BindList {
+                ty,
+                name: name.clone(),
+                value,
+            });
+            let size = self.names.turns().size;
+            if place > 0 {
+                continue;
+            }
+            if body
+                .iter()
+                .any(|known| matches!(known, Statement::Size { .. }))
+            {
+                let length = Term::Call(Function::Length, vec![Term::name(name)]);
+                body.push(Statement::Refuse {
+                    when: length.equals(Term::name(size)).not(),
+                    reason: format!(
+                        "{} is longer, or shorter, than the families before",
+                        rule.quoted(orbit)
+                    ),
+                });
+            } else {
+                body.push(Statement::Size {
+                    name: size,
+                    list: name,
+                });
+            }
+        }
     }
 
     /// Whether paths are empty, and the tests.
-    pub fn distinct_and_paths(&self, steps: &[Step]) -> Vec<Statement> {
+    pub fn distinct_and_paths(&mut self, steps: &[Step]) -> Vec<Statement> {
         let drawing = self.drawing;
+        let rule = drawing.rule;
         let mut body = Vec::new();
-        for path in drawing.rule.names_of(Kind::Path) {
-            if drawing.before.mention(path).is_some() && drawing.may_be_empty(path) {
+        for path in rule
+            .names_of(Kind::Path)
+            .filter(|&path| rule.is_first(path))
+        {
+            if drawing.before.mention(path).is_some() && drawing.is_empty_somewhere(path) {
                 let Some(next) = drawing.before.item_after(path) else {
                     continue;
                 };
-                body.push(Statement::Bind {
-                    ty: Type::Bool,
-                    name: self.names.empty(path).into(),
-                    value: self.term(path).is(self.term(next)),
-                });
+                let member = rule.is_member(path);
+                let value = self.turning(member, |this| this.term(path).is(this.term(next)));
+                let name = self.names.empty_word(path).to_string();
+                body.push(self.named(Type::Bool, name, value, member));
             }
         }
         for step in steps {
             if let Step::Test(claim) = step {
+                let holds = match claim {
+                    Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
+                    Claim::NotAllEmptyAround(paths) => {
+                        let some = self.turning(true, |this| this.are_empty(paths).not());
+                        some.for_some(self.names.turns())
+                    }
+                    Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
+                    Claim::AroundInOrder {
+                        along_loop,
+                        halfedges,
+                    } => self.around_in_order(*along_loop, halfedges, &mut body),
+                    claim => {
+                        let repeated = claim.is_repeated(rule);
+                        let when = self.turning(repeated, |this| this.claim(claim).not());
+                        match repeated {
+                            true => when.for_some(self.names.turns()).not(),
+                            false => when.not(),
+                        }
+                    }
+                };
                 body.push(Statement::Refuse {
-                    when: self.claim(claim).not(),
+                    when: holds.not(),
                     reason: why_refused(drawing, claim),
                 });
             }
         }
         body
+    }
+
+    /// A list of what stands at each index, index by index.
+    fn listed(&mut self, ty: Type, members: &[NameId], body: &mut Vec<Statement>) -> Term {
+        let list = self.names.fresh("all");
+        let rule = self.drawing.rule;
+        let (each, once): (Vec<_>, Vec<_>) =
+            members.iter().partition(|&&name| rule.is_member(name));
+        body.push(Statement::List {
+            ty,
+            name: list.clone(),
+            items: once.into_iter().map(|&name| self.term(name)).collect(),
+        });
+        let pushes = self.names.for_each(true, |names| {
+            let push = |&&name: &&NameId| Statement::Push {
+                list: list.clone(),
+                item: names.term(name),
+            };
+            each.iter().map(push).collect()
+        });
+        body.push(Statement::Turn {
+            turns: self.names.turns(),
+            body: pushes,
+        });
+        Term::name(list)
+    }
+
+    fn all_distinct(&mut self, names: &[NameId], body: &mut Vec<Statement>) -> Term {
+        let all = match names {
+            [family] if self.drawing.rule.is_member(*family) => {
+                Term::name(self.names.word(*family))
+            }
+            _ => {
+                let ty = names
+                    .first()
+                    .map_or(Type::Halfedge, |&name| self.ty(Bound::Element(name)));
+                self.listed(ty, names, body)
+            }
+        };
+        Term::Call(Function::AllDiffer, vec![all])
+    }
+
+    fn around_in_order(
+        &mut self,
+        along_loop: bool,
+        halfedges: &[NameId],
+        body: &mut Vec<Statement>,
+    ) -> Term {
+        let function = match along_loop {
+            true => Function::AllInOrderAlongLoop,
+            false => Function::AllInOrderAroundVertex,
+        };
+        let all = self.listed(Type::Halfedge, halfedges, body);
+        Term::Call(function, vec![all])
     }
 
     fn ty(&self, bound: Bound) -> Type {
@@ -67,19 +276,15 @@ impl Matching<'_, '_> {
         }
     }
 
-    fn bound_word(&self, bound: Bound) -> &str {
+    fn bound(&self, bound: Bound) -> Term {
         match bound {
-            Bound::Element(name) | Bound::First(name) => self.names.word(name),
+            Bound::Element(name) | Bound::First(name) => self.names.term(name),
             Bound::Last(path) => self.names.last(path),
         }
     }
 
-    fn bound(&self, bound: Bound) -> Term {
-        Term::name(self.bound_word(bound))
-    }
-
     fn term(&self, name: NameId) -> Term {
-        Term::name(self.names.word(name))
+        self.names.term(name)
     }
 
     fn source(&self, source: Source) -> Term {
@@ -101,7 +306,7 @@ impl Matching<'_, '_> {
 
     fn claim(&self, claim: &Claim) -> Term {
         match claim {
-            // Those of a drawing with `each`, which is not emitted.
+            // These have statements of their own.
             Claim::Begins(_)
             | Claim::AllDistinct(_)
             | Claim::AroundInOrder { .. }
@@ -128,16 +333,16 @@ impl Matching<'_, '_> {
                 let terms = halfedges.iter().map(|half| self.term(*half));
                 Term::Call(function, terms.collect())
             }
-            Claim::NotAllEmpty(paths) => {
-                let mut empty = paths
-                    .iter()
-                    .map(|&path| match self.drawing.may_be_empty(path) {
-                        true => Term::name(self.names.empty(path)),
-                        false => Term::Bool(false),
-                    });
-                let first = empty.next().unwrap_or(Term::Bool(false));
-                empty.fold(first, Term::and).not()
-            }
+            Claim::NotAllEmpty(paths) => self.are_empty(paths).not(),
         }
+    }
+    /// Whether all of these paths are empty.
+    fn are_empty(&self, paths: &[NameId]) -> Term {
+        let empty = |&path: &NameId| match self.drawing.is_empty_somewhere(path) {
+            true => self.names.empty(path),
+            false => Term::Bool(false),
+        };
+        let all = paths.iter().map(empty).reduce(Term::and);
+        all.unwrap_or(Term::Bool(false))
     }
 }

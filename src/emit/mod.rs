@@ -8,6 +8,7 @@
 //! The code assumes a mesh in order, and of the level of the guard, where there is one.
 
 // An operation as a routine.
+mod around;
 mod build;
 mod expression;
 mod guard;
@@ -15,6 +16,8 @@ mod matching;
 mod names;
 mod reassign;
 mod routine;
+mod term;
+mod walks;
 
 // A routine as text.
 mod cpp;

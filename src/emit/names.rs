@@ -1,11 +1,13 @@
 //! What the names of a drawing are called in code.
 //!
 //! A name stays what it is wherever that is possible. A prime becomes `_`; a word that the
-//! languages keep to themselves, and one that is taken, get something behind them.
+//! languages keep to themselves, and one that is taken, get something behind them. A family is
+//! a list of its name, and a member a place in it: `h[i]`, `h[(i + 1) % n]`.
 
 use std::collections::BTreeSet;
 
-use crate::diagram::{Kind, NameId, Op, Rule, Type};
+use super::term::{Term, Turns};
+use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
 
 /// Words of C++ and Rust, and what emitted code uses itself.
 const RESERVED: &str = "
@@ -23,6 +25,14 @@ pub(super) struct Names {
     words: Vec<String>,
     lasts: Vec<String>,
     empties: Vec<String>,
+    /// Of each member, how far it is from the index.
+    shifts: Vec<Option<i64>>,
+    /// Of each member at index 0 that is known before its family is, its word.
+    begun: Vec<Option<String>>,
+    /// The index of the cycle, and how many there are.
+    turns: Turns,
+    /// Whether this is inside of what is done for each index.
+    is_turning: bool,
     params: Vec<String>,
     folds: Vec<(u32, String)>,
     taken: BTreeSet<String>,
@@ -31,42 +41,72 @@ pub(super) struct Names {
 impl Names {
     /// Names for everything that a rule draws. Parameters are called the same in all rules.
     pub fn new(op: &Op, rule: &Rule) -> Self {
+        let count = rule.names.len();
         let mut names = Self {
             words: Vec::new(),
             lasts: Vec::new(),
             empties: Vec::new(),
+            shifts: Vec::new(),
+            begun: vec![None; count],
+            turns: Turns::default(),
+            is_turning: false,
             params: Vec::new(),
             folds: Vec::new(),
             taken: RESERVED.split_whitespace().map(String::from).collect(),
         };
-        for param in &op.params {
-            let word = names.fresh(&param.name);
+        for (at, param) in op.params.iter().enumerate() {
+            let wanted = match begins_a_family(op, at) {
+                true => format!("{}_0", param.name),
+                false => param.name.clone(),
+            };
+            let word = names.fresh(&wanted);
             names.params.push(word);
         }
-        for id in 0..rule.names.len() as u32 {
-            let name = rule.name(NameId(id));
-            let param = rule
-                .params
-                .iter()
-                .position(|param| *param == Some(NameId(id)));
-            let text = match name.named {
-                true => name.text.clone(),
-                false => unnamed(&name.text, name.kind),
+        for id in (0..count as u32).map(NameId) {
+            names.name(rule, id);
+        }
+        if let Some(cycle) = &rule.cycle {
+            names.turns = Turns {
+                index: names.fresh(&cycle.letter),
+                size: names.first_free(&["n", "count", "size"]),
             };
-            let (word, last, empty) = match (param, name.kind) {
-                (Some(param), _) => (names.params[param].clone(), String::new(), String::new()),
-                (None, Kind::Path) => (
-                    names.fresh(&format!("{text}_first")),
-                    names.fresh(&format!("{text}_last")),
-                    names.fresh(&format!("{text}_is_empty")),
-                ),
-                (None, _) => (names.fresh(&text), String::new(), String::new()),
-            };
-            names.words.push(word);
-            names.lasts.push(last);
-            names.empties.push(empty);
         }
         names
+    }
+
+    fn name(&mut self, rule: &Rule, id: NameId) {
+        let name = rule.name(id);
+        let is_member = rule.is_member(id);
+        self.shifts.push(is_member.then(|| rule.offset(id)));
+        if is_member && !rule.is_first(id) {
+            // The list of the family has its name from the first member.
+            let first = rule.first_member(id).index();
+            for words in [&mut self.words, &mut self.lasts, &mut self.empties] {
+                words.push(words[first].clone());
+            }
+            return;
+        }
+        let param = rule.params.iter().position(|param| *param == Some(id));
+        let text = match name.named {
+            true => name.text.split('[').next().unwrap_or_default().to_string(),
+            false => unnamed(&name.text, name.kind),
+        };
+        let none = String::new;
+        let (word, last, empty) = match (param, name.kind) {
+            (Some(param), _) if !is_member => (self.params[param].clone(), none(), none()),
+            (_, Kind::Path) => (
+                self.fresh(&format!("{text}_first")),
+                self.fresh(&format!("{text}_last")),
+                self.fresh(&format!("{text}_is_empty")),
+            ),
+            _ => (self.fresh(&text), none(), none()),
+        };
+        self.begun[id.index()] = param
+            .filter(|_| is_member)
+            .map(|param| self.params[param].clone());
+        self.words.push(word);
+        self.lasts.push(last);
+        self.empties.push(empty);
     }
 
     /// A name that is not taken yet, as near as can be to the one that is wanted.
@@ -97,6 +137,12 @@ impl Names {
         free
     }
 
+    /// The first of some names that is not taken yet.
+    fn first_free(&mut self, wanted: &[&str]) -> String {
+        let free = wanted.iter().find(|name| !self.taken.contains(**name));
+        self.fresh(free.unwrap_or(&wanted[0]))
+    }
+
     /// Lets go of a name that has meaning in one block only, so that it can be used again.
     pub fn release(&mut self, word: &str) {
         self.taken.remove(word);
@@ -106,19 +152,96 @@ impl Names {
         RESERVED.split_whitespace().any(|reserved| reserved == word)
     }
 
-    /// An element; of a path its first halfedge.
+    /// The word for an element, and for the first halfedge of a path; of a family, of the list.
     pub fn word(&self, name: NameId) -> &str {
         &self.words[name.index()]
     }
 
-    /// The last halfedge of a path.
-    pub fn last(&self, path: NameId) -> &str {
+    /// The word for the last halfedge of a path.
+    pub fn last_word(&self, path: NameId) -> &str {
         &self.lasts[path.index()]
     }
 
-    /// Whether a path is empty.
-    pub fn empty(&self, path: NameId) -> &str {
+    /// The word for whether a path is empty.
+    pub fn empty_word(&self, path: NameId) -> &str {
         &self.empties[path.index()]
+    }
+
+    /// An element; of a path its first halfedge.
+    pub fn term(&self, name: NameId) -> Term {
+        self.place(name, &self.words)
+    }
+
+    /// The last halfedge of a path.
+    pub fn last(&self, path: NameId) -> Term {
+        self.place(path, &self.lasts)
+    }
+
+    /// Whether a path is empty.
+    pub fn empty(&self, path: NameId) -> Term {
+        self.place(path, &self.empties)
+    }
+
+    fn place(&self, name: NameId, words: &[String]) -> Term {
+        let word = &words[name.index()];
+        match self.shifts[name.index()] {
+            None => Term::name(word),
+            Some(shift) => self.member(word, shift),
+        }
+    }
+
+    /// What stands in a list so far from the index; from 0 where nothing is done for each index.
+    pub fn member(&self, list: &str, shift: i64) -> Term {
+        Term::Member {
+            list: list.to_string(),
+            index: self.is_turning.then(|| self.turns.index.clone()),
+            shift,
+            size: self.turns.size.clone(),
+        }
+    }
+
+    /// The word for a member at index 0 that is known before its family is; of anything else
+    /// its own.
+    pub fn begin(&mut self, name: NameId) -> String {
+        if self.shifts[name.index()].is_none() {
+            return self.words[name.index()].clone();
+        }
+        if let Some(word) = &self.begun[name.index()] {
+            return word.clone();
+        }
+        let word = self.fresh(&format!("{}_0", self.words[name.index()]));
+        self.begun[name.index()] = Some(word.clone());
+        word
+    }
+
+    /// The index of the cycle, and how many there are.
+    pub fn turns(&self) -> Turns {
+        self.turns.clone()
+    }
+
+    /// Makes something that is about a name: of a member, what stands for each index.
+    pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.turn(repeated);
+        let made = make(self);
+        self.turn_back(outer);
+        made
+    }
+
+    /// Enters what is done for each index, if it is; tells where this was before.
+    pub fn turn(&mut self, repeated: bool) -> bool {
+        let outer = self.is_turning;
+        self.is_turning |= repeated;
+        outer
+    }
+
+    /// Goes back to where this was before.
+    pub fn turn_back(&mut self, outer: bool) {
+        self.is_turning = outer;
+    }
+
+    /// Whether this is inside of what is done for each index.
+    pub fn is_turning(&self) -> bool {
+        self.is_turning
     }
 
     /// A parameter, or the variable of an aggregate.
@@ -149,9 +272,18 @@ impl Names {
     }
 }
 
+/// Whether a parameter is the first halfedge of a family.
+fn begins_a_family(op: &Op, param: usize) -> bool {
+    op.rules.iter().any(|rule| {
+        let name = rule.params.get(param).copied().flatten();
+        name.is_some_and(|name| rule.name(name).role == Role::Family)
+    })
+}
+
 /// A word for a path or fan without a name: "the path of `f0`" is `rest_of_f0`.
 fn unnamed(description: &str, kind: Kind) -> String {
     let of = description.split('`').nth(1).unwrap_or("");
+    let of = of.split('[').next().unwrap_or("");
     let is_word = !of.is_empty()
         && of
             .chars()

@@ -3,184 +3,137 @@
 //! Paths that change their loop and fans that change their vertex are walked first, while
 //! `next` and `twin` are still what they were.
 
+use super::build::Conventions;
 use super::names::Names;
-use super::routine::{Statement, Step, Term, Walk};
+use super::routine::Statement;
+use super::term::Term;
+use super::walks::{fan_walk, path_walk};
 use crate::check::{moved_fans, moved_paths};
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopKind, NameId, Pointer, Ref, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Pointer};
 
 /// The statements of the phase, but for the attributes.
-pub(super) fn statements(drawing: &Drawing, names: &mut Names) -> Vec<Statement> {
+pub(super) fn statements(
+    drawing: &Drawing,
+    names: &mut Names,
+    conventions: Conventions,
+) -> Vec<Statement> {
+    let rule = drawing.rule;
     let mut walks = Vec::new();
-    for path in moved_paths(drawing) {
-        walks.extend(path_walk(drawing, names, path));
+    for path in moved_paths(drawing).filter(|&path| rule.is_first(path)) {
+        let walk = names.for_each(rule.is_member(path), |names| {
+            path_walk(drawing, names, path)
+        });
+        walks.extend(for_each(
+            rule.is_member(path),
+            names,
+            walk.into_iter().collect(),
+        ));
     }
-    for fan in moved_fans(drawing) {
-        walks.extend(fan_walk(drawing, names, fan));
+    for fan in moved_fans(drawing).filter(|&fan| rule.is_first(fan)) {
+        let walk = names.for_each(rule.is_member(fan), |names| fan_walk(drawing, names, fan));
+        walks.extend(for_each(
+            rule.is_member(fan),
+            names,
+            walk.into_iter().collect(),
+        ));
     }
     let mut reassign = Reassign {
         drawing,
         names,
-        halfedges: Vec::new(),
-        others: Vec::new(),
+        conventions,
+        sets: Vec::new(),
+        runs: Vec::new(),
+        first_runs: Vec::new(),
     };
     reassign.all();
-    let mut halfedges = reassign.halfedges;
-    halfedges.sort_by_key(|set| (set.order, set.pointer));
-    walks.extend(halfedges.into_iter().map(|set| set.statement));
-    walks.extend(reassign.others);
+    let Reassign { mut sets, runs, .. } = reassign;
+    walks.extend(runs);
+    // Halfedge by halfedge, then what points at them.
+    sets.sort_by_key(|set| set.order);
+    let (each, once): (Vec<_>, Vec<_>) = sets.into_iter().partition(|set| set.repeated);
+    walks.extend(once.into_iter().map(|set| set.statement));
+    let each = each.into_iter().map(|set| set.statement).collect();
+    walks.extend(for_each(true, names, each));
     walks
 }
 
-/// The walk along a path, from its first halfedge to what follows it in `before`.
-pub(super) fn along_path(
-    drawing: &Drawing,
-    names: &Names,
-    path: NameId,
-    halfedge: String,
-) -> Option<Walk> {
-    let next = drawing.before.item_after(path)?;
-    Some(Walk {
-        halfedge,
-        step: Step::Next,
-        from: Term::name(names.word(path)),
-        until: Term::name(names.word(next)),
-        around: next == path,
-    })
-}
-
-fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> Option<Statement> {
-    let face = drawing.after.face(path)?;
-    let halfedge = names.fresh("h");
-    names.release(&halfedge);
-    let walk = along_path(drawing, names, path, halfedge.clone())?;
-    Some(Statement::Walk {
-        walk,
-        body: vec![Statement::Set {
-            pointer: Pointer::Face,
-            of: Term::name(halfedge),
-            value: Term::name(names.word(face)),
+/// Statements that are done for each index, as one.
+fn for_each(repeated: bool, names: &Names, body: Vec<Statement>) -> Vec<Statement> {
+    match repeated && !body.is_empty() {
+        true => vec![Statement::Turn {
+            turns: names.turns(),
+            body,
         }],
-    })
-}
-
-/// The walk over the spokes of a fan, clockwise: from behind the spoke that follows it to the
-/// spoke that precedes it.
-pub(super) fn along_fan(
-    drawing: &Drawing,
-    names: &Names,
-    fan: NameId,
-    halfedge: String,
-) -> Option<Walk> {
-    let vertex = drawing.before.star_of_spoke(fan)?;
-    let spokes = &drawing.before.star(vertex)?.spokes;
-    let at = spokes
-        .iter()
-        .position(|spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan))?;
-    Some(along_spokes(drawing, names, vertex, (spokes, at), halfedge))
-}
-
-/// The walk over the run of spokes that stands at a place of a vertex statement.
-pub(super) fn along_spokes(
-    drawing: &Drawing,
-    names: &Names,
-    vertex: NameId,
-    (spokes, at): (&[Spoke], usize),
-    halfedge: String,
-) -> Walk {
-    let count = spokes.len();
-    let half = |spoke: &Spoke| match spoke {
-        Spoke::Halfedge(half) => Some(half.name),
-        Spoke::Fan(_) | Spoke::Rest(_) => None,
-    };
-    let (before, after) = (
-        half(&spokes[(at + count - 1) % count]),
-        half(&spokes[(at + 1) % count]),
-    );
-    let step = Step::Clockwise;
-    match (before, after) {
-        (Some(before), Some(after)) => Walk {
-            halfedge,
-            step,
-            from: match drawing.before.twin(after) {
-                Some(twin) => Term::name(names.word(twin)).follow(Pointer::Next),
-                None => Term::name(names.word(after))
-                    .follow(Pointer::Twin)
-                    .follow(Pointer::Next),
-            },
-            until: Term::name(names.word(before)),
-            around: false,
-        },
-        // The fan is the whole star.
-        _ => {
-            let first = Term::name(names.word(vertex)).follow(Pointer::VertexHalfedge);
-            Walk {
-                halfedge,
-                step,
-                from: first.clone(),
-                until: first,
-                around: true,
-            }
-        }
+        false => body,
     }
 }
 
-fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Option<Statement> {
-    let vertex = drawing.after.star_of_spoke(fan)?;
-    let halfedge = names.fresh("h");
-    names.release(&halfedge);
-    let walk = along_fan(drawing, names, fan, halfedge.clone())?;
-    Some(Statement::Walk {
-        walk,
-        body: vec![Statement::Set {
-            pointer: Pointer::Vertex,
-            of: Term::name(halfedge),
-            value: Term::name(names.word(vertex)),
-        }],
-    })
-}
-
-/// A pointer of a halfedge that is set, and where it stands in the code.
+/// A pointer that is set, and where it stands in the code: by halfedge and pointer, those of
+/// other elements last.
 struct Set {
-    order: usize,
-    pointer: usize,
+    order: (usize, usize),
+    repeated: bool,
     statement: Statement,
 }
 
-struct Reassign<'d, 'n> {
-    drawing: &'d Drawing<'d>,
-    names: &'n Names,
-    halfedges: Vec<Set>,
-    others: Vec<Statement>,
+/// What writes the phase.
+pub(super) struct Reassign<'d, 'n> {
+    pub drawing: &'d Drawing<'d>,
+    pub names: &'n mut Names,
+    pub conventions: Conventions,
+    sets: Vec<Set>,
+    /// Loops of runs that may be empty.
+    pub runs: Vec<Statement>,
+    /// Of each such loop the first halfedge of a run that is not.
+    pub first_runs: Vec<(NameId, Term)>,
 }
 
 impl Reassign<'_, '_> {
     fn all(&mut self) {
         let rule = self.drawing.rule;
         for orbit in &rule.after.loops {
-            self.orbit(orbit);
+            self.for_each(orbit.face.name, |this| match orbit.each {
+                true => this.orbit_around(orbit),
+                false => this.orbit(orbit),
+            });
         }
         for edge in &rule.after.edges {
-            self.edge(edge);
+            self.for_each(edge.edge.name, |this| this.edge(edge));
         }
         for half in rule.names_of(Kind::Halfedge) {
-            self.outer_origin(half);
+            self.for_each(half, |this| this.outer_origin(half));
         }
         for vertex in rule.names_of(Kind::Vertex) {
-            self.vertex(vertex);
+            self.for_each(vertex, |this| this.vertex(vertex));
         }
         for edge in &rule.after.edges {
-            self.edge_halfedge(edge);
+            self.for_each(edge.edge.name, |this| this.edge_halfedge(edge));
         }
         for orbit in &rule.after.loops {
-            self.face(orbit);
+            self.for_each(orbit.face.name, |this| this.face(orbit));
         }
+    }
+
+    /// Does something about a name: of a family once, for each index.
+    fn for_each(&mut self, name: NameId, what: impl FnOnce(&mut Self)) {
+        let rule = self.drawing.rule;
+        if rule.is_first(name) {
+            self.turning(rule.is_member(name), what);
+        }
+    }
+
+    pub fn turning<T>(&mut self, repeated: bool, what: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.names.turn(repeated);
+        let made = what(self);
+        self.names.turn_back(outer);
+        made
     }
 
     fn term(&self, name: NameId) -> Term {
-        Term::name(self.names.word(name))
+        self.names.term(name)
     }
 
-    fn is_path(&self, item: NameId) -> bool {
+    pub fn is_path(&self, item: NameId) -> bool {
         self.drawing.rule.kind(item) == Kind::Path
     }
 
@@ -188,16 +141,27 @@ impl Reassign<'_, '_> {
     fn set(&mut self, name: NameId, of: Term, pointer: Pointer, value: Term) {
         let rank = match pointer {
             Pointer::Next => 0,
+            Pointer::Prev if !self.conventions.prev => return,
             Pointer::Prev => 1,
             Pointer::Twin => 2,
             Pointer::Vertex => 3,
             Pointer::Edge => 4,
             _ => 5,
         };
-        self.halfedges.push(Set {
-            order: name.index(),
-            pointer: rank,
-            statement: Statement::Set { pointer, of, value },
+        let statement = Statement::Set { pointer, of, value };
+        self.push((name.index(), rank), statement);
+    }
+
+    /// A pointer of another element than a halfedge.
+    fn set_other(&mut self, statement: Statement) {
+        self.push((usize::MAX, 0), statement);
+    }
+
+    fn push(&mut self, order: (usize, usize), statement: Statement) {
+        self.sets.push(Set {
+            order,
+            repeated: self.names.is_turning(),
+            statement,
         });
     }
 
@@ -217,7 +181,7 @@ impl Reassign<'_, '_> {
     fn tail(&self, items: &[NameId], at: usize) -> Term {
         self.end_of(items, at, items.len() - 1, |item| {
             match self.is_path(item) {
-                true => Term::name(self.names.last(item)),
+                true => self.names.last(item),
                 false => self.term(item),
             }
         })
@@ -234,11 +198,8 @@ impl Reassign<'_, '_> {
         let places = (0..count).map(|turn| items[(at + turn * step) % count]);
         let mut ends = Vec::new();
         for item in places {
-            let may_be_empty = self.is_path(item) && self.drawing.may_be_empty(item);
-            ends.push((
-                end(item),
-                may_be_empty.then(|| Term::name(self.names.empty(item))),
-            ));
+            let may_be_empty = self.is_path(item) && self.drawing.is_empty_somewhere(item);
+            ends.push((end(item), may_be_empty.then(|| self.names.empty(item))));
             if !may_be_empty {
                 break;
             }
@@ -255,25 +216,35 @@ impl Reassign<'_, '_> {
     }
 
     fn orbit(&mut self, orbit: &Loop) {
-        let drawing = self.drawing;
         let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
-        let count = items.len();
-        for (at, item) in orbit.items.iter().enumerate() {
-            let (name, next) = (item.item.name, items[(at + 1) % count]);
-            if drawing.before.item_after(name) != Some(next) {
-                let (tail, head) = (self.tail(&items, at), self.head(&items, (at + 1) % count));
-                self.set(name, tail.clone(), Pointer::Next, head.clone());
-                self.set(next, head, Pointer::Prev, tail);
-            }
-            if self.is_path(name) {
-                continue;
-            }
-            let (origin, face) = (item.from.name, orbit.face.name);
-            let moved = drawing.before.loop_origin(name) != Some(origin);
-            self.pointer(name, Pointer::Vertex, origin, moved);
-            let changed = drawing.before.face(name) != Some(face);
-            self.pointer(name, Pointer::Face, face, changed);
+        for at in 0..items.len() {
+            self.link(&items, at);
+            self.lies_in(&orbit.items[at], orbit.face.name);
         }
+    }
+
+    /// `next` of what ends the item at `at`, `prev` of what begins the one behind it.
+    pub fn link(&mut self, items: &[NameId], at: usize) {
+        let after = (at + 1) % items.len();
+        let (name, next) = (items[at], items[after]);
+        if self.drawing.before.item_after(name) != Some(next) {
+            let (tail, head) = (self.tail(items, at), self.head(items, after));
+            self.set(name, tail.clone(), Pointer::Next, head.clone());
+            self.set(next, head, Pointer::Prev, tail);
+        }
+    }
+
+    /// The origin and the face of one item.
+    pub fn lies_in(&mut self, item: &LoopItem, face: NameId) {
+        let drawing = self.drawing;
+        let (name, origin) = (item.item.name, item.from.name);
+        if self.is_path(name) {
+            return;
+        }
+        let moved = drawing.before.loop_origin(name) != Some(origin);
+        self.pointer(name, Pointer::Vertex, origin, moved);
+        let changed = drawing.before.face(name) != Some(face);
+        self.pointer(name, Pointer::Face, face, changed);
     }
 
     fn edge(&mut self, statement: &Edge) {
@@ -309,7 +280,7 @@ impl Reassign<'_, '_> {
             halves.all(|half| after.contains(&half.name))
         });
         if !keeps {
-            self.others.push(Statement::Set {
+            self.set_other(Statement::Set {
                 pointer: Pointer::EdgeHalfedge,
                 of: self.term(statement.edge.name),
                 value: self.term(after[0]),
@@ -328,17 +299,20 @@ impl Reassign<'_, '_> {
         });
         if !keeps {
             let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
-            self.others.push(Statement::Set {
+            self.set_other(Statement::Set {
                 pointer: Pointer::FaceHalfedge,
                 of: self.term(face),
-                value: self.head(&items, 0),
+                value: match self.first_runs.iter().find(|(of, _)| *of == face) {
+                    Some((_, first)) => first.clone(),
+                    None => self.head(&items, 0),
+                },
             });
         }
         let same_kind = before.map_or(orbit.kind == LoopKind::Face, |before| {
             before.kind == orbit.kind
         });
         if orbit.kind != LoopKind::Any && !same_kind {
-            self.others.push(Statement::SetHole {
+            self.set_other(Statement::SetHole {
                 face: self.term(face),
                 hole: orbit.kind == LoopKind::Hole,
             });
@@ -349,59 +323,42 @@ impl Reassign<'_, '_> {
     fn vertex(&mut self, vertex: NameId) {
         let drawing = self.drawing;
         let drawn = drawing.after.mention(vertex).is_some();
-        if !drawn || drawing.erased(vertex).is_some() || self.keeps_its_spokes(vertex) {
+        if !drawn || drawing.erased(vertex).is_some() || drawing.keeps_its_spokes(vertex) {
             return;
         }
-        if let Some(value) = self.spoke_of(vertex) {
-            self.others.push(Statement::Set {
-                pointer: Pointer::VertexHalfedge,
-                of: self.term(vertex),
-                value,
-            });
+        let Some((value, run)) = self.spoke_of(vertex) else {
+            return;
+        };
+        let set = Statement::Set {
+            pointer: Pointer::VertexHalfedge,
+            of: self.term(vertex),
+            value,
+        };
+        match run {
+            None => self.set_other(set),
+            // One of the runs is not empty.
+            Some(path) => self.turning(true, |this| {
+                let condition = this.names.empty(path).not();
+                let body = vec![set];
+                this.set_other(Statement::When { condition, body });
+            }),
         }
     }
 
-    fn keeps_its_spokes(&self, vertex: NameId) -> bool {
+    /// A halfedge that starts at the vertex after: a named one, else the first of a path. Of a
+    /// family of runs that may be empty it is that at each index, and the family is told too.
+    fn spoke_of(&mut self, vertex: NameId) -> Option<(Term, Option<NameId>)> {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        let items = rule
-            .names_of(Kind::Halfedge)
-            .chain(rule.names_of(Kind::Path));
-        let stays = |item: NameId| {
-            drawing.erased(item).is_none() && drawing.origin_after(item) == Some(vertex)
-        };
-        let mut spokes = items.filter(|&item| {
-            drawing.before.mention(item).is_some() && drawing.origin_before(item) == Some(vertex)
-        });
-        let mut fans = rule
-            .names_of(Kind::Fan)
-            .filter(|&fan| drawing.before.star_of_spoke(fan) == Some(vertex));
-        drawing.survives(vertex)
-            && spokes.all(stays)
-            && fans.all(|fan| drawing.after.star_of_spoke(fan) == Some(vertex))
-    }
-
-    /// A halfedge that starts at the vertex after: a named spoke, the one listed first; else
-    /// the first of a path.
-    fn spoke_of(&self, vertex: NameId) -> Option<Term> {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        let listed = drawing.after.star(vertex).and_then(|star| {
-            star.spokes.iter().find_map(|spoke| match spoke {
-                Spoke::Halfedge(Ref { name, .. }) => Some(*name),
-                Spoke::Fan(_) | Spoke::Rest(_) => None,
-            })
-        });
-        let starts = |item: &NameId| {
-            let drawn = drawing.after.loop_of_item(*item).is_some()
-                || drawing.after.pairing(*item).is_some();
-            drawn && drawing.origin_after(*item) == Some(vertex)
-        };
-        if let Some(half) = listed.or_else(|| rule.names_of(Kind::Halfedge).find(starts)) {
-            return Some(self.term(half));
+        if let Some(half) = drawing.spoke_after(vertex) {
+            return Some((self.term(half), None));
         }
-        let mut paths: Vec<_> = rule.names_of(Kind::Path).filter(starts).collect();
-        paths.sort_by_key(|&path| drawing.may_be_empty(path));
-        (!paths.is_empty()).then(|| self.head(&paths, 0))
+        let paths = drawing.paths_after(vertex);
+        let &first = paths.first()?;
+        let certain = !drawing.is_empty_somewhere(first);
+        if rule.is_member(first) && !certain && !rule.is_member(vertex) {
+            return Some((self.turning(true, |this| this.term(first)), Some(first)));
+        }
+        Some((self.head(&paths, 0), None))
     }
 }

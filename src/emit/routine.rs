@@ -2,9 +2,11 @@
 //!
 //! A small imperative language with just what operations need: names that are bound once,
 //! pointers that are followed and set, tests that refuse, walks along loops and around
-//! vertices. [`build`](super::build) writes it; a printer per language spells it.
+//! vertices, and what is done for each index of a family. [`build`](super::build) writes it; a
+//! printer per language spells it.
 
-use crate::diagram::{Binary, Builtin, FoldFunction, Kind, Pointer, Type, Unary};
+use super::term::{Parameter, Term, Turns};
+use crate::diagram::{Kind, Pointer, Type};
 
 /// An operation as a routine.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,13 +21,6 @@ pub(super) struct Routine {
     pub result: Option<Type>,
     /// The alternatives, tried in order.
     pub rules: Vec<Alternative>,
-}
-
-/// A parameter of a routine.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Parameter {
-    pub name: String,
-    pub ty: Type,
 }
 
 /// One alternative of a routine.
@@ -66,6 +61,19 @@ pub(super) enum Statement {
     Push { list: String, item: Term },
     /// A count, or a truth value, that changes.
     Tally { ty: Type, name: String, value: Term },
+    /// A name for a list.
+    BindList { ty: Type, name: String, value: Term },
+    /// A name for the number of elements of a list.
+    Size { name: String, list: String },
+    /// A name for the list of what stands for each index.
+    Gather {
+        ty: Type,
+        name: String,
+        turns: Turns,
+        item: Term,
+    },
+    /// Does something for each index.
+    Turn { turns: Turns, body: Vec<Statement> },
     /// Gives it another value.
     Change { name: String, value: Term },
     /// One more.
@@ -85,6 +93,12 @@ pub(super) enum Statement {
     },
     /// Allocates an element.
     New { kind: Kind, name: String },
+    /// Allocates an element for each index.
+    NewEach {
+        kind: Kind,
+        name: String,
+        turns: Turns,
+    },
     /// `of.pointer = value`
     Set {
         pointer: Pointer,
@@ -96,7 +110,7 @@ pub(super) enum Statement {
     /// `vertex.position = value`
     SetPosition { vertex: Term, value: Term },
     /// Erases an element.
-    Erase { kind: Kind, name: String },
+    Erase { kind: Kind, element: Term },
     /// Done.
     Return { result: Option<Term> },
 }
@@ -124,174 +138,6 @@ pub(super) enum Step {
     Next,
     /// `h.twin.next`, clockwise around a vertex: no `prev` is needed.
     Clockwise,
-}
-
-/// A value.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Term {
-    Name(String),
-    Bool(bool),
-    Int(i64),
-    Real(f64),
-    /// `h.next`, `v.halfedge`
-    Follow(Pointer, Box<Term>),
-    /// `v.position`
-    Position(Box<Term>),
-    /// Whether a face is a hole.
-    Hole(Box<Term>),
-    Component(u8, Box<Term>),
-    Vector(Box<[Term; 3]>),
-    Unary(Unary, Box<Term>),
-    Binary(Binary, Box<Term>, Box<Term>),
-    Call(Function, Vec<Term>),
-    If(Box<Term>, Box<Term>, Box<Term>),
-    Fold(Box<Fold>),
-}
-
-/// An aggregate.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Fold {
-    pub function: FoldFunction,
-    pub ty: Type,
-    pub variable: Parameter,
-    pub around: Around,
-    pub element: Term,
-    pub filter: Option<Term>,
-    pub body: Term,
-    pub body_type: Type,
-}
-
-/// What an aggregate runs over, around one element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Around {
-    VertexHalfedges,
-    VertexEdges,
-    VertexFaces,
-    VertexNeighbors,
-    FaceHalfedges,
-    FaceVertices,
-    FaceEdges,
-    EdgeVertices,
-    EdgeFaces,
-}
-
-/// A function that is called.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Function {
-    /// One of the language.
-    Builtin(Builtin),
-    /// Whether going along a loop from the first halfedge the second comes before the third.
-    InOrderAlongLoop,
-    /// The same around a vertex, counterclockwise.
-    InOrderAroundVertex,
-    /// Whether no element stands twice in a list.
-    AllDiffer,
-    /// Whether a list holds an element.
-    Holds,
-    /// Whether two lists without repetitions hold the same.
-    SameElements,
-    /// Whether all parts of a vector are finite.
-    IsFinite,
-}
-
-impl Term {
-    pub fn name(name: impl Into<String>) -> Self {
-        Self::Name(name.into())
-    }
-
-    pub fn follow(self, pointer: Pointer) -> Self {
-        Self::Follow(pointer, Box::new(self))
-    }
-
-    pub fn is(self, other: Self) -> Self {
-        Self::Binary(Binary::EqualElement, Box::new(self), Box::new(other))
-    }
-
-    pub fn differs_from(self, other: Self) -> Self {
-        self.is(other).not()
-    }
-
-    pub fn not(self) -> Self {
-        match self {
-            Self::Unary(Unary::Not, term) => *term,
-            Self::Bool(value) => Self::Bool(!value),
-            term => Self::Unary(Unary::Not, Box::new(term)),
-        }
-    }
-
-    pub fn and(self, other: Self) -> Self {
-        Self::Binary(Binary::And, Box::new(self), Box::new(other))
-    }
-
-    pub fn or(self, other: Self) -> Self {
-        Self::Binary(Binary::Or, Box::new(self), Box::new(other))
-    }
-
-    pub fn hole(self) -> Self {
-        Self::Hole(Box::new(self))
-    }
-
-    pub fn then(self, then: Self, otherwise: Self) -> Self {
-        Self::If(Box::new(self), Box::new(then), Box::new(otherwise))
-    }
-
-    /// Shows every aggregate in it.
-    pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
-        match self {
-            Self::Name(_) | Self::Bool(_) | Self::Int(_) | Self::Real(_) => {}
-            Self::Follow(_, of)
-            | Self::Position(of)
-            | Self::Hole(of)
-            | Self::Component(_, of)
-            | Self::Unary(_, of) => of.folds(see),
-            Self::Vector(parts) => parts.iter().for_each(|part| part.folds(see)),
-            Self::Binary(_, left, right) => {
-                left.folds(see);
-                right.folds(see);
-            }
-            Self::Call(_, args) => args.iter().for_each(|arg| arg.folds(see)),
-            Self::If(condition, then, otherwise) => {
-                condition.folds(see);
-                then.folds(see);
-                otherwise.folds(see);
-            }
-            Self::Fold(fold) => {
-                see(fold);
-                fold.element.folds(see);
-                fold.filter.iter().for_each(|filter| filter.folds(see));
-                fold.body.folds(see);
-            }
-        }
-    }
-
-    /// Asks about every name in it.
-    pub fn names(&self, see: &mut dyn FnMut(&str)) {
-        match self {
-            Self::Name(name) => see(name),
-            Self::Bool(_) | Self::Int(_) | Self::Real(_) => {}
-            Self::Follow(_, of)
-            | Self::Position(of)
-            | Self::Hole(of)
-            | Self::Component(_, of)
-            | Self::Unary(_, of) => of.names(see),
-            Self::Vector(parts) => parts.iter().for_each(|part| part.names(see)),
-            Self::Binary(_, left, right) => {
-                left.names(see);
-                right.names(see);
-            }
-            Self::Call(_, args) => args.iter().for_each(|arg| arg.names(see)),
-            Self::If(condition, then, otherwise) => {
-                condition.names(see);
-                then.names(see);
-                otherwise.names(see);
-            }
-            Self::Fold(fold) => {
-                fold.element.names(see);
-                fold.filter.iter().for_each(|filter| filter.names(see));
-                fold.body.names(see);
-            }
-        }
-    }
 }
 
 impl Walk {
@@ -326,8 +172,10 @@ impl Statement {
     /// Whether it, or one inside of it, allocates or erases.
     pub fn changes_the_lists(&self) -> bool {
         match self {
-            Self::New { .. } | Self::Erase { .. } => true,
-            Self::Attempt { body, .. } => body.iter().any(Self::changes_the_lists),
+            Self::New { .. } | Self::NewEach { .. } | Self::Erase { .. } => true,
+            Self::Attempt { body, .. } | Self::Turn { body, .. } => {
+                body.iter().any(Self::changes_the_lists)
+            }
             _ => false,
         }
     }
@@ -336,7 +184,19 @@ impl Statement {
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         match self {
             Self::Comment(_) | Self::Blank | Self::New { .. } => {}
-            Self::Bind { value, .. } | Self::Tally { value, .. } => value.names(see),
+            Self::Bind { value, .. } | Self::BindList { value, .. } | Self::Tally { value, .. } => {
+                value.names(see);
+            }
+            Self::Size { list, .. } => see(list),
+            Self::Gather { turns, item, .. } => {
+                turns.names(see);
+                item.names(see);
+            }
+            Self::NewEach { turns, .. } => turns.names(see),
+            Self::Turn { turns, body } => {
+                turns.names(see);
+                body.iter().for_each(|statement| statement.names(see));
+            }
             Self::Attempt { element, body, .. } => {
                 see(element);
                 body.iter().for_each(|statement| statement.names(see));
@@ -351,7 +211,8 @@ impl Statement {
                 see(name);
                 value.names(see);
             }
-            Self::Raise { name } | Self::Erase { name, .. } => see(name),
+            Self::Raise { name } => see(name),
+            Self::Erase { element, .. } => element.names(see),
             Self::When { condition, body } => {
                 condition.names(see);
                 body.iter().for_each(|statement| statement.names(see));
@@ -384,7 +245,14 @@ pub(super) fn without_unread(body: Vec<Statement>) -> Vec<Statement> {
     let mut kept = Vec::new();
     for statement in body.into_iter().rev() {
         let statement = match statement {
-            Statement::Bind { ref name, .. } if !read.contains(name) => continue,
+            Statement::Bind { ref name, .. }
+            | Statement::BindList { ref name, .. }
+            | Statement::Size { ref name, .. }
+            | Statement::Gather { ref name, .. }
+                if !read.contains(name) =>
+            {
+                continue;
+            }
             Statement::Attempt {
                 kind,
                 element,

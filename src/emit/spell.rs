@@ -1,6 +1,6 @@
 //! Terms as text: what C++ and Rust spell alike, and where brackets are needed.
 
-use super::routine::{Fold, Function, Term};
+use super::term::{Fold, Function, Term, Turns};
 use crate::diagram::{Binary, Pointer, Unary};
 
 /// How tightly the outermost operator of a text binds.
@@ -61,6 +61,8 @@ pub(super) trait Language {
     /// Operators that are calls: `div`, `mod`, equality and products of vectors.
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled;
     fn fold(&mut self, fold: &Fold) -> Spelled;
+    /// Whether a condition holds for some index.
+    fn some(&mut self, turns: &Turns, condition: &Term) -> Spelled;
 }
 
 /// Spells a term.
@@ -103,6 +105,29 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
             language.choice(condition, then, otherwise)
         }
         Term::Fold(fold) => language.fold(fold),
+        Term::Some(turns, condition) => language.some(turns, condition),
+        Term::Member {
+            list,
+            index,
+            shift,
+            size,
+        } => Spelled::whole(format!("{list}[{}]", place(index.as_deref(), *shift, size))),
+    }
+}
+
+/// A place so far from an index, or from 0, counted around a list. What is below zero on the
+/// way is not, as sizes have no sign.
+fn place(index: Option<&str>, shift: i64, size: &str) -> String {
+    let far = shift.unsigned_abs();
+    match (index, shift) {
+        (None, 0) => "0".to_string(),
+        (Some(index), 0) => index.to_string(),
+        (None, 1..) => format!("{far} % {size}"),
+        (Some(index), 1..) => format!("({index} + {far}) % {size}"),
+        (None, -1) => format!("{size} - 1"),
+        (Some(index), -1) => format!("({index} + {size} - 1) % {size}"),
+        (None, _) => format!("({far} * {size} - {far}) % {size}"),
+        (Some(index), _) => format!("({index} + {far} * {size} - {far}) % {size}"),
     }
 }
 

@@ -1,8 +1,8 @@
 //! The white space that formatting exchanges, gap by gap, as editors want it.
 
-use super::safe::{Refusal, format, places};
+use super::safe::{Refusal, checked, places};
 use crate::source::{FileId, LineTable, Span};
-use crate::syntax::parse;
+use crate::syntax::Parsed;
 use std::ops::Range;
 
 /// Some white space of a text, and what is to stand there.
@@ -14,14 +14,14 @@ pub struct Edit {
     pub text: String,
 }
 
-/// What formatting changes, in order; the edits do not overlap.
+/// What formatting changes in a text that has been read, in order; the edits do not overlap.
 ///
 /// # Errors
 ///
-/// As [`format`].
-pub fn edits(source: &str) -> Result<Vec<Edit>, Refusal> {
-    let formatted = format(FileId(0), source)?.text;
-    let (old, new) = (gaps(source), gaps(&formatted));
+/// As [`format`](super::format).
+pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, Refusal> {
+    let (formatted, again) = checked(file, source, parsed)?;
+    let (old, new) = (gaps(source, parsed), gaps(&formatted, &again));
     let pairs = old.into_iter().zip(new);
     let edits = pairs.filter_map(|(old, new)| {
         let new = formatted.get(new)?;
@@ -37,24 +37,28 @@ pub fn edits(source: &str) -> Result<Vec<Edit>, Refusal> {
 ///
 /// # Errors
 ///
-/// As [`format`].
-pub fn edits_of_lines(source: &str, lines: Range<usize>) -> Result<Vec<Edit>, Refusal> {
+/// As [`format`](super::format).
+pub fn edits_of_lines(
+    file: FileId,
+    source: &str,
+    parsed: &Parsed,
+    lines: Range<usize>,
+) -> Result<Vec<Edit>, Refusal> {
     let table = LineTable::new(source);
     let start = table.start(lines.start).unwrap_or(source.len());
     // The indentation of the first line is behind the line end before it.
     let start = start.saturating_sub(1);
     let end = table.start(lines.end).unwrap_or(source.len());
-    let mut edits = edits(source)?;
+    let mut edits = edits(file, source, parsed)?;
     edits.retain(|edit| start <= edit.range.end && edit.range.start < end);
     Ok(edits)
 }
 
 /// What stands before each token and comment, and behind the last.
-fn gaps(text: &str) -> Vec<Range<usize>> {
-    let parsed = parse(FileId(0), text);
+fn gaps(text: &str, parsed: &Parsed) -> Vec<Range<usize>> {
     let end = Span::new(FileId(0), text.len(), text.len());
     let mut at = 0;
-    places(text, &parsed)
+    places(text, parsed)
         .chain([end])
         .map(|span| {
             let from = std::mem::replace(&mut at, span.end as usize);

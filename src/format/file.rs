@@ -3,7 +3,6 @@
 use super::printer::{Lines, Printer, WIDTH};
 use super::remark;
 use super::safe::leftovers;
-use crate::source::Span;
 use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
 
@@ -21,7 +20,7 @@ pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
     };
     let stays = Stays::new(source, parsed);
     let items = &parsed.tree.items;
-    let starts = items.iter().map(|item| span_of(item).start as usize);
+    let starts = items.iter().map(|item| item.span().start as usize);
     let starts: Vec<_> = starts.chain([source.len()]).collect();
     if stays.between(0, starts[0]) {
         page.verbatim(starts[0]);
@@ -34,18 +33,6 @@ pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
         }
     }
     with_line_ends_of(source, page.end())
-}
-
-fn span_of(item: &Item) -> Span {
-    match item {
-        Item::Use(item) => item.span,
-        Item::Attr(item) => item.span,
-        Item::Fn(item) => item.span,
-        Item::Op(item) => item.span,
-        Item::Script(item) => item.span,
-        Item::Test(item) => item.span,
-        Item::Broken(span) => *span,
-    }
 }
 
 /// All lines end as the first line of the source does, also where nothing else is changed:

@@ -3,7 +3,7 @@
 use super::printer::{Doc, HANG, INDENT, Lines, Printer, laid_out, line, nil, soft, text};
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
-use crate::syntax::tree::{Attr, Condition, Item, Op, Param, Rule, Steps};
+use crate::syntax::tree::{Attr, Condition, Item, Name, Op, Param, Rule, Steps};
 
 impl Printer<'_> {
     /// An item without what is said about it before.
@@ -146,9 +146,23 @@ impl Printer<'_> {
                     condition, reason, ..
                 } => self.demanded(condition, reason.is_some(), width),
                 Condition::Guard { .. } => self.spaced_token().append(self.token()),
+                Condition::Alias { names, .. } => self.aliased(names),
             };
             lines.extend(laid_out(doc, width));
         }
+    }
+
+    /// `alias v2 v3`
+    fn aliased(&mut self, names: &[Name]) -> Doc {
+        let keyword = self.spaced_token();
+        names.iter().enumerate().fold(keyword, |doc, (at, name)| {
+            let name = self.tokens(name.span);
+            if at == 0 {
+                doc.append(name)
+            } else {
+                doc.append(text(" ")).append(name)
+            }
+        })
     }
 
     /// `steps { … }`, and what is asked before

@@ -3,7 +3,7 @@
 use super::file::formatted;
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
-use crate::syntax::{CommentKind, Parsed, TokenKind, parse};
+use crate::syntax::{CommentKind, Parsed, TokenKind, parse, parse_again};
 use std::fmt;
 
 /// A text, formatted.
@@ -43,21 +43,33 @@ impl std::error::Error for Refusal {}
 /// differently once more. Both are mistakes of this program; the text should be left as it is.
 pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     let parsed = parse(file, source);
-    let text = formatted(source, &parsed);
-    let again = parse(file, &text);
-    if let Some(place) = first_difference(source, &parsed, &text, &again) {
-        return Err(Refusal::WouldChange(place));
-    }
-    let twice = formatted(&text, &again);
-    if twice != text {
-        let same = text.bytes().zip(twice.bytes());
-        let place = same.take_while(|(one, other)| one == other).count();
-        return Err(Refusal::NotStable(place));
-    }
+    let (text, _) = checked(file, source, &parsed)?;
     Ok(Formatted {
         text,
         diagnostics: parsed.diagnostics,
     })
+}
+
+/// The new text, and what it says.
+pub(super) fn checked(
+    file: FileId,
+    source: &str,
+    parsed: &Parsed,
+) -> Result<(String, Parsed), Refusal> {
+    let text = formatted(source, parsed);
+    let again = parse_again(file, &text, source, parsed);
+    if let Some(place) = first_difference(source, parsed, &text, &again) {
+        return Err(Refusal::WouldChange(place));
+    }
+    if text != source {
+        let twice = formatted(&text, &again);
+        if twice != text {
+            let same = text.bytes().zip(twice.bytes());
+            let place = same.take_while(|(one, other)| one == other).count();
+            return Err(Refusal::NotStable(place));
+        }
+    }
+    Ok((text, again))
 }
 
 /// Where two texts differ in more than white space: a place in the first.

@@ -49,6 +49,11 @@ impl Document {
         &self.uri
     }
 
+    /// What it is called by those that use it.
+    pub(super) fn name(&self) -> String {
+        name(&self.uri)
+    }
+
     pub(super) fn version(&self) -> i32 {
         self.version
     }

@@ -115,4 +115,7 @@ impl Reader for Files {
         names.dedup();
         names
     }
+    fn under(&mut self, folder: &str) -> Vec<String> {
+        self.rest.borrow_mut().under(folder)
+    }
 }

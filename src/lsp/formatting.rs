@@ -14,7 +14,8 @@ impl Server {
         params: DocumentFormattingParams,
     ) -> Answer<DocumentFormattingRequest> {
         let document = self.document(&params.text_document.uri)?;
-        let edits = edits(document.text()).map_err(refused)?;
+        let snapshot = document.snapshot();
+        let edits = edits(snapshot.file(), document.text(), snapshot.parsed()).map_err(refused)?;
         Ok(Some(text_edits(document, &edits)))
     }
 
@@ -29,7 +30,9 @@ impl Server {
         let reaches = end.character > 0 || end.line == params.range.start.line;
         let last = end.line as usize + usize::from(reaches);
         let lines = params.range.start.line as usize..last;
-        let edits = edits_of_lines(document.text(), lines).map_err(refused)?;
+        let snapshot = document.snapshot();
+        let edits = edits_of_lines(snapshot.file(), document.text(), snapshot.parsed(), lines)
+            .map_err(refused)?;
         Ok(Some(text_edits(document, &edits)))
     }
 }

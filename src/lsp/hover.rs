@@ -73,6 +73,10 @@ fn image(svg: &str, name: &str) -> Option<String> {
 
 /// What is proved, a line for each rule; or what is wrong.
 pub(super) fn verdict(op: &OpCard) -> String {
+    if let Some(steps) = &op.verdict.steps {
+        let calls: Vec<_> = steps.calls.iter().map(|op| format!("`{op}`")).collect();
+        return format!("**proved**, in steps: {}\n", calls.join(", "));
+    }
     if op.verdict.proved {
         let rules = op.verdict.rules.iter().map(|rule| rule_text(rule) + "\n");
         return rules.collect::<Vec<_>>().join("\n");

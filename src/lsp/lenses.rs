@@ -61,7 +61,7 @@ impl Server {
             RUN_TEST => {
                 let path = saved(&uri)?;
                 let mut command = vec!["test".to_owned(), path];
-                command.extend(name);
+                command.extend(name.map(|name| format!("--filter={name}")));
                 Ok(Some(self.run(command)))
             }
             RUN_SCRIPT => {

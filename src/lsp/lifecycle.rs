@@ -7,6 +7,7 @@ use super::client::Client;
 use super::lenses::{RUN_SCRIPT, RUN_TEST, SHOW_DIAGRAM};
 use super::server::{Server, Stage};
 use super::tokens::{MODIFIERS, TYPES};
+use super::workspace::Workspace;
 
 impl Server {
     /// The first request. What a client leaves out, or says with `null`, counts as nothing.
@@ -15,6 +16,7 @@ impl Server {
             fields.retain(|_, value| !value.is_null());
             fields.entry("capabilities").or_insert_with(|| json!({}));
         }
+        self.workspace = Workspace::new(&params);
         let params: InitializeParams = serde_json::from_value(params).unwrap_or_default();
         self.client = Client::new(&params);
         self.stage = Stage::Ready;

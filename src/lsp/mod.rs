@@ -27,6 +27,7 @@ mod documents;
 mod files;
 mod position;
 mod uri;
+mod workspace;
 
 // The answers, a file for each kind.
 mod actions;

@@ -7,7 +7,8 @@ use super::requests::{Answer, Refusal};
 use super::server::Server;
 use crate::analysis::names::{Mention, Role};
 use crate::analysis::{
-    definition, mentions_of_shared, occurrences, rename, renameable, shared, used_path,
+    definition, mentions_of_shared, occurrences, rename, rename_shared, renameable, shared,
+    used_path,
 };
 use crate::diagnostic;
 
@@ -25,6 +26,7 @@ impl Server {
 
     /// `textDocument/references`
     pub(super) fn references(&mut self, params: ReferenceParams) -> Answer<ReferencesRequest> {
+        self.read_others(&params.text_document_position_params)?;
         let (document, offset) = self.place(&params.text_document_position_params)?;
         let declared = definition(document.snapshot(), offset);
         let declared = declared.and_then(|span| document.location(span));
@@ -41,8 +43,17 @@ impl Server {
         Ok(Some(found))
     }
 
-    /// All mentions of a name: in its document, and of an item also in the other documents
-    /// that are open.
+    /// Reads the programs that are not open, if they may name what stands at a place.
+    fn read_others(&mut self, at: &TextDocumentPositionParams) -> Result<(), Refusal> {
+        let (document, offset) = self.place(at)?;
+        if shared(document.snapshot(), offset).is_some() {
+            self.read_workspace();
+        }
+        Ok(())
+    }
+
+    /// All mentions of a name: in its document, and of an item also in the other programs of
+    /// the workspace.
     fn mentions<'s>(
         &'s self,
         document: &'s Document,
@@ -51,8 +62,7 @@ impl Server {
         let Some(shared) = shared(document.snapshot(), offset) else {
             return vec![(document, occurrences(document.snapshot(), offset))];
         };
-        let documents = self.documents.iter();
-        documents
+        self.programs()
             .map(|document| (document, mentions_of_shared(document.snapshot(), &shared)))
             .filter(|(_, mentions)| !mentions.is_empty())
             .collect()
@@ -96,31 +106,30 @@ impl Server {
 
     /// `textDocument/rename`
     pub(super) fn rename(&mut self, params: RenameParams) -> Answer<RenameRequest> {
+        self.read_others(&params.text_document_position_params)?;
         let (document, offset) = self.place(&params.text_document_position_params)?;
-        let edits = rename(document.snapshot(), offset, &params.new_name);
-        let edits = edits.map_err(Refusal::failed)?;
-        if let Some(shared) = shared(document.snapshot(), offset)
-            && !self.files.is_open(&shared.file)
-        {
-            return Err(Refusal::failed(format!(
-                "`{}` is declared in `{}`: open that file to rename it everywhere",
-                shared.name, shared.file
-            )));
-        }
+        let to = params.new_name.trim();
+        let edits = rename(document.snapshot(), offset, to).map_err(Refusal::failed)?;
         let mut changes = vec![(document, edits)];
-        for (other, mentions) in self.mentions(document, offset) {
-            if other.uri() != document.uri() {
-                let edit = |mention: &Mention| diagnostic::Edit {
-                    span: mention.span,
-                    text: params.new_name.trim().to_owned(),
-                };
-                changes.push((other, mentions.iter().map(edit).collect()));
+        if let Some(shared) = shared(document.snapshot(), offset) {
+            if !self.programs().any(|known| known.name() == shared.file) {
+                return Err(Refusal::failed(format!(
+                    "`{}` is declared in `{}`: open that file to rename it everywhere",
+                    shared.name, shared.file
+                )));
+            }
+            for other in self.programs() {
+                if other.uri() != document.uri() {
+                    let edits = rename_shared(other.snapshot(), &shared, to);
+                    changes.push((other, edits.map_err(Refusal::failed)?));
+                }
             }
         }
+        changes.retain(|(_, edits)| !edits.is_empty());
         Ok(Some(self.workspace_edit(&changes)))
     }
 
-    /// Changes of documents, for their versions if the client heeds that.
+    /// Changes of programs; of those that are open for their versions, if the client heeds that.
     pub(super) fn workspace_edit(
         &self,
         changes: &[(&Document, Vec<diagnostic::Edit>)],
@@ -145,7 +154,7 @@ impl Server {
             let edits = edits(document, changed).into_iter().map(Edit::from);
             DocumentChange::from(TextDocumentEdit {
                 text_document: OptionalVersionedTextDocumentIdentifier {
-                    version: Some(document.version()),
+                    version: self.documents.get(document.uri()).map(Document::version),
                     text_document_identifier: TextDocumentIdentifier {
                         uri: document.uri().clone(),
                     },

@@ -21,6 +21,11 @@ impl Server {
             Method::TextDocumentDidClose => read(params, |params| self.closed(params)),
             Method::WorkspaceDidChangeConfiguration => self.configuration_changed(&params),
             Method::WorkspaceDidChangeWatchedFiles => read(params, |params| self.watched(params)),
+            Method::WorkspaceDidChangeWorkspaceFolders => {
+                read(params, |params: DidChangeWorkspaceFoldersParams| {
+                    self.workspace.change(params.event);
+                });
+            }
             Method::Custom("hedgerow/cursor") => read(params, |params| self.cursor(params)),
             _ => {}
         }
@@ -29,7 +34,7 @@ impl Server {
     /// Files that no client has open have changed on the disk.
     fn watched(&mut self, params: DidChangeWatchedFilesParams) {
         for change in params.changes {
-            self.documents.file_changed(&name(&change.uri));
+            self.file_changed(&name(&change.uri));
         }
     }
 
@@ -64,7 +69,7 @@ impl Server {
         self.files.hold(&item.uri, &item.text);
         let document = Document::new(item, self.client.encoding, self.files.clone());
         self.documents.open(document);
-        self.documents.file_changed(&name);
+        self.file_changed(&name);
     }
 
     fn changed(&mut self, params: DidChangeTextDocumentParams) {
@@ -74,7 +79,7 @@ impl Server {
         } = params.text_document;
         if let Some(document) = self.documents.get_mut(&uri) {
             document.change(version, params.content_changes);
-            self.documents.file_changed(&name(&uri));
+            self.file_changed(&name(&uri));
         }
     }
 
@@ -82,7 +87,7 @@ impl Server {
         let uri = params.text_document.uri;
         if self.documents.close(&uri).is_some() {
             self.files.release(&uri);
-            self.documents.file_changed(&name(&uri));
+            self.file_changed(&name(&uri));
             // What was wrong with it is no longer shown.
             self.tell::<PublishDiagnosticsNotification>(PublishDiagnosticsParams {
                 uri,

@@ -7,11 +7,13 @@ use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response}
 use serde::Serialize;
 
 use super::client::Client;
+use super::document::Document;
 use super::documents::Documents;
 use super::errand::Errand;
 use super::files::Files;
 use super::preview::Preview;
 use super::progress::Progress;
+use super::workspace::Workspace;
 use crate::analysis::Reader;
 
 /// How far the conversation is.
@@ -44,6 +46,7 @@ pub struct Server {
     pub(super) stage: Stage,
     pub(super) client: Client,
     pub(super) documents: Documents,
+    pub(super) workspace: Workspace,
     pub(super) files: Files,
     pub(super) preview: Option<Preview>,
     pub(super) progress: Option<Progress>,
@@ -66,6 +69,7 @@ impl Server {
             stage: Stage::Silent,
             client: Client::default(),
             documents: Documents::default(),
+            workspace: Workspace::default(),
             waiting: VecDeque::new(),
             outgoing: Vec::new(),
             asked: Vec::new(),
@@ -186,6 +190,23 @@ impl Server {
     /// The commands that are to be run beside the server, each once.
     pub fn errands(&mut self) -> Vec<Errand> {
         std::mem::take(&mut self.errands)
+    }
+
+    /// Reads the programs of the workspace that are not open.
+    pub(super) fn read_workspace(&mut self) {
+        let encoding = self.client.encoding;
+        self.workspace.read(&self.documents, &self.files, encoding);
+    }
+
+    /// All programs of the workspace, those first that are open.
+    pub(super) fn programs(&self) -> impl Iterator<Item = &Document> {
+        self.documents.iter().chain(self.workspace.closed())
+    }
+
+    /// Has all programs read again that use a file of this name.
+    pub(super) fn file_changed(&mut self, name: &str) {
+        self.documents.file_changed(name);
+        self.workspace.file_changed(name);
     }
 
     /// A number that has not been used.

@@ -40,14 +40,15 @@ impl Server {
         }))
     }
 
-    /// `workspace/symbol`: the items of all open documents whose names have the letters of
-    /// the query, in order.
+    /// `workspace/symbol`: the items of all programs of the workspace whose names have the
+    /// letters of the query, in order.
     pub(super) fn workspace_symbols(
         &mut self,
         params: WorkspaceSymbolParams,
     ) -> Answer<WorkspaceSymbolRequest> {
+        self.read_workspace();
         let mut found = Vec::new();
-        for document in self.documents.iter() {
+        for document in self.programs() {
             for entry in outline(document.snapshot()) {
                 if matches(&entry.name, &params.query) {
                     found.push(information(document, &entry, None));

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Assignment, Level, NameId, Ref, Require, Role, Type};
+use crate::diagram::{Access, Alias, Assignment, Kind, Level, NameId, Ref, Require, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
@@ -38,7 +38,7 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
                     span: *span,
                 }));
             }
-            Condition::Guard { .. } => {}
+            Condition::Guard { .. } | Condition::Alias { .. } => {}
         }
     }
     requires
@@ -73,6 +73,80 @@ pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Le
         }
     }
     guard
+}
+
+/// The names that may stand for one element.
+pub(super) fn aliases(conditions: &[Condition], names: &Names, report: &mut Report) -> Vec<Alias> {
+    let mut aliases = Vec::new();
+    for condition in conditions {
+        let Condition::Alias {
+            names: listed,
+            span,
+        } = condition
+        else {
+            continue;
+        };
+        if names.cycle().is_some() {
+            let message = "a rule with families has no `alias`";
+            let error = Diagnostic::error("cannot-alias", message, *span);
+            report.add(error.note("its names stand for different elements on every cycle"));
+            continue;
+        }
+        let mut known: Vec<Ref> = Vec::new();
+        for name in listed {
+            if let Some(found) = aliased(name, &known, names, report) {
+                known.push(found);
+            }
+        }
+        aliases.push(Alias {
+            names: known,
+            span: *span,
+        });
+    }
+    aliases
+}
+
+/// One name of an `alias`, behind the others.
+fn aliased(name: &tree::Name, others: &[Ref], names: &Names, report: &mut Report) -> Option<Ref> {
+    let word = &name.ident.text;
+    let Some(id) = names.find(word) else {
+        let message = format!("`{word}` is listed in `alias` but drawn nowhere");
+        let error = Diagnostic::error("unknown-name", message, name.span);
+        report.add(suggest(error, word, name.span, names.words()));
+        return None;
+    };
+    if let Some(first) = others.iter().find(|other| other.name == id) {
+        let message = format!("`{word}` is listed twice in `alias`");
+        let error = Diagnostic::error("listed-twice", message, name.span);
+        report.add(error.label(first.span, "listed first"));
+        return None;
+    }
+    let kind = names.get(id).kind;
+    let cannot = |message: String| Diagnostic::error("cannot-alias", message, name.span);
+    let first = others.first().map(|first| names.get(first.name));
+    let error = match (kind, first) {
+        (Kind::Path | Kind::Fan, _) => {
+            let what = kind.a_word();
+            cannot(format!(
+                "`{word}` is {what}; `alias` names vertices, halfedges and faces"
+            ))
+        }
+        (Kind::Edge, _) => cannot(format!("`{word}` is an edge; `alias` names its halfedges"))
+            .note("two edges are one where their halfedges are"),
+        (_, Some(first)) if first.kind != kind => {
+            let (one, other) = (first.kind.a_word(), kind.a_word());
+            cannot(format!(
+                "`{}` is {one} and `{word}` is {other}: they are never one",
+                first.text
+            ))
+        }
+        _ if !names.readable(id) => cannot(format!(
+            "`{word}` is not drawn in `before`, so it is no other element"
+        )),
+        _ => return Some(mention(id, name)),
+    };
+    report.add(error);
+    None
 }
 
 /// The level of this name.

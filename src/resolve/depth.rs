@@ -4,8 +4,11 @@
 //! like `a + b + c` and `h.next.next` are deep on their left side only, and those are
 //! walked here without recursion. Everything else recurses once a level.
 
+use std::ptr;
+
 use crate::diagnostic::Diagnostic;
-use crate::syntax::tree::{Action, ActionKind, Block, Expr, ExprKind, Shown};
+use crate::syntax::Part;
+use crate::syntax::tree::{Block, Expr, ExprKind};
 
 use super::report::Report;
 
@@ -16,75 +19,63 @@ const MOST_NESTED: u32 = 400;
 
 /// Whether an expression can be walked; if not, the report says so.
 pub(super) fn shallow_expr(expr: &Expr, report: &mut Report) -> bool {
-    shallow(Node::Expr(expr), report)
+    shallow(Part::Expr(expr), report)
 }
 
 /// Whether a block can be walked; if not, the report says so.
 pub(super) fn shallow_block(block: &Block, report: &mut Report) -> bool {
-    shallow(Node::Block(block), report)
-}
-
-/// A part of a block.
-#[derive(Clone, Copy)]
-pub(super) enum Node<'a> {
-    /// An expression.
-    Expr(&'a Expr),
-    /// A block.
-    Block(&'a Block),
+    shallow(Part::Block(block), report)
 }
 
 /// Shows a block and all its parts, however deep, in no particular order.
-pub(super) fn each_node<'a>(block: &'a Block, mut look: impl FnMut(Node<'a>)) {
-    let mut open = vec![Node::Block(block)];
-    while let Some(node) = open.pop() {
-        look(node);
-        match node {
-            Node::Expr(expr) => {
-                open.extend(left_side(expr).map(Node::Expr));
-                push_others(expr, |inner| open.push(inner));
-            }
-            Node::Block(block) => {
-                for action in &block.statements {
-                    push_parts(action, |inner| open.push(inner));
-                }
-            }
-        }
+pub(super) fn each_part<'a>(block: &'a Block, mut look: impl FnMut(Part<'a>)) {
+    let mut open = vec![Part::Block(block)];
+    while let Some(part) = open.pop() {
+        look(part);
+        inside(part, &mut |inner| open.push(inner));
     }
 }
 
-fn shallow(root: Node, report: &mut Report) -> bool {
+/// Shows what lies in a part: in a block, the parts of its statements.
+fn inside<'a>(part: Part<'a>, look: &mut dyn FnMut(Part<'a>)) {
+    match part {
+        Part::Expr(expr) => expr.each_part(look),
+        Part::Block(block) => block
+            .statements
+            .iter()
+            .for_each(|action| action.each_part(look)),
+    }
+}
+
+fn shallow(root: Part, report: &mut Report) -> bool {
     let mut open = vec![(root, 0, 0)];
-    while let Some((node, depth, nested)) = open.pop() {
+    while let Some((part, depth, nested)) = open.pop() {
         if depth > DEEPEST || nested > MOST_NESTED {
-            report.add(too_deep(node));
+            report.add(too_deep(part));
             return false;
         }
-        match node {
-            Node::Expr(expr) => {
-                if let Some(left) = left_side(expr) {
-                    open.push((Node::Expr(left), depth + 1, nested));
-                }
-                push_others(expr, |inner| open.push((inner, depth + 1, nested + 1)));
-            }
-            Node::Block(block) => {
-                for action in &block.statements {
-                    push_parts(action, |inner| open.push((inner, depth + 1, nested + 1)));
-                }
-            }
-        }
+        let left = match part {
+            Part::Expr(expr) => left_side(expr),
+            Part::Block(_) => None,
+        };
+        inside(part, &mut |inner| {
+            let is_left =
+                matches!((inner, left), (Part::Expr(inner), Some(left)) if ptr::eq(inner, left));
+            open.push((inner, depth + 1, nested + u32::from(!is_left)));
+        });
     }
     true
 }
 
-fn too_deep(node: Node) -> Diagnostic {
-    match node {
-        Node::Expr(expr) => Diagnostic::error(
+fn too_deep(part: Part) -> Diagnostic {
+    match part {
+        Part::Expr(expr) => Diagnostic::error(
             "expression-too-long",
             "this expression is too long to be understood as one",
             expr.span,
         )
         .note("give parts of it a name of their own with `let`"),
-        Node::Block(block) => Diagnostic::error(
+        Part::Block(block) => Diagnostic::error(
             "expression-too-long",
             "these blocks are nested too deeply",
             block.span,
@@ -97,105 +88,5 @@ pub(super) fn left_side(expr: &Expr) -> Option<&Expr> {
     match &expr.kind {
         ExprKind::Binary(_, left, _) | ExprKind::Field(left, _) => Some(left),
         _ => None,
-    }
-}
-
-/// All parts but the left side.
-fn push_others<'a>(expr: &'a Expr, mut push: impl FnMut(Node<'a>)) {
-    match &expr.kind {
-        ExprKind::Binary(_, _, right) => push(Node::Expr(right)),
-        ExprKind::Call { args, .. } => args.iter().for_each(|arg| push(Node::Expr(arg))),
-        ExprKind::Must(inner) | ExprKind::Unary(_, inner) => push(Node::Expr(inner)),
-        ExprKind::If {
-            condition,
-            then,
-            otherwise,
-        } => {
-            push(Node::Expr(condition));
-            push(Node::Block(then));
-            push(Node::Block(otherwise));
-        }
-        ExprKind::Aggregate {
-            body,
-            sequence,
-            filter,
-            ..
-        } => {
-            push(Node::Expr(body));
-            push(Node::Expr(sequence));
-            filter.iter().for_each(|filter| push(Node::Expr(filter)));
-        }
-        ExprKind::Field(..)
-        | ExprKind::Bool(_)
-        | ExprKind::Int(_)
-        | ExprKind::Real(_)
-        | ExprKind::Text(_)
-        | ExprKind::Name(_)
-        | ExprKind::Broken => {}
-    }
-}
-
-fn push_parts<'a>(action: &'a Action, mut push: impl FnMut(Node<'a>)) {
-    match &action.kind {
-        ActionKind::Let { value, .. } => push(Node::Expr(value)),
-        ActionKind::Assign { target, value } => {
-            push(Node::Expr(target));
-            push(Node::Expr(value));
-        }
-        ActionKind::Repeat { count: head, body }
-        | ActionKind::While {
-            condition: head,
-            body,
-        } => {
-            push(Node::Expr(head));
-            push(Node::Block(body));
-        }
-        ActionKind::For {
-            sequence,
-            filter,
-            body,
-            ..
-        }
-        | ActionKind::Update {
-            sequence,
-            filter,
-            body,
-            ..
-        } => {
-            push(Node::Expr(sequence));
-            filter.iter().for_each(|filter| push(Node::Expr(filter)));
-            push(Node::Block(body));
-        }
-        ActionKind::Drain {
-            sequence,
-            key,
-            condition,
-            body,
-            ..
-        } => {
-            push(Node::Expr(sequence));
-            push(Node::Expr(key));
-            condition.iter().for_each(|inner| push(Node::Expr(inner)));
-            push(Node::Block(body));
-        }
-        ActionKind::If {
-            condition,
-            then,
-            otherwise,
-            ..
-        } => {
-            push(Node::Expr(condition));
-            push(Node::Block(then));
-            otherwise.iter().for_each(|block| push(Node::Block(block)));
-        }
-        ActionKind::Print(values) => {
-            let values = values.iter().flat_map(Shown::values);
-            values.for_each(|value| push(Node::Expr(value)));
-        }
-        ActionKind::Assert { condition, .. } => push(Node::Expr(condition)),
-        ActionKind::Return(value) => value.iter().for_each(|value| push(Node::Expr(value))),
-        ActionKind::Block(block) => push(Node::Block(block)),
-        ActionKind::Expr(expr) => push(Node::Expr(expr)),
-        ActionKind::Break | ActionKind::Continue | ActionKind::Broken => {}
     }
 }

@@ -5,10 +5,11 @@
 //! calls; both is read off the tree.
 
 use crate::source::Span;
+use crate::syntax::Part;
 use crate::syntax::tree::{self, ActionKind, Block, ExprKind, Item};
 
 use super::declared::{Declared, What};
-use super::depth::{Node, each_node};
+use super::depth::each_part;
 use super::file::Unit;
 use super::sequence::WHOLE_MESH;
 
@@ -71,9 +72,9 @@ pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<Deeds> {
 
 fn own_deeds(body: &Block, declared: &Declared) -> Deeds {
     let mut deeds = Deeds::default();
-    each_node(body, |node| match node {
-        Node::Expr(expr) => deeds.of_expr(expr, declared),
-        Node::Block(block) => {
+    each_part(body, |part| match part {
+        Part::Expr(expr) => deeds.of_expr(expr, declared),
+        Part::Block(block) => {
             for action in &block.statements {
                 deeds.of_action(&action.kind, action.span);
             }

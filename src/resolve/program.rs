@@ -22,6 +22,23 @@ pub struct Program {
     pub tests: Vec<Test>,
 }
 
+impl Program {
+    /// The variables of all its code, with the parameters: of functions, of ops in steps, of
+    /// scripts and of tests.
+    pub fn variables(&self) -> impl Iterator<Item = &Variable> {
+        let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
+        let steps = self
+            .ops
+            .iter()
+            .filter_map(|op| Some(&op.steps.as_ref()?.body));
+        let bodies = functions.chain(steps).map(|body| &body.variables);
+        let tests = self.tests.iter().map(|test| &test.script);
+        let scripts = self.scripts.iter().chain(tests);
+        let scripts = scripts.map(|script| &script.variables);
+        bodies.chain(scripts).flatten()
+    }
+}
+
 /// An operation, or what is known of one that could not be resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Op {

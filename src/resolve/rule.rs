@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Attribute, Ref, Rule};
 use crate::syntax::tree::{self, Ident};
 
-use super::condition::{assignments, guard, requires};
+use super::condition::{aliases, assignments, guard, requires};
 use super::declared::Declared;
 use super::drawing::{draw_after, draw_before};
 use super::lists::read_lists;
@@ -39,6 +39,7 @@ pub(super) fn resolve_rule(
     let lists = read_lists(after, &drawn_before, &names, report);
 
     let guard = guard(&rule.conditions, report);
+    let aliases = aliases(&rule.conditions, &names, report);
 
     let mut scopes = Scopes::default();
     scopes.enter();
@@ -75,6 +76,7 @@ pub(super) fn resolve_rule(
         before: drawn_before,
         requires,
         guard,
+        aliases,
         after: drawn_after,
         created: lists.created,
         erased: lists.erased,

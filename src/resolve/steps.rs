@@ -43,6 +43,12 @@ pub(super) fn steps_signature(
         },
     };
     let level = guard(&steps.conditions, report).map_or(Level::Map, |(level, _)| level);
+    for condition in &steps.conditions {
+        if let tree::Condition::Alias { span, .. } = condition {
+            let message = "an op in steps draws nothing that could be one";
+            report.add(Diagnostic::error("cannot-alias", message, *span));
+        }
+    }
     for (property, span) in properties(&op.keeps, report) {
         if matches!(property, Property::Level(kept) if kept <= level) {
             continue;

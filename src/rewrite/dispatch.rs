@@ -4,8 +4,6 @@
 //! in its own file. Registers are never out of range (see the window), jumps out of the
 //! code return, so the loop itself cannot fail but by a trap.
 
-use glam::DVec3;
-
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::around;
@@ -13,9 +11,10 @@ use super::attribute;
 use super::call::{Frame, MOST_CALLS};
 use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
+use super::question::ask;
 use super::wide;
 use super::window::{Window, reserve};
-use super::{Inst, Machine, Message, Outcome, Reg, Trap, Watch};
+use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, same_up_to_renumbering};
 
 /// How far apart the coordinates of meshes may lie that count as the same.
@@ -225,60 +224,12 @@ impl Machine<'_> {
                     w.set_truth(to, mesh.is_alive(kind, w.id(element)));
                 }
 
-                // Questions that walk.
-                Degree { to, vertex } => {
-                    let v = or_trap!(access::vertex(mesh, w.id(vertex)));
-                    w.set_int(to, mesh.degree(v) as i64);
-                }
-                FaceSize { to, face } => {
-                    let f = or_trap!(access::face(mesh, w.id(face)));
-                    w.set_int(to, mesh.face_size(f) as i64);
-                }
-                BoundaryVertex { to, vertex } => {
-                    let v = or_trap!(access::vertex(mesh, w.id(vertex)));
-                    w.set_truth(to, mesh.is_boundary_vertex(v));
-                }
-                BoundaryEdge { to, edge } => {
-                    let e = or_trap!(access::edge(mesh, w.id(edge)));
-                    w.set_truth(to, mesh.is_boundary_edge(e));
-                }
-                Adjacent { to, left, right } => {
-                    let left = or_trap!(access::vertex(mesh, w.id(left)));
-                    let right = or_trap!(access::vertex(mesh, w.id(right)));
-                    w.set_truth(to, mesh.adjacent(left, right));
-                }
-                LinkCondition { to, edge } => {
-                    let e = or_trap!(access::edge(mesh, w.id(edge)));
-                    w.set_truth(to, mesh.link_condition(e));
-                }
-                StarShaped { to, edge } => {
-                    let e = or_trap!(access::edge(mesh, w.id(edge)));
-                    w.set_truth(to, mesh.kernel_centroid(e).is_some());
-                }
-                KernelCentroid { to, edge } => {
-                    let e = or_trap!(access::edge(mesh, w.id(edge)));
-                    w.set_vector(to, mesh.kernel_centroid(e).unwrap_or(DVec3::NAN));
-                }
-                LengthEdge { to, edge } => {
-                    let e = or_trap!(access::edge(mesh, w.id(edge)));
-                    w.set_real(to, mesh.length(e));
-                }
-                Area { to, face } => {
-                    let f = or_trap!(access::face(mesh, w.id(face)));
-                    w.set_real(to, mesh.area(f));
-                }
-                NormalFace { to, face } => {
-                    let f = or_trap!(access::face(mesh, w.id(face)));
-                    w.set_vector(to, mesh.normal(f));
-                }
-                NormalVertex { to, vertex } => {
-                    let v = or_trap!(access::vertex(mesh, w.id(vertex)));
-                    w.set_vector(to, mesh.vertex_normal(v));
-                }
-                CentroidFace { to, face } => {
-                    let f = or_trap!(access::face(mesh, w.id(face)));
-                    w.set_vector(to, mesh.centroid(f));
-                }
+                // Questions.
+                Ask {
+                    question,
+                    to,
+                    elements: [first, second],
+                } => or_trap!(ask(mesh, question, &mut w, [to, first, second])),
                 Count { kind, to } => w.set_int(to, mesh.count(kind) as i64),
                 CountHoles { to } => w.set_int(to, mesh.hole_count() as i64),
 
@@ -345,13 +296,16 @@ impl Machine<'_> {
                     }
                 }
                 ExpectRoom {
-                    vertices,
-                    halfedges,
-                    edges,
-                    faces,
+                    room,
                     refusal,
                     otherwise,
                 } => {
+                    let Room {
+                        vertices,
+                        halfedges,
+                        edges,
+                        faces,
+                    } = room;
                     let [v, h, e, f] = [vertices, halfedges, edges, faces].map(usize::from);
                     if !mesh.can_add(v, h, e, f) {
                         refuse!(refusal, otherwise);

@@ -5,6 +5,10 @@
 //! writes it; a [`Machine`] runs it on a mesh; native code can be made from it later.
 
 mod code;
+mod inst;
+mod operand;
+mod question;
+
 mod function;
 mod plan;
 mod steps;
@@ -35,14 +39,14 @@ mod watch;
 
 pub use assembler::{Assembler, Mark, TooLarge};
 pub use call::Outcome;
-pub use code::{
-    Code, ElementField, Elements, Foreseen, HalfedgeField, Inst, Label, Math, Reg, Span, Traps,
-    Walk,
-};
+pub use code::{Code, Label, Reg, Traps};
 pub use function::Function;
+pub use inst::Inst;
 pub use machine::{Count, Machine};
+pub use operand::{ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Walk};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
+pub use question::Question;
 pub use steps::{BELOW, Steps};
 pub use trap::{Message, Site, Trap};
 pub use watch::{Unwatched, Watch};

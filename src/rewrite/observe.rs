@@ -9,7 +9,7 @@ use super::attribute::{self, Held};
 use super::drain::{Drains, place};
 use super::readers::Place;
 use super::window::Window;
-use super::{ElementField, HalfedgeField, Inst, Walk};
+use super::{ElementField, HalfedgeField, Inst, Question, Walk};
 use crate::mesh::{
     ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId,
 };
@@ -232,28 +232,11 @@ impl Drains {
             | Inst::BufferLiving { .. }
             | Inst::Count { .. }
             | Inst::CountHoles { .. } => self.read(Place::Whole),
-            Inst::Degree { vertex, .. } | Inst::BoundaryVertex { vertex, .. } => {
-                self.read_star(mesh, w.id(vertex));
-            }
-            Inst::NormalVertex { vertex, .. } => self.read_loops_around(mesh, w.id(vertex)),
-            Inst::BoundaryEdge { edge, .. } | Inst::LengthEdge { edge, .. } => {
-                self.read_edge(mesh, w.id(edge));
-            }
-            Inst::Adjacent { left, right, .. } => {
-                self.read_star(mesh, w.id(left));
-                self.read_star(mesh, w.id(right));
-            }
-            Inst::LinkCondition { edge, .. }
-            | Inst::StarShaped { edge, .. }
-            | Inst::KernelCentroid { edge, .. } => {
-                for end in self.read_edge(mesh, w.id(edge)) {
-                    self.read_loops_around(mesh, end);
-                }
-            }
-            Inst::FaceSize { face, .. }
-            | Inst::Area { face, .. }
-            | Inst::NormalFace { face, .. }
-            | Inst::CentroidFace { face, .. } => self.read_loop(mesh, w.id(face)),
+            Inst::Ask {
+                question,
+                elements: [first, second],
+                ..
+            } => self.read_for(question, mesh, [w.id(first), w.id(second)]),
             Inst::Collect {
                 walk, from, until, ..
             } => {
@@ -312,6 +295,30 @@ impl Drains {
             | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
             | Inst::MeetsAll { .. } | Inst::StoreSpan { .. } => {}
+        }
+    }
+
+    fn read_for(&mut self, question: Question, mesh: &Mesh, [first, second]: [u32; 2]) {
+        match question {
+            Question::Degree | Question::BoundaryVertex => {
+                self.read_star(mesh, first);
+            }
+            Question::Adjacent => {
+                self.read_star(mesh, first);
+                self.read_star(mesh, second);
+            }
+            Question::NormalVertex => self.read_loops_around(mesh, first),
+            Question::BoundaryEdge | Question::LengthEdge => {
+                self.read_edge(mesh, first);
+            }
+            Question::LinkCondition | Question::StarShaped | Question::KernelCentroid => {
+                for end in self.read_edge(mesh, first) {
+                    self.read_loops_around(mesh, end);
+                }
+            }
+            Question::FaceSize | Question::Area | Question::NormalFace | Question::CentroidFace => {
+                self.read_loop(mesh, first)
+            }
         }
     }
 

@@ -34,5 +34,5 @@ pub use argument::Argument;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
-pub use steps::plan_steps;
+pub use steps::{calls_of_steps, plan_steps};
 pub use testing::{Load, test};

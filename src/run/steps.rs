@@ -3,7 +3,7 @@
 //! Their code is that of a function; what makes an operation of it is that it refuses where a
 //! `must` or a `require` does not hold, and that the machine undoes it then.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::function::Functions;
@@ -54,6 +54,20 @@ pub fn plan_steps(
         }
     }
     diagnostics
+}
+
+/// What each operation in steps of a program calls, by their numbers; also what the functions do
+/// that it calls.
+pub fn calls_of_steps(
+    program: &Program,
+    functions: &Functions,
+) -> BTreeMap<usize, BTreeSet<usize>> {
+    let ops = program.ops.iter().enumerate();
+    let steps = ops.filter_map(|(number, op)| {
+        let lowered = lowered(op, op.steps.as_ref()?, functions);
+        Some((number, lowered.calls))
+    });
+    steps.collect()
 }
 
 /// Those plans, and all that their steps lead to.

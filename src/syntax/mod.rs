@@ -12,8 +12,13 @@ mod lex;
 
 pub mod tree;
 
+mod parts;
+
+mod place;
+
 mod parse;
 
 pub use lex::{Comment, CommentKind};
-pub use parse::{Parsed, parse};
+pub use parse::{Parsed, parse, parse_again};
+pub use parts::Part;
 pub use token::{Token, TokenKind};

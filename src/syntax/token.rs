@@ -91,7 +91,8 @@ macro_rules! token_kinds {
 token_kinds! {
     keywords {
         "use" Use "private" Private "attr" Attr "fn" Fn "op" Op "script" Script "test" Test
-        "keeps" Keeps "rule" Rule "before" Before "require" Require "guard" Guard "after" After
+        "keeps" Keeps "rule" Rule "before" Before "require" Require "guard" Guard "alias" Alias
+        "after" After
         "steps" Steps
         "face" Face "hole" Hole "loop" Loop "edge" Edge "vertex" Vertex
         "each" Each "new" New "keep" Keep "erase" Erase

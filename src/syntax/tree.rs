@@ -192,6 +192,24 @@ pub enum Condition {
         /// The whole statement.
         span: Span,
     },
+    /// `alias v2 v3`
+    Alias {
+        /// The names that may stand for one element.
+        names: Vec<Name>,
+        /// The whole statement.
+        span: Span,
+    },
+}
+
+impl Condition {
+    /// The whole statement.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Require { span, .. } | Self::Guard { span, .. } | Self::Alias { span, .. } => {
+                *span
+            }
+        }
+    }
 }
 
 /// `before { … }` or `after { … }`

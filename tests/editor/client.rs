@@ -1,6 +1,6 @@
 //! An editor without a screen: it speaks the protocol with a server in this process.
 
-use hedgerow::analysis::Nowhere;
+use hedgerow::analysis::{Nowhere, Reader};
 use hedgerow::lsp::Server;
 use lsp_server::{Message, Notification, Request, RequestId, Response};
 use serde_json::{Value, json};
@@ -21,6 +21,17 @@ impl Client {
     /// A client that has said hello, with these capabilities.
     pub fn new(params: Value) -> Self {
         let mut client = Self::silent();
+        client.request("initialize", params).unwrap();
+        client.notify("initialized", json!({}));
+        client
+    }
+
+    /// One of a server that reads its files here.
+    pub fn over(reader: Box<dyn Reader>, params: Value) -> Self {
+        let mut client = Self {
+            server: Server::new(reader),
+            ..Self::silent()
+        };
         client.request("initialize", params).unwrap();
         client.notify("initialized", json!({}));
         client

@@ -188,56 +188,6 @@ fn one_bad_op_blinds_no_other() {
 }
 
 #[test]
-fn names_reach_over_files() {
-    let mut client = Client::able("utf-8");
-    let library = "file:///work/ops.hedge";
-    client.open_as(
-        library,
-        "op flip(e: edge) { }\nscript s() { for e in edges { flip(e) } }\n",
-    );
-    client.open("use \"ops.hedge\"\nuse \"std/triangle.hedge\"\nscript t() { for e in edges { flip(e) } }\n");
-    let at = |line: u32, character: u32| json!({ "line": line, "character": character });
-    let here = json!({ "textDocument": document(), "position": at(2, 32) });
-    let found = client
-        .request("textDocument/definition", here.clone())
-        .unwrap();
-    assert_eq!(found["uri"], library);
-    assert_eq!(found["range"]["start"], at(0, 3));
-    let mut params = here.clone();
-    params["context"] = json!({ "includeDeclaration": true });
-    let found = client
-        .request("textDocument/references", params.clone())
-        .unwrap();
-    assert_eq!(found.as_array().unwrap().len(), 3);
-    params["context"] = json!({ "includeDeclaration": false });
-    let found = client.request("textDocument/references", params).unwrap();
-    assert_eq!(found.as_array().unwrap().len(), 2);
-    let mut params = here;
-    params["newName"] = "turn".into();
-    let edit = client.request("textDocument/rename", params).unwrap();
-    let changes = edit["documentChanges"].as_array().unwrap();
-    let count = |uri: &str| {
-        let of = changes
-            .iter()
-            .find(|change| change["textDocument"]["uri"] == uri);
-        of.map(|change| change["edits"].as_array().unwrap().len())
-    };
-    assert_eq!((count(library), count(URI)), (Some(2), Some(1)));
-    // What a file says is heard by those who use it.
-    let before = client.published().unwrap()["diagnostics"].clone();
-    let change = json!({ "textDocument": { "uri": library, "version": 2 },
-        "contentChanges": [{ "text": "op turn(e: edge) { }\n" }] });
-    client.notify("textDocument/didChange", change);
-    let after = &client.published().unwrap()["diagnostics"];
-    assert_ne!(&before, after);
-    let links = json!({ "textDocument": document() });
-    let links = client.request("textDocument/documentLink", links).unwrap();
-    assert_eq!(links[0]["target"], library);
-    let std = links[1]["target"].as_str().unwrap();
-    assert!(std.ends_with("/std/triangle.hedge"), "{std}");
-}
-
-#[test]
 fn the_diagram_is_there_on_request_and_on_a_page() {
     let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
     let mut client = Client::able("utf-8");
@@ -378,25 +328,6 @@ fn many_proofs_show_progress() {
         kinds.iter().filter(|kind| *kind == "report").count() > 2,
         "{kinds:?}"
     );
-}
-
-#[test]
-fn commands_that_run_are_handed_to_the_process() {
-    let mut client = Client::able("utf-8");
-    client.open("script s() { }\ntest \"t\" { }\n");
-    let run = |arguments: Value| json!({ "command": "hedgerow.runScript", "arguments": arguments });
-    let lacking = client.request("workspace/executeCommand", run(json!([URI, "s"])));
-    assert!(lacking.unwrap_err().1.contains("MESH"));
-    let all = run(json!([URI, "s", "a.obj", "b.obj"]));
-    client.request("workspace/executeCommand", all).unwrap();
-    let errands = client.server.errands();
-    assert_eq!(errands.len(), 1);
-    assert_eq!(
-        errands[0].arguments,
-        ["run", "/work/test.hedge::s", "a.obj", "-o", "b.obj"]
-    );
-    let unknown = json!({ "command": "hedgerow.dance", "arguments": [URI] });
-    assert!(client.request("workspace/executeCommand", unknown).is_err());
 }
 
 #[test]

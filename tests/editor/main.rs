@@ -5,7 +5,9 @@ mod pages;
 
 mod answers;
 mod client;
+mod commands;
 mod conversation;
 mod edits;
 mod latency;
 mod shown;
+mod workspace;

@@ -590,6 +590,204 @@ pub fn dissolve_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
     None
 }
 
+/// Shrinks a face inside its own boundary, and fills the gap with quads.
+pub fn families_inset(mesh: &mut Mesh, f: FaceId, t: f64) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return false; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return false; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return false; // two of `v[i]` are one vertex
+    }
+    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), mesh.centroid(f), t)).collect();
+    if (0..n).any(|i| !w_position[i].is_finite()) {
+        return false; // the new position of `w[i]` is not finite
+    }
+
+    // 2. Allocate what is new.
+    let w: Vec<_> = (0..n).map(|_| mesh.add_vertex()).collect();
+    let s: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let r: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let q: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+    let c: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_face_halfedge(f, s[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], q[i]);
+        mesh.set_next(s[i], s[(i + 1) % n]);
+        mesh.set_twin(s[i], r[i]);
+        mesh.set_vertex(s[i], w[i]);
+        mesh.set_edge(s[i], c[i]);
+        mesh.set_face(s[i], f);
+        mesh.set_prev(s[(i + 1) % n], s[i]);
+        mesh.set_next(a[i], r[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], q[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], r[i]);
+        mesh.set_vertex(b[i], w[i]);
+        mesh.set_face(b[i], q[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_next(r[i], b[i]);
+        mesh.set_prev(r[i], a[i]);
+        mesh.set_twin(r[i], s[i]);
+        mesh.set_vertex(r[i], w[(i + 1) % n]);
+        mesh.set_edge(r[i], c[i]);
+        mesh.set_face(r[i], q[i]);
+        mesh.set_vertex_halfedge(w[i], s[i]);
+        mesh.set_edge_halfedge(c[i], s[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(q[i], h[i]);
+    }
+    for i in 0..n {
+        mesh.set_position(w[i], w_position[i]);
+    }
+    true
+}
+
+/// Splits a face into triangles around a new vertex at its centre; returns the vertex.
+pub fn families_poke(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    let c_position = mesh.centroid(f);
+
+    // 2. Allocate what is new.
+    let c = mesh.add_vertex();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let g: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_vertex_halfedge(c, b[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], g[i]);
+        mesh.set_next(a[i], b[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], g[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], a[i]);
+        mesh.set_vertex(b[i], c);
+        mesh.set_face(b[i], g[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(g[i], h[i]);
+    }
+    mesh.set_position(c, c_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    Some(c)
+}
+
+/// Cuts off a vertex; returns the face that comes in its place.
+pub fn families_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    if mesh.vertex_halfedge(v).is_none() {
+        return None; // `v` is isolated: no halfedge starts there
+    }
+    let h_0 = mesh.vertex_halfedge(v);
+    let h = mesh.spokes_from(h_0).collect::<Vec<_>>();
+    let count = h.len();
+    let k: Vec<HalfedgeId> = (0..count).map(|i| mesh.prev(h[(i + count - 1) % count])).collect();
+    let g: Vec<FaceId> = (0..count).map(|i| mesh.face(h[i])).collect();
+    let w: Vec<VertexId> = (0..count).map(|i| mesh.vertex(k[i])).collect();
+    if (0..count).any(|i| mesh.is_hole(g[i])) {
+        return None; // `g[i]` is a hole
+    }
+    if (0..count).any(|i| mesh.twin(h[i]) != k[i]) {
+        return None; // `h[i].twin` is not `k[i]`
+    }
+    if (0..count).any(|i| mesh.vertex(h[i]) != v) {
+        return None; // `h[i]` does not start at `v`
+    }
+    let mut all: Vec<VertexId> = vec![v];
+    for i in 0..count {
+        all.push(w[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `v`, `w[i]` are one vertex
+    }
+    if !all_differ(&g) {
+        return None; // two of `g[i]` are one face
+    }
+    let u_position: Vec<DVec3> = (0..count).map(|i| DVec3::lerp(mesh.position(v), mesh.position(w[i]), t)).collect();
+    if (0..count).any(|i| !u_position[i].is_finite()) {
+        return None; // the new position of `u[i]` is not finite
+    }
+
+    // 2. Allocate what is new.
+    let u: Vec<_> = (0..count).map(|_| mesh.add_vertex()).collect();
+    let s: Vec<_> = (0..count).map(|_| mesh.add_halfedge()).collect();
+    let m: Vec<_> = (0..count).map(|_| mesh.add_halfedge()).collect();
+    let n: Vec<_> = (0..count).map(|_| mesh.add_edge()).collect();
+    let f = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_face_halfedge(f, m[0]);
+    for i in 0..count {
+        mesh.set_prev(h[i], s[i]);
+        mesh.set_vertex(h[i], u[i]);
+        mesh.set_next(k[(i + 1) % count], s[i]);
+        mesh.set_next(s[i], h[i]);
+        mesh.set_prev(s[i], k[(i + 1) % count]);
+        mesh.set_twin(s[i], m[i]);
+        mesh.set_vertex(s[i], u[(i + 1) % count]);
+        mesh.set_edge(s[i], n[i]);
+        mesh.set_face(s[i], g[i]);
+        mesh.set_next(m[i], m[(i + 1) % count]);
+        mesh.set_twin(m[i], s[i]);
+        mesh.set_vertex(m[i], u[i]);
+        mesh.set_edge(m[i], n[i]);
+        mesh.set_face(m[i], f);
+        mesh.set_prev(m[(i + 1) % count], m[i]);
+        mesh.set_vertex_halfedge(u[i], h[i]);
+        mesh.set_edge_halfedge(n[i], s[i]);
+    }
+    for i in 0..count {
+        mesh.set_position(u[i], u_position[i]);
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v);
+    Some(f)
+}
+
 /// Rotates an edge between two triangles by one corner.
 ///
 /// ```text
@@ -2896,6 +3094,472 @@ pub fn values_pierce(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
         return Some(g);
     }
     None
+}
+
+/// The operation `more_extrude`.
+pub fn more_extrude(mesh: &mut Mesh, f: FaceId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return false; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return false; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return false; // two of `v[i]` are one vertex
+    }
+    let w_position: Vec<DVec3> = (0..n).map(|i| mesh.position(v[i])).collect();
+
+    // 2. Allocate what is new.
+    let w: Vec<_> = (0..n).map(|_| mesh.add_vertex()).collect();
+    let s: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let r: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let q: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+    let c: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_face_halfedge(f, s[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], q[i]);
+        mesh.set_next(s[i], s[(i + 1) % n]);
+        mesh.set_twin(s[i], r[i]);
+        mesh.set_vertex(s[i], w[i]);
+        mesh.set_edge(s[i], c[i]);
+        mesh.set_face(s[i], f);
+        mesh.set_prev(s[(i + 1) % n], s[i]);
+        mesh.set_next(a[i], r[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], q[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], r[i]);
+        mesh.set_vertex(b[i], w[i]);
+        mesh.set_face(b[i], q[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_next(r[i], b[i]);
+        mesh.set_prev(r[i], a[i]);
+        mesh.set_twin(r[i], s[i]);
+        mesh.set_vertex(r[i], w[(i + 1) % n]);
+        mesh.set_edge(r[i], c[i]);
+        mesh.set_face(r[i], q[i]);
+        mesh.set_vertex_halfedge(w[i], s[i]);
+        mesh.set_edge_halfedge(c[i], s[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(q[i], h[i]);
+    }
+    for i in 0..n {
+        mesh.set_position(w[i], w_position[i]);
+    }
+    true
+}
+
+/// The operation `more_collapse_face`.
+#[allow(non_snake_case)]
+pub fn more_collapse_face(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let k: Vec<HalfedgeId> = (0..n).map(|i| mesh.twin(h[i])).collect();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(k[(i + n - 1) % n])).collect();
+    let e: Vec<EdgeId> = (0..n).map(|i| mesh.edge(h[i])).collect();
+    let g: Vec<FaceId> = (0..n).map(|i| mesh.face(k[i])).collect();
+    let P_first: Vec<HalfedgeId> = (0..n).map(|i| mesh.next(k[i])).collect();
+    let P_last: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(k[i])).collect();
+    let P_is_empty: Vec<bool> = (0..n).map(|i| P_first[i] == k[i]).collect();
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if (0..n).any(|i| mesh.vertex(k[i]) != v[(i + 1) % n]) {
+        return None; // `k[i]` does not start at `v[i+1]`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    let mut all: Vec<FaceId> = vec![f];
+    for i in 0..n {
+        all.push(g[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `f`, `g[i]` are one face
+    }
+    if (0..n).any(|i| P_is_empty[i]) {
+        return None; // `g[i]` would be left without halfedges
+    }
+    let m_position = mesh.centroid(f);
+
+    // 2. Allocate what is new.
+    let m = mesh.add_vertex();
+
+    // 3. Reassign every pointer that changes.
+    for i in 0..n {
+        let mut h_2 = mesh.next(k[i]);
+        while h_2 != k[(i + n - 1) % n] {
+            mesh.set_vertex(h_2, m);
+            h_2 = mesh.next(mesh.twin(h_2));
+        }
+    }
+    for i in 0..n {
+        mesh.set_next(P_last[i], P_first[i]);
+        mesh.set_prev(P_first[i], P_last[i]);
+        if !P_is_empty[i] {
+            mesh.set_vertex_halfedge(m, P_first[i]);
+        }
+        mesh.set_face_halfedge(g[i], P_first[i]);
+    }
+    mesh.set_position(m, m_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    for i in 0..n {
+        mesh.erase_vertex(v[i]);
+    }
+    for i in 0..n {
+        mesh.erase_halfedge(h[i]);
+    }
+    for i in 0..n {
+        mesh.erase_halfedge(k[i]);
+    }
+    for i in 0..n {
+        mesh.erase_edge(e[i]);
+    }
+    Some(m)
+}
+
+/// The operation `more_cut_every_other_side`.
+#[allow(non_snake_case)]
+pub fn more_cut_every_other_side(mesh: &mut Mesh, f: FaceId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge of f is tried.
+    for h_0 in mesh.face_halfedges(f).collect::<Vec<_>>() {
+        let all_3 = mesh.loop_from(h_0).collect::<Vec<_>>();
+        if all_3.len() % 2 != 0 {
+            continue; // the number of sides of `f` is no multiple of 2
+        }
+        let h = all_3.iter().skip(0).step_by(2).copied().collect::<Vec<_>>();
+        let count = h.len();
+        let k = all_3.iter().skip(1).step_by(2).copied().collect::<Vec<_>>();
+        let t: Vec<HalfedgeId> = (0..count).map(|i| mesh.twin(h[i])).collect();
+        let v: Vec<VertexId> = (0..count).map(|i| mesh.vertex(h[i])).collect();
+        let u: Vec<VertexId> = (0..count).map(|i| mesh.vertex(t[i])).collect();
+        let e: Vec<EdgeId> = (0..count).map(|i| mesh.edge(h[i])).collect();
+        let g: Vec<FaceId> = (0..count).map(|i| mesh.face(t[i])).collect();
+        let P_first: Vec<HalfedgeId> = (0..count).map(|i| mesh.next(t[i])).collect();
+        if mesh.is_hole(f) {
+            continue; // `f` is a hole
+        }
+        if (0..count).any(|i| mesh.face(h[i]) != f) {
+            continue; // `h[i]` does not lie in `f`
+        }
+        let mut all: Vec<VertexId> = Vec::new();
+        for i in 0..count {
+            all.push(v[i]);
+            all.push(u[i]);
+        }
+        if !all_differ(&all) {
+            continue; // two of `v[i]`, `u[i]` are one vertex
+        }
+        let mut all_2: Vec<FaceId> = vec![f];
+        for i in 0..count {
+            all_2.push(g[i]);
+        }
+        if !all_differ(&all_2) {
+            continue; // two of `f`, `g[i]` are one face
+        }
+        let m_position: Vec<DVec3> = (0..count).map(|i| (mesh.position(v[i]) + mesh.position(u[i])) / 2.0).collect();
+
+        // 2. Allocate what is new.
+        let m: Vec<_> = (0..count).map(|_| mesh.add_vertex()).collect();
+        let x: Vec<_> = (0..count).map(|_| mesh.add_halfedge()).collect();
+        let y: Vec<_> = (0..count).map(|_| mesh.add_halfedge()).collect();
+        let n: Vec<_> = (0..count).map(|_| mesh.add_edge()).collect();
+
+        // 3. Reassign every pointer that changes.
+        for i in 0..count {
+            mesh.set_next(h[i], x[i]);
+            mesh.set_twin(h[i], y[i]);
+            mesh.set_prev(k[i], x[i]);
+            mesh.set_next(t[i], y[i]);
+            mesh.set_twin(t[i], x[i]);
+            mesh.set_edge(t[i], n[i]);
+            mesh.set_prev(P_first[i], y[i]);
+            mesh.set_next(x[i], k[i]);
+            mesh.set_prev(x[i], h[i]);
+            mesh.set_twin(x[i], t[i]);
+            mesh.set_vertex(x[i], m[i]);
+            mesh.set_edge(x[i], n[i]);
+            mesh.set_face(x[i], f);
+            mesh.set_next(y[i], P_first[i]);
+            mesh.set_prev(y[i], t[i]);
+            mesh.set_twin(y[i], h[i]);
+            mesh.set_vertex(y[i], m[i]);
+            mesh.set_edge(y[i], e[i]);
+            mesh.set_face(y[i], g[i]);
+            mesh.set_vertex_halfedge(m[i], x[i]);
+            mesh.set_edge_halfedge(e[i], h[i]);
+            mesh.set_edge_halfedge(n[i], x[i]);
+        }
+        for i in 0..count {
+            mesh.set_position(m[i], m_position[i]);
+        }
+        return true;
+    }
+    false
+}
+
+/// The operation `more_cut_corner`.
+#[allow(non_snake_case)]
+pub fn more_cut_corner(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    if mesh.vertex_halfedge(v).is_none() {
+        return None; // `v` is isolated: no halfedge starts there
+    }
+    let h_0 = mesh.vertex_halfedge(v);
+    let h = mesh.spokes_from(h_0).collect::<Vec<_>>();
+    let count = h.len();
+    let k: Vec<HalfedgeId> = (0..count).map(|i| mesh.prev(h[(i + count - 1) % count])).collect();
+    let e: Vec<EdgeId> = (0..count).map(|i| mesh.edge(h[i])).collect();
+    let g: Vec<FaceId> = (0..count).map(|i| mesh.face(h[i])).collect();
+    let w: Vec<VertexId> = (0..count).map(|i| mesh.vertex(k[i])).collect();
+    let P_first: Vec<HalfedgeId> = (0..count).map(|i| mesh.next(h[i])).collect();
+    let P_last: Vec<HalfedgeId> = (0..count).map(|i| mesh.prev(k[(i + 1) % count])).collect();
+    let P_is_empty: Vec<bool> = (0..count).map(|i| P_first[i] == k[(i + 1) % count]).collect();
+    if (0..count).any(|i| mesh.is_hole(g[i])) {
+        return None; // `g[i]` is a hole
+    }
+    if (0..count).any(|i| mesh.twin(h[i]) != k[i]) {
+        return None; // `h[i].twin` is not `k[i]`
+    }
+    if (0..count).any(|i| mesh.vertex(h[i]) != v) {
+        return None; // `h[i]` does not start at `v`
+    }
+    let mut all: Vec<VertexId> = vec![v];
+    for i in 0..count {
+        all.push(w[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `v`, `w[i]` are one vertex
+    }
+    if !all_differ(&g) {
+        return None; // two of `g[i]` are one face
+    }
+
+    // 2. Allocate what is new.
+    let s: Vec<_> = (0..count).map(|_| mesh.add_halfedge()).collect();
+    let m: Vec<_> = (0..count).map(|_| mesh.add_halfedge()).collect();
+    let n: Vec<_> = (0..count).map(|_| mesh.add_edge()).collect();
+    let f = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_face_halfedge(f, m[0]);
+    for i in 0..count {
+        mesh.set_next(if P_is_empty[i] { s[i] } else { P_last[i] }, s[i]);
+        mesh.set_prev(if P_is_empty[i] { s[i] } else { P_first[i] }, s[i]);
+        mesh.set_next(s[i], if P_is_empty[i] { s[i] } else { P_first[i] });
+        mesh.set_prev(s[i], if P_is_empty[i] { s[i] } else { P_last[i] });
+        mesh.set_twin(s[i], m[i]);
+        mesh.set_vertex(s[i], w[(i + 1) % count]);
+        mesh.set_edge(s[i], n[i]);
+        mesh.set_face(s[i], g[i]);
+        mesh.set_next(m[i], m[(i + 1) % count]);
+        mesh.set_twin(m[i], s[i]);
+        mesh.set_vertex(m[i], w[i]);
+        mesh.set_edge(m[i], n[i]);
+        mesh.set_face(m[i], f);
+        mesh.set_prev(m[(i + 1) % count], m[i]);
+        mesh.set_vertex_halfedge(w[i], s[(i + count - 1) % count]);
+        mesh.set_edge_halfedge(n[i], s[i]);
+        mesh.set_face_halfedge(g[i], if P_is_empty[i] { s[i] } else { P_first[i] });
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v);
+    for i in 0..count {
+        mesh.erase_halfedge(h[i]);
+    }
+    for i in 0..count {
+        mesh.erase_halfedge(k[i]);
+    }
+    for i in 0..count {
+        mesh.erase_edge(e[i]);
+    }
+    Some(f)
+}
+
+/// The operation `more_poke_from`.
+pub fn more_poke_from(mesh: &mut Mesh, h_0: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let f = mesh.face(h[0]);
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    let c_position = mesh.centroid(f);
+
+    // 2. Allocate what is new.
+    let c = mesh.add_vertex();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let g: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_vertex_halfedge(c, b[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], g[i]);
+        mesh.set_next(a[i], b[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], g[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], a[i]);
+        mesh.set_vertex(b[i], c);
+        mesh.set_face(b[i], g[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(g[i], h[i]);
+    }
+    mesh.set_position(c, c_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    Some(c)
+}
+
+/// The operation `more_copy_places`.
+pub fn more_copy_places(mesh: &mut Mesh, h_0: HalfedgeId, k_0: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let k = mesh.loop_from(k_0).collect::<Vec<_>>();
+    if k.len() != n {
+        return false; // `g` is longer, or shorter, than the families before
+    }
+    let f = mesh.face(h[0]);
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    let g = mesh.face(k[0]);
+    let u: Vec<VertexId> = (0..n).map(|i| mesh.vertex(k[i])).collect();
+    if mesh.is_hole(f) {
+        return false; // `f` is a hole
+    }
+    if mesh.is_hole(g) {
+        return false; // `g` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return false; // `h[i]` does not lie in `f`
+    }
+    if (0..n).any(|i| mesh.face(k[i]) != g) {
+        return false; // `k[i]` does not lie in `g`
+    }
+    let mut all: Vec<VertexId> = Vec::new();
+    for i in 0..n {
+        all.push(v[i]);
+        all.push(u[i]);
+    }
+    if !all_differ(&all) {
+        return false; // two of `v[i]`, `u[i]` are one vertex
+    }
+    let u_position: Vec<DVec3> = (0..n).map(|i| mesh.position(v[i])).collect();
+
+    // 3. Reassign every pointer that changes.
+    for i in 0..n {
+        mesh.set_position(u[i], u_position[i]);
+    }
+    true
+}
+
+/// The operation `more_unpoke`.
+pub fn more_unpoke(mesh: &mut Mesh, c: VertexId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    if mesh.vertex_halfedge(c).is_none() {
+        return None; // `c` is isolated: no halfedge starts there
+    }
+    let b_0 = mesh.vertex_halfedge(c);
+    let b = mesh.spokes_from(b_0).collect::<Vec<_>>();
+    let n = b.len();
+    let a: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(b[i])).collect();
+    let h: Vec<HalfedgeId> = (0..n).map(|i| mesh.next(b[i])).collect();
+    let g: Vec<FaceId> = (0..n).map(|i| mesh.face(h[i])).collect();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(a[(i + n - 1) % n])).collect();
+    let d: Vec<EdgeId> = (0..n).map(|i| mesh.edge(a[i])).collect();
+    if (0..n).any(|i| mesh.is_hole(g[i])) {
+        return None; // `g[i]` is a hole
+    }
+    if (0..n).any(|i| mesh.next(h[i]) != a[i]) {
+        return None; // `g[i]` is not a triangle
+    }
+    if (0..n).any(|i| mesh.twin(a[i]) != b[(i + 1) % n]) {
+        return None; // `a[i].twin` is not `b[i+1]`
+    }
+    if (0..n).any(|i| mesh.vertex(a[i]) != v[(i + 1) % n]) {
+        return None; // `a[i]` does not start at `v[i+1]`
+    }
+    if (0..n).any(|i| mesh.vertex(b[i]) != c) {
+        return None; // `b[i]` does not start at `c`
+    }
+    let mut all: Vec<VertexId> = vec![c];
+    for i in 0..n {
+        all.push(v[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `c`, `v[i]` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let f = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_face_halfedge(f, h[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], h[(i + 1) % n]);
+        mesh.set_face(h[i], f);
+        mesh.set_prev(h[(i + 1) % n], h[i]);
+        mesh.set_vertex_halfedge(v[i], h[i]);
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(c);
+    for i in 0..n {
+        mesh.erase_halfedge(a[i]);
+    }
+    for i in 0..n {
+        mesh.erase_halfedge(b[i]);
+    }
+    for i in 0..n {
+        mesh.erase_edge(d[i]);
+    }
+    for i in 0..n {
+        mesh.erase_face(g[i]);
+    }
+    Some(f)
 }
 
 /// The operation `surface_flip`.
@@ -5897,6 +6561,9 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("connect_connect", &[Element(x0), Element(x1)]) => { let r = connect_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("contract_contract", &[Element(x0)]) => { let r = contract_contract(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("dissolve_dissolve_edge", &[Element(x0)]) => { let r = dissolve_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("families_inset", &[Element(x0), Real(x1)]) => (families_inset(mesh, FaceId(x0), x1), None),
+        ("families_poke", &[Element(x0)]) => { let r = families_poke(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("families_bevel_vertex", &[Element(x0), Real(x1)]) => { let r = families_bevel_vertex(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("flip_flip", &[Element(x0)]) => (flip_flip(mesh, EdgeId(x0)), None),
         ("flip_flip_any", &[Element(x0)]) => (flip_flip_any(mesh, EdgeId(x0)), None),
         ("remesh_split", &[Element(x0)]) => { let r = remesh_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
@@ -5915,6 +6582,13 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("values_mark", &[Element(x0)]) => { let r = values_mark(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("values_cut", &[Element(x0), Element(x1)]) => { let r = values_cut(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("values_pierce", &[Element(x0)]) => { let r = values_pierce(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_extrude", &[Element(x0)]) => (more_extrude(mesh, FaceId(x0)), None),
+        ("more_collapse_face", &[Element(x0)]) => { let r = more_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_cut_every_other_side", &[Element(x0)]) => (more_cut_every_other_side(mesh, FaceId(x0)), None),
+        ("more_cut_corner", &[Element(x0)]) => { let r = more_cut_corner(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_poke_from", &[Element(x0)]) => { let r = more_poke_from(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_copy_places", &[Element(x0), Element(x1)]) => (more_copy_places(mesh, HalfedgeId(x0), HalfedgeId(x1)), None),
+        ("more_unpoke", &[Element(x0)]) => { let r = more_unpoke(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("surface_flip", &[Element(x0)]) => (surface_flip(mesh, HalfedgeId(x0)), None),
         ("simple_flip", &[Element(x0)]) => (simple_flip(mesh, HalfedgeId(x0)), None),
         ("surface_flip_any", &[Element(x0)]) => (surface_flip_any(mesh, HalfedgeId(x0)), None),

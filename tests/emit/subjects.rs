@@ -11,12 +11,10 @@ use hedgerow::source::Sources;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 6] = [
-    "families_inset: a drawing with `each`",
-    "families_poke: a drawing with `each`",
-    "families_dissolve_vertex: a drawing with `each`",
-    "families_bevel_vertex: a drawing with `each`",
+const NOT_EMITTED: [&str; 4] = [
+    "families_dissolve_vertex: a guard of families",
     "polygon_weld: a guard that follows the paths of `f` to several faces",
+    "more_fill: a guard of families",
     "simple_part_vertex: a guard that follows the spokes of `v` to several vertices",
 ];
 
@@ -42,6 +40,7 @@ pub fn subjects() -> Vec<Subject> {
     paths.sort();
     paths.push(folder("src/library/std/polygon.hedge"));
     paths.push(folder("tests/emit/values.hedge"));
+    paths.push(folder("tests/families/more.hedge"));
     for path in paths {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
         texts.push((stem, fs::read_to_string(path).unwrap()));

@@ -1,8 +1,7 @@
 //! Programs written badly, and programs someone is in the middle of typing: formatting keeps
 //! every word and is done after once. ([`formatted`] answers with nothing else.)
 
-use super::{edited, formatted, programs};
-use hedgerow::format::{edits, edits_of_lines};
+use super::{all_edits, edited, formatted, line_edits, programs};
 use hedgerow::source::FileId;
 use hedgerow::syntax::parse;
 
@@ -97,7 +96,7 @@ fn badly_written_programs_keep_their_words() {
         for every in [1, 3, 20] {
             let text = respaced(&program, &mut dice, every);
             let again = formatted(&text);
-            assert_eq!(edited(&text, &edits(&text).unwrap()), again);
+            assert_eq!(edited(&text, &all_edits(&text)), again);
             changed += usize::from(again != text);
         }
     }
@@ -132,8 +131,8 @@ fn some_lines_keep_the_words_of_all() {
         let text = respaced(&program, &mut dice, 4);
         let lines = text.lines().count();
         let from = dice.below(lines);
-        let some = edits_of_lines(&text, from..from + 3).unwrap();
-        let all = edits(&text).unwrap();
+        let some = line_edits(&text, from..from + 3);
+        let all = all_edits(&text);
         assert!(some.iter().all(|edit| all.contains(edit)));
         let words = |text: &str| text.split_whitespace().collect::<String>();
         assert_eq!(words(&edited(&text, &some)), words(&text));

@@ -18,6 +18,18 @@ pub struct Match {
 
 /// The matches of a rule where some of its names are bound already, up to a number.
 pub fn matches(rule: &Rule, mesh: &Mesh, bound: &[(NameId, u32)], most: usize) -> Vec<Match> {
+    matches_where(rule, mesh, bound, most, &|_, _| false)
+}
+
+/// The same where some names may be one element. Edges may always be: two are one only where
+/// their halfedges are.
+pub fn matches_where(
+    rule: &Rule,
+    mesh: &Mesh,
+    bound: &[(NameId, u32)],
+    most: usize,
+    may_be_one: &dyn Fn(NameId, NameId) -> bool,
+) -> Vec<Match> {
     let before = &rule.before;
     let mut search = Search {
         rule,
@@ -31,6 +43,7 @@ pub fn matches(rule: &Rule, mesh: &Mesh, bound: &[(NameId, u32)], most: usize) -
         stars: vec![false; before.stars.len()],
         found: Vec::new(),
         most,
+        may_be_one,
     };
     let all = bound
         .iter()
@@ -65,6 +78,7 @@ struct Search<'a> {
     stars: Vec<bool>,
     found: Vec<Match>,
     most: usize,
+    may_be_one: &'a dyn Fn(NameId, NameId) -> bool,
 }
 
 /// Names bound by one step, to be undone.
@@ -88,7 +102,11 @@ impl<'a> Search<'a> {
                     .iter()
                     .enumerate()
                     .any(|(other, bound)| {
-                        *bound == Some(element) && self.rule.names[other].kind == kind
+                        let other = NameId(other as u32);
+                        *bound == Some(element)
+                            && self.rule.kind(other) == kind
+                            && kind != Kind::Edge
+                            && !(self.may_be_one)(other, name)
                     });
                 if taken {
                     return None;
@@ -374,7 +392,7 @@ impl<'a> Search<'a> {
                 let listed = star
                     .spokes
                     .iter()
-                    .any(|spoke| matches!(spoke, Spoke::Halfedge(listed) if listed.name == half));
+                    .any(|spoke| matches!(spoke, Spoke::Halfedge(listed) if self.element(listed.name) == self.element(half)));
                 !starts_here || listed
             })
         })

@@ -122,6 +122,19 @@ impl Truth<'_> {
         names.any(|name| self.element(name) == half.0)
     }
 
+    /// Whether another statement of the same vertex, which then has two names, lists a spoke.
+    fn is_listed_elsewhere(&self, star: &Star, half: HalfedgeId) -> bool {
+        let vertex = self.element(star.vertex.name);
+        let stars = self.rule.after.stars.iter();
+        let mut others = stars.filter(|other| {
+            other.vertex.name != star.vertex.name && self.element(other.vertex.name) == vertex
+        });
+        others.any(|other| {
+            let lists = |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(name) if self.element(name.name) == half.0);
+            other.spokes.iter().any(lists)
+        })
+    }
+
     /// Whether the spokes of a star from one on are the ring. The spokes of a fan stay together,
     /// but two pieces of one may have changed places.
     fn lies(&self, star: &Star, at: usize, ring: &[HalfedgeId]) -> bool {
@@ -146,7 +159,9 @@ impl Truth<'_> {
             Spoke::Rest(_) => {
                 let unnamed = ring
                     .iter()
-                    .take_while(|&&half| !self.is_named(half))
+                    .take_while(|&&half| {
+                        !self.is_named(half) || self.is_listed_elsewhere(star, half)
+                    })
                     .count();
                 (0..=unnamed).any(|length| self.lies(star, at + 1, &ring[length..]))
             }

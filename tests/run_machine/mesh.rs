@@ -3,6 +3,14 @@
 use super::*;
 use hedgerow::mesh::{ElementKind, HalfedgeId, VertexId, shape};
 
+fn ask(question: Question, to: Reg, element: Reg) -> Inst {
+    Inst::Ask {
+        question,
+        to,
+        elements: [element; 2],
+    }
+}
+
 #[test]
 fn questions_about_a_cube() {
     let lines = printed(&mut shape::cube(), |asm| {
@@ -10,42 +18,41 @@ fn questions_about_a_cube() {
         let [vertex, edge, face] = [zero; 3];
         let kind = ElementKind::Edge;
         for inst in [
-            Inst::Degree { to, vertex },
-            Inst::FaceSize { to, face },
+            ask(Question::Degree, to, vertex),
+            ask(Question::FaceSize, to, face),
             Inst::Count { kind, to },
             Inst::CountHoles { to },
             Inst::Capacity { kind, to },
-            Inst::BoundaryVertex { to, vertex },
-            Inst::BoundaryEdge { to, edge },
-            Inst::LinkCondition { to, edge },
+            ask(Question::BoundaryVertex, to, vertex),
+            ask(Question::BoundaryEdge, to, edge),
+            ask(Question::LinkCondition, to, edge),
             Inst::LoadHole { to, face },
             Inst::Alive {
                 kind,
                 to,
                 element: edge,
             },
-            Inst::Adjacent {
-                to,
-                left: vertex,
-                right: vertex,
-            },
+            ask(Question::Adjacent, to, vertex),
         ] {
             asm.emit(inst);
             print(asm, int, to);
         }
-        for inst in [Inst::LengthEdge { to, edge }, Inst::Area { to, face }] {
+        for inst in [
+            ask(Question::LengthEdge, to, edge),
+            ask(Question::Area, to, face),
+        ] {
             asm.emit(inst);
             print(asm, real, to);
         }
         for inst in [
-            Inst::NormalFace { to, face },
-            Inst::CentroidFace { to, face },
+            ask(Question::NormalFace, to, face),
+            ask(Question::CentroidFace, to, face),
             Inst::LoadPosition { to, vertex },
         ] {
             asm.emit(inst);
             print(asm, vector, to);
         }
-        asm.emit(Inst::NormalVertex { to, vertex });
+        asm.emit(ask(Question::NormalVertex, to, vertex));
         asm.emit(Inst::LengthVec { to, from: to });
         asm.emit(Inst::RoundReal { to, from: to });
         print(asm, int, to);
@@ -74,24 +81,17 @@ fn loads_of_what_is_gone_trap() {
             (Inst::LoadHalfedge { of, to, element: x }, "face"),
             (Inst::LoadHole { to, face: x }, "face"),
             (Inst::LoadPosition { to, vertex: x }, "vertex"),
-            (Inst::Degree { to, vertex: x }, "vertex"),
-            (Inst::FaceSize { to, face: x }, "face"),
-            (Inst::BoundaryEdge { to, edge: x }, "edge"),
-            (Inst::BoundaryVertex { to, vertex: x }, "vertex"),
-            (
-                Inst::Adjacent {
-                    to,
-                    left: x,
-                    right: x,
-                },
-                "vertex",
-            ),
-            (Inst::LinkCondition { to, edge: x }, "edge"),
-            (Inst::LengthEdge { to, edge: x }, "edge"),
-            (Inst::Area { to, face: x }, "face"),
-            (Inst::NormalFace { to, face: x }, "face"),
-            (Inst::NormalVertex { to, vertex: x }, "vertex"),
-            (Inst::CentroidFace { to, face: x }, "face"),
+            (ask(Question::Degree, to, x), "vertex"),
+            (ask(Question::FaceSize, to, x), "face"),
+            (ask(Question::BoundaryEdge, to, x), "edge"),
+            (ask(Question::BoundaryVertex, to, x), "vertex"),
+            (ask(Question::Adjacent, to, x), "vertex"),
+            (ask(Question::LinkCondition, to, x), "edge"),
+            (ask(Question::LengthEdge, to, x), "edge"),
+            (ask(Question::Area, to, x), "face"),
+            (ask(Question::NormalFace, to, x), "face"),
+            (ask(Question::NormalVertex, to, x), "vertex"),
+            (ask(Question::CentroidFace, to, x), "face"),
             (Inst::Erase { kind, element: x }, "vertex"),
         ]
     };

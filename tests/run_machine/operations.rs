@@ -79,10 +79,10 @@ fn write_flip(asm: &mut Assembler, otherwise: Label) {
             otherwise,
         });
     }
-    asm.emit(Inst::Adjacent {
+    asm.emit(Inst::Ask {
+        question: Question::Adjacent,
         to: condition,
-        left: v2,
-        right: v3,
+        elements: [v2, v3],
     });
     asm.emit(not);
     asm.emit(Inst::Expect {
@@ -209,14 +209,15 @@ fn room_finite_positions_and_distinct_elements_are_expected() {
     ];
     let code = code(3, |asm| {
         let otherwise = asm.label();
-        let [vertices, halfedges, edges, faces] = [1, 6, 3, 2];
-        let refusal = 0;
+        let room = Room {
+            vertices: 1,
+            halfedges: 6,
+            edges: 3,
+            faces: 2,
+        };
         asm.emit(Inst::ExpectRoom {
-            vertices,
-            halfedges,
-            edges,
-            faces,
-            refusal,
+            room,
+            refusal: 0,
             otherwise,
         });
         asm.emit(Inst::ExpectFinite {
@@ -228,7 +229,7 @@ fn room_finite_positions_and_distinct_elements_are_expected() {
         asm.emit(Inst::ExpectDistinct {
             left,
             right,
-            refusal,
+            refusal: 0,
             otherwise,
         });
         asm.emit(Inst::Return { result: None });

@@ -108,6 +108,9 @@ impl Page {
                     self.line(format!("require {}{reason}", value(condition)));
                 }
                 Condition::Guard { level, .. } => self.line(format!("guard {}", level.text)),
+                Condition::Alias { names, .. } => {
+                    self.line(format!("alias {}", self::names(names)))
+                }
             }
         }
         if let Some(after) = &rule.after {

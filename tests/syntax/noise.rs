@@ -3,7 +3,7 @@
 use hedgerow::diagnostic::{Rendering, render};
 use hedgerow::source::{FileId, Sources};
 use hedgerow::syntax::tree::{Item, Op};
-use hedgerow::syntax::{Parsed, TokenKind, parse};
+use hedgerow::syntax::{Parsed, TokenKind, parse, parse_again};
 
 const PAGES: [&str; 2] = [include_str!("drawings.md"), include_str!("scripts.md")];
 
@@ -122,6 +122,30 @@ fn a_broken_item_never_hides_the_next() {
         );
     }
     assert!(broken > 1000, "only {broken} texts were broken");
+}
+
+#[test]
+fn a_text_read_again_is_read_as_if_for_the_first_time() {
+    let whole = format!("{}{UNTOUCHED}", inputs().join("\n"));
+    let mut dice = Dice(0xD1B5_4A32_D192_ED03);
+    let (mut text, mut earlier) = (whole.clone(), parse(FileId(0), &whole));
+    let mut whole_items = 0;
+    for round in 0..120 {
+        let next = match round % 3 {
+            0 => whole.clone(),
+            _ => mutate(&text, &mut dice),
+        };
+        let again = parse_again(FileId(0), &next, &text, &earlier);
+        let anew = parse(FileId(0), &next);
+        assert_eq!(again.tree, anew.tree, "{next}");
+        assert_eq!(again.diagnostics, anew.diagnostics, "{next}");
+        let items = anew.tree.items.iter();
+        whole_items += items
+            .filter(|item| !matches!(item, Item::Broken(_)))
+            .count();
+        (text, earlier) = (next, again);
+    }
+    assert!(whole_items > 1000, "only {whole_items} items to find again");
 }
 
 #[test]

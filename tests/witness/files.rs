@@ -65,12 +65,14 @@ fn counterexamples_are_written_and_read_back() {
     let name = "flip-inner-two-vertices-one-ring-1";
     let expected = [
         "contract-stale-vertex-1.halfedges".to_owned(),
+        "contract-stale-vertex-1.svg".to_owned(),
         format!("{name}.halfedges"),
         format!("{name}.obj"),
+        format!("{name}.svg"),
     ];
     assert_eq!(names(&witness), expected);
 
-    let path = witness.join(&expected[1]);
+    let path = witness.join(&expected[2]);
     let dump = read_dump(&fs::read_to_string(&path).unwrap()).unwrap();
     let [(_, before), (_, after)] = dump.meshes.as_slice() else {
         panic!("before and after");
@@ -82,7 +84,7 @@ fn counterexamples_are_written_and_read_back() {
             .iter()
             .any(|(name, of)| name == "a" && of.len() == 1)
     );
-    let obj = read_obj(&witness.join(&expected[2])).unwrap();
+    let obj = read_obj(&witness.join(&expected[3])).unwrap();
     assert!(same_connectivity(&obj.mesh, before));
 
     let output = hedgerow(&["info", path.to_str().unwrap()]);

@@ -5,7 +5,7 @@
 (file_doc) @comment.documentation
 
 [ "use" "private" "attr" "fn" "op" "script" "test" "rule" ] @keyword
-[ "keeps" "require" "guard" "steps" "else" ] @keyword
+[ "keeps" "require" "guard" "alias" "steps" "else" ] @keyword
 [ "before" "after" ] @keyword
 [ "face" "hole" "loop" "edge" "vertex" "each" ] @keyword
 [ "new" "keep" "erase" ] @keyword

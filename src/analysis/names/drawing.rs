@@ -1,4 +1,4 @@
-//! The names of an op: parameters, the result, and what its rules draw.
+//! The names of an op: parameters, the result, and what its rules draw or its steps do.
 
 use super::symbol::{List, Role, SideName, SymbolKind};
 use super::walk::Walk;
@@ -17,7 +17,7 @@ impl Walk {
         for param in &op.params {
             self.param(param);
         }
-        if let Some(result) = &op.result {
+        if let Some(result) = op.result.as_ref().filter(|_| op.steps.is_none()) {
             // What it is, the rules say.
             self.element(result, None, Role::Returned);
         }
@@ -26,7 +26,21 @@ impl Walk {
             self.rule(rule);
             self.rule = None;
         }
+        if let Some(steps) = &op.steps {
+            self.conditions(&steps.conditions);
+            self.block(&steps.body);
+        }
         self.leave();
+    }
+
+    fn conditions(&mut self, conditions: &[Condition]) {
+        for condition in conditions {
+            match condition {
+                Condition::Require { condition, .. } => self.value(condition),
+                Condition::Alias { names, .. } => self.list(names, List::Alias),
+                Condition::Guard { .. } => {}
+            }
+        }
     }
 
     fn param(&mut self, param: &Param) {
@@ -53,11 +67,7 @@ impl Walk {
         if let Some(after) = &rule.after {
             self.side(after, SideName::After);
         }
-        for condition in &rule.conditions {
-            if let Condition::Require { condition, .. } = condition {
-                self.value(condition);
-            }
-        }
+        self.conditions(&rule.conditions);
         for side in rule.before.iter().chain(&rule.after) {
             self.assignments(side);
         }

@@ -3,6 +3,7 @@
 use super::symbol::{Role, SymbolId, SymbolKind};
 use super::walk::Walk;
 use crate::resolve::is_function;
+use crate::syntax::Part;
 use crate::syntax::tree::{Expr, ExprKind, Ident, Name};
 
 impl Walk {
@@ -26,20 +27,6 @@ impl Walk {
                 self.called(function);
                 args.iter().for_each(|arg| self.value(arg));
             }
-            ExprKind::Must(inner) | ExprKind::Unary(_, inner) => self.value(inner),
-            ExprKind::Binary(_, left, right) => {
-                self.value(left);
-                self.value(right);
-            }
-            ExprKind::If {
-                condition,
-                then,
-                otherwise,
-            } => {
-                self.value(condition);
-                self.block(then);
-                self.block(otherwise);
-            }
             ExprKind::Aggregate {
                 function,
                 body,
@@ -55,11 +42,15 @@ impl Walk {
                 filter.iter().for_each(|filter| self.value(filter));
                 self.leave();
             }
-            ExprKind::Bool(_)
-            | ExprKind::Int(_)
-            | ExprKind::Real(_)
-            | ExprKind::Text(_)
-            | ExprKind::Broken => {}
+            _ => value.each_part(&mut |part| self.part(part)),
+        }
+    }
+
+    /// All names of a value, or of a block.
+    pub(super) fn part(&mut self, part: Part) {
+        match part {
+            Part::Expr(value) => self.value(value),
+            Part::Block(block) => self.block(block),
         }
     }
 

@@ -1,8 +1,8 @@
-//! The names of scripts, functions and tests.
+//! The names of scripts, functions, tests and steps.
 
 use super::symbol::{Role, SymbolKind};
 use super::walk::Walk;
-use crate::syntax::tree::{Action, ActionKind, Block, Param, Shown};
+use crate::syntax::tree::{Action, ActionKind, Block, ExprKind, Param};
 
 impl Walk {
     /// Parameters, and the body that sees them.
@@ -38,19 +38,11 @@ impl Walk {
             ActionKind::Assign { target, value } => {
                 self.value(value);
                 match &target.kind {
-                    crate::syntax::tree::ExprKind::Name(name) => {
+                    ExprKind::Name(name) => {
                         self.read(&name.ident, Role::Written);
                     }
                     _ => self.value(target),
                 }
-            }
-            ActionKind::Repeat { count, body } => {
-                self.value(count);
-                self.block(body);
-            }
-            ActionKind::While { condition, body } => {
-                self.value(condition);
-                self.block(body);
             }
             ActionKind::For {
                 variable,
@@ -101,15 +93,7 @@ impl Walk {
                 self.leave();
                 otherwise.iter().for_each(|block| self.block(block));
             }
-            ActionKind::Print(values) => {
-                let values = values.iter().flat_map(Shown::values);
-                values.for_each(|value| self.value(value));
-            }
-            ActionKind::Assert { condition, .. } => self.value(condition),
-            ActionKind::Return(value) => value.iter().for_each(|value| self.value(value)),
-            ActionKind::Block(block) => self.block(block),
-            ActionKind::Expr(value) => self.value(value),
-            ActionKind::Break | ActionKind::Continue | ActionKind::Broken => {}
+            _ => action.each_part(&mut |part| self.part(part)),
         }
     }
 }

@@ -69,6 +69,8 @@ pub enum List {
     Erase,
     /// `keep`
     Keep,
+    /// `alias`
+    Alias,
 }
 
 /// What a mention does with a name.

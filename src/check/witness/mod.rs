@@ -8,6 +8,7 @@
 //! What is found is never part of a proof: it shows to a person, and to the tests, that a law
 //! was not broken for nothing.
 
+mod drawn;
 mod layout;
 mod literal;
 mod outside;
@@ -16,13 +17,15 @@ mod search;
 mod sketch;
 mod words;
 
+use super::alias::Quotient;
+use super::arrangement::Arc;
 use super::problem::Problem;
 use super::proved::Broken;
 use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
 use crate::mesh::{
     EdgeId, Element, FaceId, HalfedgeId, Invalid, Mesh, Polygons, VertexId, same_connectivity,
 };
-use search::{Found, Shown, search};
+use search::{Found, Shown, search, search_where_one};
 use words::Words;
 
 /// A mesh that a rejected rule breaks.
@@ -81,7 +84,9 @@ pub enum Outcome {
 }
 
 /// Codes of what has nothing to do with the mesh: there is nothing to carry out.
-const BESIDE_THE_MESH: [&str; 4] = [
+const BESIDE_THE_MESH: [&str; 6] = [
+    "alias-impossible",
+    "alias-incomplete",
     "unknown-name",
     "unreachable-name",
     "missing-attribute",
@@ -97,6 +102,19 @@ pub fn try_out(op: &Op) -> Vec<Outcome> {
     op.rules.iter().map(outcome).collect()
 }
 
+/// Carries a rule out where some of its names are one.
+pub(super) fn find_where_one(
+    op: &Op,
+    rule: &Rule,
+    quotient: &Quotient,
+    arcs: Option<&[Arc]>,
+    code: &'static str,
+) -> Outcome {
+    let drawing = Drawing::new(rule);
+    let found = search_where_one(&drawing, quotient, arcs);
+    outcome(&op.name, &drawing, found, code)
+}
+
 /// Carries a rejected rule out, and tells what comes of it with the first of its problems.
 pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
     let drawing = Drawing::new(rule);
@@ -108,8 +126,13 @@ pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
     if diagnostic.code == "impossible-drawing" {
         return Outcome::NoMesh;
     }
-    let found = search(&drawing, broken.arcs.as_deref());
-    let outcome = outcome(&op.name, &drawing, found, diagnostic.code);
+    let outcome = match broken.outcome.take() {
+        Some(outcome) => outcome,
+        None => {
+            let found = search(&drawing, broken.arcs.as_deref());
+            outcome(&op.name, &drawing, found, diagnostic.code)
+        }
+    };
     diagnostic.notes.extend(note(&outcome));
     let breaks = matches!(outcome, Outcome::Breaks(_));
     if breaks && !rule.requires.is_empty() {

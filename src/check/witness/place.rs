@@ -1,8 +1,9 @@
 //! A finished mesh with the place where a drawing lies in it.
 
+use super::super::alias::Quotient;
 use super::layout::lay_out;
 use super::sketch::{HalfedgeRole, Sketch, VertexRole};
-use crate::diagram::{Drawing, Kind, LoopKind, NameId, Spoke};
+use crate::diagram::{Drawing, Kind, LoopItem, LoopKind, NameId, Rule, Spoke};
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate, validate_level};
 
 /// A valid mesh, and where the drawing of `before` lies in it.
@@ -50,6 +51,39 @@ impl Place {
             return None;
         }
         Some(place)
+    }
+
+    /// The same place with the names that are one there told apart again.
+    pub fn with_each_name(self, rule: &Rule, quotient: &Quotient) -> Self {
+        let names = || (0..rule.names.len() as u32).map(NameId);
+        let pieces = |run: &[LoopItem]| -> Vec<HalfedgeId> {
+            let items = run.iter().map(|item| item.item.name);
+            let halfedges = items.flat_map(|item| match self.halfedge(item) {
+                Some(half) => vec![half],
+                None => self.runs[item.index()].clone(),
+            });
+            halfedges.collect()
+        };
+        let run = |name: NameId| match quotient.run(name) {
+            Some(run) => pieces(run),
+            None => self.runs[name.index()].clone(),
+        };
+        let halfedges = self.halfedges.iter().map(|role| match *role {
+            HalfedgeRole::OnPath(piece) => HalfedgeRole::OnPath(quotient.path_of(piece)),
+            role => role,
+        });
+        let vertices = self.vertices.iter().map(|role| match *role {
+            VertexRole::Along(piece) => VertexRole::Along(quotient.path_of(piece)),
+            role => role,
+        });
+        let element = |name: NameId| self.elements[quotient.stands_for(name).index()];
+        Self {
+            elements: names().map(element).collect(),
+            runs: names().map(run).collect(),
+            halfedges: halfedges.collect(),
+            vertices: vertices.collect(),
+            ..self.clone()
+        }
     }
 
     /// Makes the mesh nice to look at. Its pointers stay what they are.

@@ -4,6 +4,7 @@
 //! arcs without further spokes, then with a few; all ways in which the arcs can run. A failing
 //! case of law 7 brings its arcs along; they are tried first.
 
+use super::super::alias::Quotient;
 use super::super::arrangement::{Arc, Lies};
 use super::super::port::Port;
 use super::literal::{Carried, carry_out};
@@ -44,19 +45,49 @@ const MOST_COMBINATIONS: usize = 96;
 
 /// Looks for a place where a rewrite breaks the mesh.
 pub(super) fn search(drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
-    let mut search = Search {
-        drawing,
-        built: 0,
-        valid: 0,
+    Search::new(drawing, drawing).run(drawing, arcs)
+}
+
+/// The same among the places where names are one.
+pub(super) fn search_where_one(
+    drawing: &Drawing,
+    quotient: &Quotient,
+    arcs: Option<&[Arc]>,
+) -> Found {
+    let laid = Drawing::new(&quotient.rule);
+    let search = Search {
+        quotient: Some(quotient),
+        ..Search::new(drawing, &laid)
     };
-    let shown = search.arcs(arcs).or_else(|| search.anywhere());
-    if let Some(shown) = shown {
-        return Found::Breaks(Box::new(shown.dressed(drawing)));
+    search.run(drawing, arcs)
+}
+
+impl<'a> Search<'a> {
+    fn new(carried_out: &'a Drawing<'a>, drawing: &'a Drawing<'a>) -> Self {
+        Self {
+            drawing,
+            carried_out,
+            quotient: None,
+            built: 0,
+            valid: 0,
+        }
     }
-    match search.valid {
-        0 if search.built < MOST_BUILT && search.is_runnable() => Found::NoPlace,
-        0 => Found::Unclear,
-        valid => Found::Valid(valid),
+
+    fn run(mut self, drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
+        let shown = self.arcs(arcs).or_else(|| self.anywhere());
+        self.found(drawing, shown)
+    }
+
+    fn found(self, drawing: &Drawing, shown: Option<Shown>) -> Found {
+        let search = self;
+        if let Some(shown) = shown {
+            return Found::Breaks(Box::new(shown.dressed(drawing)));
+        }
+        match search.valid {
+            0 if search.built < MOST_BUILT && search.is_runnable() => Found::NoPlace,
+            0 => Found::Unclear,
+            valid => Found::Valid(valid),
+        }
     }
 }
 
@@ -71,7 +102,11 @@ impl Shown {
 }
 
 struct Search<'a> {
+    /// What is laid down.
     drawing: &'a Drawing<'a>,
+    /// What is carried out: the same, or where names are one, the rule in which they are two.
+    carried_out: &'a Drawing<'a>,
+    quotient: Option<&'a Quotient>,
     built: usize,
     valid: usize,
 }
@@ -277,8 +312,11 @@ impl Search<'_> {
     fn attempt(&mut self, mut sketch: Sketch, joins: &[Join], further: Further) -> Option<Shown> {
         self.built += 1;
         sketch.close(joins, further);
-        let place = Place::of(self.drawing, sketch)?;
-        let carried = carry_out(self.drawing, &place)?;
+        let mut place = Place::of(self.drawing, sketch)?;
+        if let Some(quotient) = self.quotient {
+            place = place.with_each_name(self.carried_out.rule, quotient);
+        }
+        let carried = carry_out(self.carried_out, &place)?;
         self.valid += 1;
         let invalid = validate(&carried.mesh).err()?;
         Some(Shown {

@@ -1,7 +1,9 @@
 //! Angles on a mesh: of corners, opposite to halfedges, and across edges.
 
 use crate::diagram::Builtin;
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Reg};
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
+
+use super::builtin::ask;
 
 /// The angle between two vectors.
 ///
@@ -116,13 +118,8 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     asm.emit(Inst::Copy { to, from });
     let condition = asm.reg();
     let on_boundary = condition;
-    asm.trap_at(
-        place,
-        Inst::BoundaryEdge {
-            to: on_boundary,
-            edge,
-        },
-    );
+    let asked = ask(Question::BoundaryEdge, on_boundary, edge);
+    asm.trap_at(place, asked);
     asm.emit(Inst::JumpIf { condition, to: end });
     let halfedge = asm.reg();
     let (of, element) = (ElementField::Edge, edge);
@@ -138,7 +135,7 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
         let (face, to) = (asm.reg(), asm.vec());
         let path = [side, &[HalfedgeField::Face]].concat();
         follow(asm, place, &path, [face, halfedge]);
-        asm.trap_at(place, Inst::NormalFace { to, face });
+        asm.trap_at(place, ask(Question::NormalFace, to, face));
         to
     });
     let right = position(asm, place, &[], halfedge);

@@ -3,7 +3,9 @@
 use super::angle;
 use super::operator::{matrix, wide};
 use crate::diagram::{Builtin, Type};
-use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Reg};
+use crate::rewrite::{
+    Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Question, Reg,
+};
 
 /// What a call makes: of a first argument of what type, a value of what type, where.
 #[derive(Clone, Copy)]
@@ -116,7 +118,7 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
         }
         Builtin::LengthHalfedge => {
             asm.trap_at(place, load(HalfedgeField::Edge, to, from));
-            asm.trap_at(place, Inst::LengthEdge { to, edge: to });
+            asm.trap_at(place, ask(Question::LengthEdge, to, to));
         }
         Builtin::AngleCorner | Builtin::Cotangent | Builtin::DihedralAngle => {
             angle::lower(asm, place, builtin, from, to);
@@ -145,23 +147,31 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
     true
 }
 
+pub(super) fn ask(question: Question, to: Reg, element: Reg) -> Inst {
+    Inst::Ask {
+        question,
+        to,
+        elements: [element; 2],
+    }
+}
+
 fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {
     let math = |math| Inst::MathReal { math, to, from };
     match builtin {
-        Builtin::DegreeVertex => Inst::Degree { to, vertex: from },
-        Builtin::DegreeFace => Inst::FaceSize { to, face: from },
-        Builtin::BoundaryVertex => Inst::BoundaryVertex { to, vertex: from },
-        Builtin::BoundaryEdge => Inst::BoundaryEdge { to, edge: from },
+        Builtin::DegreeVertex => ask(Question::Degree, to, from),
+        Builtin::DegreeFace => ask(Question::FaceSize, to, from),
+        Builtin::BoundaryVertex => ask(Question::BoundaryVertex, to, from),
+        Builtin::BoundaryEdge => ask(Question::BoundaryEdge, to, from),
         Builtin::IsHole => Inst::LoadHole { to, face: from },
-        Builtin::LinkCondition => Inst::LinkCondition { to, edge: from },
-        Builtin::StarShaped => Inst::StarShaped { to, edge: from },
-        Builtin::KernelCentroid => Inst::KernelCentroid { to, edge: from },
-        Builtin::LengthEdge => Inst::LengthEdge { to, edge: from },
+        Builtin::LinkCondition => ask(Question::LinkCondition, to, from),
+        Builtin::StarShaped => ask(Question::StarShaped, to, from),
+        Builtin::KernelCentroid => ask(Question::KernelCentroid, to, from),
+        Builtin::LengthEdge => ask(Question::LengthEdge, to, from),
         Builtin::LengthVector => Inst::LengthVec { to, from },
-        Builtin::Area => Inst::Area { to, face: from },
-        Builtin::NormalFace => Inst::NormalFace { to, face: from },
-        Builtin::NormalVertex => Inst::NormalVertex { to, vertex: from },
-        Builtin::CentroidFace => Inst::CentroidFace { to, face: from },
+        Builtin::Area => ask(Question::Area, to, from),
+        Builtin::NormalFace => ask(Question::NormalFace, to, from),
+        Builtin::NormalVertex => ask(Question::NormalVertex, to, from),
+        Builtin::CentroidFace => ask(Question::CentroidFace, to, from),
         Builtin::Normalize => Inst::Normalize { to, from },
         Builtin::AbsInt => Inst::AbsInt { to, from },
         Builtin::Round => Inst::RoundReal { to, from },
@@ -184,7 +194,11 @@ fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {
 
 fn of_two(asm: &mut Assembler, place: u32, builtin: Builtin, [left, right]: [Reg; 2], to: Reg) {
     let inst = match builtin {
-        Builtin::Adjacent => Inst::Adjacent { to, left, right },
+        Builtin::Adjacent => Inst::Ask {
+            question: Question::Adjacent,
+            to,
+            elements: [left, right],
+        },
         Builtin::Dot => Inst::Dot { to, left, right },
         Builtin::Cross => Inst::Cross { to, left, right },
         Builtin::MinInt => Inst::MinInt { to, left, right },

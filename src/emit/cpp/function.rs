@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::super::lines::Lines;
-use super::super::routine::{Routine, Statement, Step, Term, Walk};
+use super::super::routine::{Routine, Statement, Step, Walk};
 use super::super::spell::{Level, Spelled, spell};
+use super::super::term::{Term, Turns};
 use super::super::{NotEmitted, build};
 use super::style::Style;
 use super::support;
@@ -18,13 +19,13 @@ use crate::diagram::{Kind, Pointer, Type};
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
 pub fn cpp(ops: &[&Proved], style: &Style) -> Result<String, NotEmitted> {
-    let pointers = match style.has_prev() {
-        true => build::Pointers::WithPrev,
-        false => build::Pointers::WithoutPrev,
+    let conventions = build::Conventions {
+        prev: style.has_prev(),
+        isolated_vertices: false,
     };
     let routines: Vec<_> = ops
         .iter()
-        .map(|op| build::routine(op, pointers))
+        .map(|op| build::routine(op, conventions))
         .collect::<Result<_, _>>()?;
     let mut printer = Printer {
         style,
@@ -66,6 +67,7 @@ impl Printer<'_> {
             ("std::find", "algorithm"),
             ("std::m", "algorithm"),
             ("std::reverse", "algorithm"),
+            ("std::rotate", "algorithm"),
             ("std::count_if", "algorithm"),
             ("std::is_permutation", "algorithm"),
             ("std::sqrt", "cmath"),
@@ -330,6 +332,28 @@ impl Printer<'_> {
                 let ty = if *ty == Type::Int { "int" } else { "bool" };
                 self.lines.line(&format!("{ty} {name} = {value};"));
             }
+            Statement::BindList { ty, name, value } => {
+                self.headers.insert("vector");
+                let value = self.text(value);
+                let ty = self.ty(*ty);
+                self.lines
+                    .line(&format!("std::vector<{ty}> {name} = {value};"));
+            }
+            Statement::Size { name, list } => {
+                self.headers.insert("cstddef");
+                self.lines
+                    .line(&format!("std::size_t {name} = {list}.size();"));
+            }
+            Statement::Gather {
+                ty,
+                name,
+                turns,
+                item,
+            } => {
+                let item = self.text(item);
+                self.gather(&self.ty(*ty), name, turns, &item);
+            }
+            Statement::Turn { turns, body } => self.held(&turn(turns), body),
             Statement::Change { name, value } => {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {value};"));
@@ -345,15 +369,15 @@ impl Printer<'_> {
                 self.held(&format!("for ({ty} {item} : {list})"), body);
             }
             Statement::New { kind, name } => {
-                let ty = self.style.name(match kind {
-                    Kind::Vertex => "Vertex",
-                    Kind::Halfedge => "Halfedge",
-                    Kind::Edge => "Edge",
-                    _ => "Face",
-                });
+                let ty = self.style.name(type_name(*kind));
                 let call = self.style.allocate(*kind);
                 let line = format!("{ty} {name} = {call};");
                 self.lines.line(&line);
+            }
+            Statement::NewEach { kind, name, turns } => {
+                let ty = self.style.name(type_name(*kind)).to_string();
+                let call = self.style.allocate(*kind);
+                self.gather(&ty, name, turns, &call);
             }
             Statement::Set { pointer, of, value } => {
                 let (of, value) = (self.whole(of), self.text(value));
@@ -371,8 +395,9 @@ impl Printer<'_> {
                 let line = format!("{} = {value};", self.style.position(&vertex));
                 self.lines.line(&line);
             }
-            Statement::Erase { kind, name } => {
-                let line = format!("{};", self.style.erase(*kind, name));
+            Statement::Erase { kind, element } => {
+                let element = self.text(element);
+                let line = format!("{};", self.style.erase(*kind, &element));
                 self.lines.line(&line);
             }
             Statement::Return { result } => {
@@ -380,6 +405,21 @@ impl Printer<'_> {
                     .as_ref()
                     .map_or("true".into(), |result| self.text(result));
                 self.lines.line(&format!("return {result};"));
+            }
+        }
+    }
+
+    /// A list of what stands for each index.
+    fn gather(&mut self, ty: &str, name: &str, turns: &Turns, item: &str) {
+        self.headers.insert("vector");
+        self.lines.line(&format!("std::vector<{ty}> {name};"));
+        let (head, push) = (turn(turns), format!("{name}.push_back({item});"));
+        match head.len() + push.len() < 92 {
+            true => self.lines.line(&format!("{head} {push}")),
+            false => {
+                self.lines.open(&format!("{head} {{"));
+                self.lines.line(&push);
+                self.lines.close("}");
             }
         }
     }
@@ -490,5 +530,21 @@ impl Printer<'_> {
     pub fn std(&mut self, header: &'static str, name: &str, args: Vec<String>) -> Spelled {
         self.headers.insert(header);
         Spelled::whole(format!("std::{name}({})", args.join(", ")))
+    }
+}
+
+/// The head of a loop over the indices.
+fn turn(turns: &Turns) -> String {
+    let Turns { index, size } = turns;
+    format!("for (std::size_t {index} = 0; {index} < {size}; ++{index})")
+}
+
+/// The name of a type in a style.
+fn type_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Vertex => "Vertex",
+        Kind::Halfedge => "Halfedge",
+        Kind::Edge => "Edge",
+        _ => "Face",
     }
 }

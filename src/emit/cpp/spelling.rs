@@ -1,7 +1,7 @@
 //! Terms as C++.
 
-use super::super::routine::{Around, Fold, Function};
 use super::super::spell::{Language, Level, Spelled, number, spell};
+use super::super::term::{Around, Fold, Function, Term, Turns};
 use super::function::Printer;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -75,6 +75,19 @@ impl Language for Printer<'_> {
                     Function::AllDiffer => "all_differ",
                     Function::Holds => "holds",
                     Function::SameElements => "same_elements",
+                    Function::LoopFrom => "loop_from",
+                    Function::SpokesFrom => "spokes_from",
+                    Function::Every => "every",
+                    Function::Turned => "turned",
+                    Function::AllInOrderAlongLoop => "all_in_order_along_loop",
+                    Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
+                    Function::Length => return Spelled::whole(format!("{}.size()", texts[0])),
+                    Function::Remainder => {
+                        let text = format!("{}.size() % {}", texts[0], texts[1]);
+                        return Spelled::new(text, Level::Product);
+                    }
+                    // Meshes have none.
+                    Function::IsIsolated => return Spelled::whole("false"),
                     Function::IsFinite | Function::Builtin(_) => "is_finite",
                 };
                 return Spelled::whole(self.support(name, texts));
@@ -178,6 +191,12 @@ impl Language for Printer<'_> {
             _ => "equal",
         };
         Spelled::whole(self.support(name, args))
+    }
+
+    fn some(&mut self, turns: &Turns, condition: &Term) -> Spelled {
+        let condition = self.text(condition);
+        let condition = format!("[&](std::size_t {}) {{ return {condition}; }}", turns.index);
+        Spelled::whole(self.support("some", vec![turns.size.clone(), condition]))
     }
 
     fn fold(&mut self, fold: &Fold) -> Spelled {

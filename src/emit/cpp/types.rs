@@ -1,6 +1,7 @@
 //! Which types the names of a routine have.
 
-use super::super::routine::{Statement, Term};
+use super::super::routine::Statement;
+use super::super::term::Term;
 use crate::diagram::{Kind, Type};
 
 /// Tells the types of everything that is named.
@@ -12,6 +13,14 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
                 variables(value, see);
             }
             Statement::List { ty, .. } => see(*ty),
+            Statement::BindList { ty, value, .. } => {
+                see(*ty);
+                variables(value, see);
+            }
+            Statement::Gather { ty, item, .. } => {
+                see(*ty);
+                variables(item, see);
+            }
             Statement::Attempt { body, .. } | Statement::Walk { body, .. } => {
                 see(Type::Halfedge);
                 types(body, see);
@@ -20,9 +29,9 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
                 see(Type::Face);
                 types(body, see);
             }
-            Statement::When { body, .. } => types(body, see),
+            Statement::When { body, .. } | Statement::Turn { body, .. } => types(body, see),
             Statement::Refuse { when, .. } => variables(when, see),
-            Statement::New { kind, .. } => see(match kind {
+            Statement::New { kind, .. } | Statement::NewEach { kind, .. } => see(match kind {
                 Kind::Vertex => Type::Vertex,
                 Kind::Halfedge => Type::Halfedge,
                 Kind::Edge => Type::Edge,

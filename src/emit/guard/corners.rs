@@ -1,7 +1,8 @@
 //! Tests that compare the corners of faces.
 
 use super::super::NotEmitted;
-use super::super::routine::{Function, Statement, Step, Term, Walk};
+use super::super::routine::{Statement, Step, Walk};
+use super::super::term::{Function, Term};
 use super::{Tests, has_repetition};
 use crate::diagram::{Loop, LoopKind, NameId, Pointer, Type};
 
@@ -36,7 +37,7 @@ impl Tests<'_, '_> {
             }
             if self.result.is_new(from) {
                 new.push(from);
-            } else if is_path && self.drawing.may_be_empty(path) {
+            } else if is_path && self.drawing.is_empty_somewhere(path) {
                 later.push((from, path));
             } else {
                 sure.push(self.term(from));
@@ -44,7 +45,7 @@ impl Tests<'_, '_> {
         }
         let list = self.list("corners", Type::Vertex, sure);
         for (from, path) in later {
-            let condition = Term::name(self.names.empty(path)).not();
+            let condition = self.names.empty(path).not();
             let item = self.term(from);
             let list = list.clone();
             let body = vec![Statement::Push { list, item }];
@@ -97,7 +98,7 @@ impl Tests<'_, '_> {
                 paths.push(path);
             }
             match from == vertex {
-                true if is_path && self.drawing.may_be_empty(path) => later.push(path),
+                true if is_path && self.drawing.is_empty_somewhere(path) => later.push(path),
                 true => sure += 1,
                 false => {}
             }
@@ -121,7 +122,7 @@ impl Tests<'_, '_> {
             name: count.clone(),
         };
         for path in later {
-            let condition = Term::name(self.names.empty(path)).not();
+            let condition = self.names.empty(path).not();
             let body = vec![raise.clone()];
             self.body.push(Statement::When { condition, body });
         }

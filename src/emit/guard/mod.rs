@@ -10,7 +10,8 @@ mod result;
 
 use super::NotEmitted;
 use super::names::Names;
-use super::routine::{Function, Statement, Term, Walk};
+use super::routine::{Statement, Walk};
+use super::term::{Function, Term};
 use crate::check::guard::{Obligation, Statement as Asked};
 use crate::diagram::{Binary, Builtin, Drawing, Loop, LoopKind, NameId, Type};
 use result::Outcome;
@@ -21,12 +22,27 @@ pub(super) fn tests(
     guard: &[Obligation],
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
+    let rule = drawing.rule;
+    if let Some((_, span)) = rule.guard
+        && rule.size().is_some()
+        && guard.iter().any(Obligation::is_test)
+    {
+        return Err(NotEmitted::new("a guard of families", span));
+    }
     let mut tests = Tests {
         result: Outcome::new(drawing),
         drawing,
         names,
         body: Vec::new(),
     };
+    // The result is told name by name here, as if all were distinct.
+    if let (Some(alias), true) = (
+        drawing.rule.aliases.first(),
+        guard.iter().any(Obligation::is_test),
+    ) {
+        let what = "a guard of names that may be one";
+        return Err(NotEmitted::new(what, alias.span));
+    }
     for obligation in guard.iter().filter(|obligation| obligation.is_test()) {
         let reason = obligation.statement.refusal(drawing.rule);
         tests.test(&obligation.statement, reason)?;
@@ -62,7 +78,7 @@ impl Tests<'_, '_> {
     }
 
     fn term(&self, name: NameId) -> Term {
-        Term::name(self.names.word(name))
+        self.names.term(name)
     }
 
     fn orbit(&self, face: NameId) -> Option<&Loop> {
@@ -109,8 +125,7 @@ impl Tests<'_, '_> {
         body: impl FnOnce(&Self, Term) -> Result<Vec<Statement>, NotEmitted>,
     ) -> Result<Vec<Statement>, NotEmitted> {
         let halfedge = self.names.fresh("h");
-        let Some(walk) =
-            super::reassign::along_path(self.drawing, self.names, path, halfedge.clone())
+        let Some(walk) = super::walks::along_path(self.drawing, self.names, path, halfedge.clone())
         else {
             return Ok(Vec::new());
         };
@@ -202,8 +217,7 @@ impl Tests<'_, '_> {
                 let count = self.tally("sides", Type::Int, Term::Int(sides));
                 for path in paths {
                     let halfedge = self.names.fresh("h");
-                    let walk =
-                        super::reassign::along_path(self.drawing, self.names, path, halfedge);
+                    let walk = super::walks::along_path(self.drawing, self.names, path, halfedge);
                     let body = vec![Statement::Raise {
                         name: count.clone(),
                     }];

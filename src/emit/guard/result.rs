@@ -7,8 +7,9 @@
 
 use super::super::NotEmitted;
 use super::super::names::Names;
-use super::super::reassign::along_spokes;
-use super::super::routine::{Step, Term, Walk};
+use super::super::routine::{Step, Walk};
+use super::super::term::Term;
+use super::super::walks::along_spokes;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Spoke};
 
 /// What can be told of the result.
@@ -29,7 +30,7 @@ impl Piece {
     /// A walk over it; over a star it meets the drawn spokes too.
     pub fn walk(&self, drawing: &Drawing, names: &Names, halfedge: String) -> Walk {
         let whole = |vertex: NameId, halfedge: String| {
-            let first = Term::name(names.word(vertex)).follow(Pointer::VertexHalfedge);
+            let first = names.term(vertex).follow(Pointer::VertexHalfedge);
             Walk {
                 halfedge,
                 step: Step::Clockwise,
@@ -173,8 +174,8 @@ impl<'d> Outcome<'d> {
         let vertex = half.follow(Pointer::Vertex);
         let moves = self.moves()?;
         Ok(moves.into_iter().fold(vertex.clone(), |term, (from, to)| {
-            let moved = vertex.clone().is(Term::name(names.word(from)));
-            moved.then(Term::name(names.word(to)), term)
+            let moved = vertex.clone().is(names.term(from));
+            moved.then(names.term(to), term)
         }))
     }
 
@@ -199,8 +200,8 @@ impl<'d> Outcome<'d> {
             if self.is_new(after) {
                 return Err(self.too_new(after));
             }
-            let is_it = twin.clone().is(Term::name(names.word(half)));
-            term = is_it.then(Term::name(names.word(after)), term);
+            let is_it = twin.clone().is(names.term(half));
+            term = is_it.then(names.term(after), term);
         }
         Ok(term)
     }
@@ -236,8 +237,8 @@ impl<'d> Outcome<'d> {
             if self.is_new(to) {
                 return Err(self.too_new(to));
             }
-            let moved = face.clone().is(Term::name(names.word(from)));
-            term = moved.then(Term::name(names.word(to)), term);
+            let moved = face.clone().is(names.term(from));
+            term = moved.then(names.term(to), term);
         }
         Ok(term)
     }
@@ -260,9 +261,9 @@ impl<'d> Outcome<'d> {
             let holds = match after {
                 Some(LoopKind::Hole) => Term::Bool(true),
                 Some(LoopKind::Face) => Term::Bool(false),
-                _ => Term::name(names.word(to)).hole(),
+                _ => names.term(to).hole(),
             };
-            let moved = face.clone().is(Term::name(names.word(from)));
+            let moved = face.clone().is(names.term(from));
             term = match holds {
                 Term::Bool(true) => moved.or(term),
                 Term::Bool(false) => moved.not().and(term),

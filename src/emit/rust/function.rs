@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::super::lines::Lines;
-use super::super::routine::{Routine, Statement, Step, Term, Walk};
+use super::super::routine::{Routine, Statement, Step, Walk};
 use super::super::spell::spell;
+use super::super::term::{Term, Turns};
 use super::super::{NotEmitted, build};
 use crate::check::Proved;
 use crate::diagram::{Kind, Pointer, Type};
@@ -15,9 +16,13 @@ use crate::diagram::{Kind, Pointer, Type};
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
 pub fn rust(ops: &[&Proved]) -> Result<String, NotEmitted> {
+    let conventions = build::Conventions {
+        prev: true,
+        isolated_vertices: true,
+    };
     let routines: Vec<_> = ops
         .iter()
-        .map(|op| build::routine(op, build::Pointers::WithPrev))
+        .map(|op| build::routine(op, conventions))
         .collect::<Result<_, _>>()?;
     let mut printer = Printer {
         lines: Lines::new(4),
@@ -75,6 +80,46 @@ fn in_order_around_vertex(mesh: &Mesh, a: HalfedgeId, b: HalfedgeId, c: Halfedge
     let mut on_the_way = mesh.spokes_from(a).enumerate();
     let found = on_the_way.find(|&(at, h)| h == b || (at > 0 && h == c));
     found.is_some_and(|(_, h)| h == b)
+}
+",
+    ),
+    (
+        "all_in_order_along_loop",
+        "\
+/// Whether a walk along the loop from the first, once around, meets all others in their order.
+fn all_in_order_along_loop(mesh: &Mesh, all: &[HalfedgeId]) -> bool {
+    let mut open = all.iter().peekable();
+    for h in all.first().into_iter().flat_map(|&first| mesh.loop_from(first)) {
+        open.next_if_eq(&&h);
+    }
+    open.next().is_none()
+}
+",
+    ),
+    (
+        "all_in_order_around_vertex",
+        "\
+/// Whether a walk around the vertex from the first, once and counterclockwise, meets all others
+/// in their order.
+fn all_in_order_around_vertex(mesh: &Mesh, all: &[HalfedgeId]) -> bool {
+    let mut open = all.iter().peekable();
+    for h in all.first().into_iter().flat_map(|&first| mesh.spokes_from(first)) {
+        open.next_if_eq(&&h);
+    }
+    open.next().is_none()
+}
+",
+    ),
+    (
+        "turned",
+        "\
+/// All, turned so that the first stands at the place, counted around.
+fn turned(mut all: Vec<HalfedgeId>, place: i64) -> Vec<HalfedgeId> {
+    if !all.is_empty() {
+        let by = place.rem_euclid(all.len() as i64);
+        all.rotate_right(by as usize);
+    }
+    all
 }
 ",
     ),
@@ -315,6 +360,41 @@ impl Printer {
                 let value = self.text(value);
                 self.lines.line(&format!("let mut {name} = {value};"));
             }
+            Statement::BindList { name, value, .. } => {
+                let value = self.text(value);
+                self.lines.line(&format!("let {name} = {value};"));
+            }
+            Statement::Size { name, list } => {
+                self.lines.line(&format!("let {name} = {list}.len();"));
+            }
+            Statement::Gather {
+                ty: of,
+                name,
+                turns: Turns { index, size },
+                item,
+            } => {
+                let item = self.text(item);
+                let ty = ty(*of);
+                self.lines.line(&format!(
+                    "let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"
+                ));
+            }
+            Statement::NewEach {
+                kind,
+                name,
+                turns: Turns { size, .. },
+            } => {
+                let kind = word(*kind);
+                self.lines.line(&format!(
+                    "let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();"
+                ));
+            }
+            Statement::Turn { turns, body } => {
+                let Turns { index, size } = turns;
+                self.lines.open(&format!("for {index} in 0..{size} {{"));
+                self.block(body, has_result);
+                self.lines.close("}");
+            }
             Statement::Change { name, value } => {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {value};"));
@@ -361,9 +441,10 @@ impl Printer {
                 self.lines
                     .line(&format!("mesh.set_position({vertex}, {value});"));
             }
-            Statement::Erase { kind, name } => {
+            Statement::Erase { kind, element } => {
+                let element = self.text(element);
                 self.lines
-                    .line(&format!("mesh.erase_{}({name});", word(*kind)));
+                    .line(&format!("mesh.erase_{}({element});", word(*kind)));
             }
             Statement::Return { result } => {
                 let result = match result {

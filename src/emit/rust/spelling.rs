@@ -1,7 +1,7 @@
 //! Terms as Rust.
 
-use super::super::routine::{Around, Fold, Function};
 use super::super::spell::{Language, Level, Spelled, number, spell};
+use super::super::term::{Around, Fold, Function, Term, Turns};
 use super::function::{Printer, names, ty};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -209,6 +209,12 @@ impl Language for Printer {
         }
     }
 
+    fn some(&mut self, turns: &Turns, condition: &Term) -> Spelled {
+        let condition = self.text(condition);
+        let Turns { index, size } = turns;
+        Spelled::whole(format!("(0..{size}).any(|{index}| {condition})"))
+    }
+
     fn fold(&mut self, fold: &Fold) -> Spelled {
         let element = self.text(&fold.element);
         let half = format!("mesh.edge_halfedge({element})");
@@ -277,6 +283,31 @@ impl Printer {
                 let (list, item) = (list.unwrap_or_default(), item.unwrap_or_default());
                 return Spelled::whole(format!("{list}.contains(&{item})"));
             }
+            Function::LoopFrom | Function::SpokesFrom => {
+                let walk = match function {
+                    Function::LoopFrom => "loop_from",
+                    _ => "spokes_from",
+                };
+                let from = args.join(", ");
+                return Spelled::whole(format!("mesh.{walk}({from}).collect::<Vec<_>>()"));
+            }
+            Function::IsIsolated => {
+                let text = format!("mesh.vertex_halfedge({}).is_none()", args.join(", "));
+                return Spelled::whole(text);
+            }
+            Function::Every => {
+                let [list, first, step] = [0, 1, 2].map(|at| args[at].clone());
+                let steps = format!("{list}.iter().skip({first}).step_by({step})");
+                return Spelled::whole(format!("{steps}.copied().collect::<Vec<_>>()"));
+            }
+            Function::Turned => "turned",
+            Function::Length => return Spelled::whole(format!("{}.len()", args.join(", "))),
+            Function::Remainder => {
+                let text = format!("{}.len() % {}", args[0], args[1]);
+                return Spelled::new(text, Level::Product);
+            }
+            Function::AllInOrderAlongLoop => "all_in_order_along_loop",
+            Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
             Function::IsFinite | Function::Builtin(_) => {
                 return Spelled::whole(format!("{}.is_finite()", args.join(", ")));
             }
@@ -286,6 +317,10 @@ impl Printer {
             Function::InOrderAlongLoop | Function::InOrderAroundVertex => {
                 args.insert(0, "mesh".to_string());
             }
+            Function::AllInOrderAlongLoop | Function::AllInOrderAroundVertex => {
+                args = vec!["mesh".to_string(), format!("&{}", args.join(", "))];
+            }
+            Function::Turned => {}
             _ => args.iter_mut().for_each(|arg| arg.insert(0, '&')),
         }
         Spelled::whole(format!("{name}({})", args.join(", ")))

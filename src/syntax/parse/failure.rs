@@ -58,7 +58,7 @@ impl Phrase {
     pub(super) fn words(self) -> &'static [&'static str] {
         match self {
             Self::Item => &["`op`", "`script`", "`fn`", "`attr`", "`use`", "`test`"],
-            Self::Part => &["`before`", "`require`", "`guard`", "`after`"],
+            Self::Part => &["`before`", "`require`", "`guard`", "`alias`", "`after`"],
             Self::Name => &["a name"],
             Self::Type => &["a type"],
             Self::Parameter => &["a parameter like `e: edge`"],

@@ -1,5 +1,6 @@
 //! A whole file: its items, their comments, and what is wrong.
 
+use super::again::Known;
 use super::cut::cut;
 use super::depth::{DEEPEST, too_deep};
 use super::input::{self, Rule, Source};
@@ -28,6 +29,11 @@ pub struct Parsed {
 
 /// Reads a text. Takes any text, in time linear in its length.
 pub fn parse(file: FileId, text: &str) -> Parsed {
+    parse_with(file, text, &Known::default())
+}
+
+/// The same, where some items are known.
+pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
     let Lexed {
         tokens,
         comments,
@@ -35,7 +41,7 @@ pub fn parse(file: FileId, text: &str) -> Parsed {
     } = lex(file, text);
     let tree = File {
         docs: file_docs(text, &tokens, &comments),
-        items: items(text, &tokens, &comments, &mut diagnostics),
+        items: items(text, &tokens, &comments, &mut diagnostics, known),
     };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
@@ -52,6 +58,7 @@ fn items(
     tokens: &[Token],
     comments: &[Comment],
     diagnostics: &mut Vec<Diagnostic>,
+    known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
     let mut reading = Reading {
@@ -70,7 +77,9 @@ fn items(
         let first = tokens[range.start].span;
         let before = range.start.checked_sub(1).map(|at| tokens[at].span);
         let docs = docs.of_item(before, first);
-        let mut item = reading.item(range);
+        let whole = first.to(tokens[range.end - 1].span);
+        let known = known.item(text, whole);
+        let mut item = known.unwrap_or_else(|| reading.item(range));
         document(&mut item, docs);
         items.push(item);
     }

@@ -251,6 +251,12 @@ fn rules<'t>(code: &Code<'t>) -> Rule<'t, (Vec<Alternative>, Option<Steps>)> {
                     .or(alone.after)
                     .map_or(alone.span, |side| side.span);
                 emitter.emit(Failure::mistake(Mistake::RuleAmongParts, span));
+            } else {
+                for condition in &alone.conditions {
+                    let place = "among rules a condition stands in each that asks it";
+                    let mistake = Mistake::Misplaced(place);
+                    emitter.emit(Failure::mistake(mistake, condition.span()));
+                }
             }
             (rules, None)
         })
@@ -284,7 +290,7 @@ fn parts<'t>(part: Rule<'t, Part>, end: Rule<'t, T>) -> Rule<'t, Vec<Part>> {
         .boxed()
 }
 
-/// `require CONDITION else "REASON"` or `guard LEVEL`
+/// `require CONDITION else "REASON"`, `guard LEVEL` or `alias v2 v3`
 fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
     let require = just(T::Require)
         .ignore_then(expression.clone())
@@ -302,7 +308,13 @@ fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
             level,
             span: scene.span(),
         });
-    require.or(guard).boxed()
+    let alias = just(T::Alias)
+        .ignore_then(name().repeated().at_least(2).collect())
+        .map_with(|names, scene| Condition::Alias {
+            names,
+            span: scene.span(),
+        });
+    choice((require, guard, alias)).boxed()
 }
 
 /// The parts of an op, sorted.
@@ -339,16 +351,16 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
                 alone.before = Some(side);
             }
             Part::Condition(condition) => {
-                let (Condition::Require { span, .. } | Condition::Guard { span, .. }) = &condition;
+                let span = condition.span();
                 if steps.is_some() {
                     wrong(
                         Mistake::Misplaced("a condition stands before `steps`"),
-                        *span,
+                        span,
                     );
                 }
                 if alone.after.is_some() {
                     let place = "a condition stands between `before` and `after`";
-                    wrong(Mistake::Misplaced(place), *span);
+                    wrong(Mistake::Misplaced(place), span);
                 }
                 alone.conditions.push(condition);
             }

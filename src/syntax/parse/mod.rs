@@ -5,6 +5,7 @@
 //! nothing nests deeper than the stack allows, and the time is linear in the text. Within
 //! an item, a statement that cannot be read is skipped and stands in the tree as `Broken`.
 
+mod again;
 mod file;
 
 mod cut;
@@ -30,4 +31,5 @@ mod report;
 
 mod input;
 
+pub use again::parse_again;
 pub use file::{Parsed, parse};

@@ -16,7 +16,10 @@ type Input<'t, 'p> = InputRef<'t, 'p, Tokens<'t>, Extra<'t>>;
 
 /// Whether a token begins a part of an op.
 pub(super) fn begins_part(kind: T) -> bool {
-    matches!(kind, T::Before | T::Require | T::Guard | T::After | T::Rule)
+    matches!(
+        kind,
+        T::Before | T::Require | T::Guard | T::Alias | T::After | T::Rule
+    )
 }
 
 fn begins_drawing_statement(kind: T) -> bool {

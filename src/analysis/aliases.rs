@@ -1,0 +1,77 @@
+//! Which names of an operation could be one, and what would come of it.
+
+use serde::Serialize;
+
+use super::Analysis;
+use crate::check::{Counterexample, Identification, Verdict, identifications};
+use crate::diagram::{NameId, Rule};
+
+/// What would come of names of one rule being one.
+#[derive(Clone, Debug, Serialize)]
+pub struct RuleAliases {
+    /// The op.
+    pub op: String,
+    /// The rule, where it has a name.
+    pub rule: Option<String>,
+    /// Whether it has families: then nothing is asked.
+    pub has_families: bool,
+    /// Each set of names that was looked at.
+    pub sets: Vec<NamesAsOne>,
+}
+
+/// Names that are one, all others distinct, and what comes of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct NamesAsOne {
+    /// The names, set by set.
+    pub names: Vec<Vec<String>>,
+    /// In a word: `fine`, `breaks`, `impossible` or `unproved`.
+    pub verdict: &'static str,
+    /// Why it is not fine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+    /// What a smallest mesh comes to that breaks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub comes_to: Option<String>,
+    /// That mesh.
+    #[serde(skip)]
+    pub example: Option<Counterexample>,
+}
+
+/// For each rule of the file what would come of its names being one.
+pub fn aliases(analysis: &Analysis) -> Vec<RuleAliases> {
+    let own = |op: &&crate::resolve::ResolvedOp| op.span.file == analysis.file;
+    let ops = analysis.program.ops.iter().filter(own);
+    let diagrams = ops.filter_map(|op| op.diagram.as_ref());
+    let rules = diagrams.flat_map(|op| op.rules.iter().map(move |rule| (op, rule)));
+    let of_rule = rules.map(|(op, rule)| RuleAliases {
+        op: op.name.clone(),
+        rule: rule.label.clone(),
+        has_families: rule.has_families(),
+        sets: identifications(op, rule)
+            .into_iter()
+            .map(|one| NamesAsOne::new(rule, one))
+            .collect(),
+    });
+    of_rule.collect()
+}
+
+impl NamesAsOne {
+    fn new(rule: &Rule, one: Identification) -> Self {
+        let word = |name: &NameId| rule.name(*name).text.clone();
+        let names = one.names.iter();
+        let names = names.map(|class| class.iter().map(word).collect());
+        let (verdict, why, example) = match one.verdict {
+            Verdict::Fine => ("fine", None, None),
+            Verdict::Breaks { why, example } => ("breaks", Some(why), Some(*example)),
+            Verdict::Impossible(why) => ("impossible", Some(why), None),
+            Verdict::Unproved(why) => ("unproved", Some(why), None),
+        };
+        Self {
+            names: names.collect(),
+            verdict,
+            why,
+            comes_to: example.as_ref().map(|example| example.verdict.clone()),
+            example,
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! Something that may come next.
+
+use crate::analysis::words::meaning;
+use crate::diagram::Kind;
+
+/// What a completion is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Choice {
+    Keyword,
+    Type,
+    Property,
+    Element(Kind),
+    Variable,
+    Field,
+    Function,
+    Op,
+    File,
+}
+
+/// Something that may come next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Completion {
+    /// The word.
+    pub word: String,
+    /// What it is.
+    pub choice: Choice,
+    /// What else is worth seeing beside it; may be empty.
+    pub detail: String,
+    /// What to write, with places to fill as `$1`, `${2:name}`; the word itself if `None`.
+    pub snippet: Option<String>,
+    /// The smaller, the likelier.
+    pub rank: u8,
+}
+
+impl Completion {
+    pub(super) fn new(word: impl Into<String>, choice: Choice, rank: u8) -> Self {
+        let word = word.into();
+        Self {
+            detail: meaning(&word).unwrap_or("").to_owned(),
+            word,
+            choice,
+            snippet: None,
+            rank,
+        }
+    }
+
+    pub(super) fn with(mut self, snippet: &str) -> Self {
+        self.snippet = Some(snippet.to_owned());
+        self
+    }
+}

@@ -1,0 +1,161 @@
+//! What a drawing goes on with.
+
+use super::choice::{Choice, Completion};
+use super::words::{DRAWINGS, LISTS, keywords};
+use crate::analysis::action::statement_span;
+use crate::analysis::element::{Fate, element_of};
+use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
+use crate::analysis::place::{Wanted, op_near, rule_near};
+use crate::analysis::side::{Sketch, subject};
+use crate::analysis::snapshot::Snapshot;
+use crate::diagram::Kind;
+use crate::syntax::tree::{Rule, Statement};
+
+/// The names that an op may return.
+pub(super) fn drawn(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
+    let Some((item, _)) = op_near(snapshot, offset) else {
+        return Vec::new();
+    };
+    let symbols = snapshot.names().symbols();
+    let own = symbols.filter(|(_, symbol)| symbol.item == Some(item));
+    own.filter_map(|(_, symbol)| match symbol.kind {
+        SymbolKind::Element(Some(kind)) if !matches!(kind, Kind::Path | Kind::Fan) => {
+            Some(named(symbol, kind, 0))
+        }
+        _ => None,
+    })
+    .collect()
+}
+
+/// An element by its name.
+pub(super) fn named(symbol: &Symbol, kind: Kind, rank: u8) -> Completion {
+    Completion {
+        detail: kind.word().to_owned(),
+        ..Completion::new(symbol.name.clone(), Choice::Element(kind), rank)
+    }
+}
+
+/// What a drawing goes on with: names of the kind that fits, those still unaccounted for
+/// first, and statements where one may begin.
+pub(super) fn of_side(
+    snapshot: &Snapshot,
+    offset: usize,
+    side: SideName,
+    wanted: Wanted,
+) -> Vec<Completion> {
+    let mut found = Vec::new();
+    let begins = matches!(
+        wanted,
+        Wanted::Statement | Wanted::Spoke | Wanted::New | Wanted::Erase | Wanted::Keep
+    );
+    if begins {
+        found.extend(keywords(DRAWINGS));
+        if side == SideName::After {
+            found.extend(keywords(LISTS));
+        }
+    }
+    let Some((item, at, rule)) = rule_near(snapshot, offset) else {
+        return found;
+    };
+    let sides = Sketch::of(rule);
+    if wanted == Wanted::Statement && side == SideName::After {
+        found.extend(open_statements(snapshot, rule, &sides[1]));
+    }
+    for (id, symbol) in snapshot.names().of_rule(item, at) {
+        let SymbolKind::Element(Some(kind)) = symbol.kind else {
+            continue;
+        };
+        if wanted == Wanted::Statement {
+            if side == SideName::After && kind == Kind::Vertex {
+                let snippet = format!("{}.position = $0", symbol.name);
+                let word = format!("{}.position", symbol.name);
+                found.push(Completion::new(word, Choice::Field, 6).with(&snippet));
+            }
+            continue;
+        }
+        if let Some(rank) = rank(snapshot, (id, symbol, kind), rule, &sides, (side, wanted)) {
+            found.push(named(symbol, kind, rank));
+        }
+    }
+    found
+}
+
+/// The statements of `before` about which `after` says nothing yet, to be written again.
+fn open_statements(snapshot: &Snapshot, rule: &Rule, after: &Sketch) -> Vec<Completion> {
+    let lists = rule.after.iter().flat_map(|side| &side.statements);
+    let erased: Vec<&str> = lists
+        .filter_map(|statement| match statement {
+            Statement::Erase(names, _) => Some(names),
+            _ => None,
+        })
+        .flatten()
+        .map(|name| name.ident.text.as_str())
+        .collect();
+    let statements = rule.before.iter().flat_map(|side| &side.statements);
+    let open = statements.filter_map(|statement| {
+        let name = &subject(statement)?.ident.text;
+        if after.is_subject(name) || erased.contains(&name.as_str()) {
+            return None;
+        }
+        let text = snapshot.sources().slice(statement_span(statement));
+        let (head, _) = text.split_once(':')?;
+        Some(Completion {
+            detail: format!("as in `before`: {text}"),
+            ..Completion::new(head.trim_end(), Choice::Keyword, 0).with(text)
+        })
+    });
+    open.collect()
+}
+
+/// How likely a name comes next: 0 if the statement accounts for it and nothing does yet.
+fn rank(
+    snapshot: &Snapshot,
+    (id, symbol, kind): (SymbolId, &Symbol, Kind),
+    rule: &Rule,
+    sides: &[Sketch; 2],
+    (side, wanted): (SideName, Wanted),
+) -> Option<u8> {
+    let [before, after] = sides;
+    let word = symbol.name.as_str();
+    let fate = || element_of(snapshot, id, rule).map(|element| element.fate);
+    let is_after = side == SideName::After;
+    let own = if is_after { after } else { before };
+    let open = |is_open: bool| u8::from(!is_open);
+    match (wanted, kind) {
+        (Wanted::Face, Kind::Face) => Some(open(own.drawn.iter().all(|d| d.face.word != word))),
+        (Wanted::Edge, Kind::Edge) => Some(open(own.pairs.iter().all(|p| p.edge.word != word))),
+        (Wanted::StarVertex, Kind::Vertex) => {
+            Some(open(own.stars.iter().all(|s| s.vertex.word != word)))
+        }
+        (Wanted::LoopVertex, Kind::Vertex) => Some(open(!is_after || !own.draws(word))),
+        (Wanted::LoopHalfedge, Kind::Halfedge) => {
+            let was_outer = before.draws(word) && before.place(word).is_none();
+            Some(if was_outer {
+                3
+            } else {
+                open(own.place(word).is_none())
+            })
+        }
+        (Wanted::Path, Kind::Path) => Some(open(own.place(word).is_none())),
+        (Wanted::EdgeHalfedge, Kind::Halfedge) => {
+            // In `after` those come first that had a twin, or are new.
+            let is_due = !is_after || before.pair(word).is_some() || !before.draws(word);
+            Some(open(is_due && own.pair(word).is_none()))
+        }
+        (Wanted::Spoke, Kind::Halfedge) | (Wanted::Fan, Kind::Fan) => {
+            Some(open(own.star_of(word).is_none()))
+        }
+        (Wanted::New, _) => (fate() == Some(Fate::Unknown)).then_some(0),
+        (Wanted::Erase, kind) if !matches!(kind, Kind::Path | Kind::Fan) => match fate() {
+            Some(Fate::Forgotten) => Some(0),
+            Some(Fate::Kept | Fate::Moved) => Some(7),
+            _ => None,
+        },
+        (Wanted::Keep, kind) if before.is_subject(word) => match (fate(), kind) {
+            (Some(Fate::Forgotten), _) => Some(0),
+            (Some(Fate::Moved), Kind::Vertex | Kind::Edge | Kind::Face) => Some(7),
+            _ => None,
+        },
+        _ => None,
+    }
+}

@@ -1,0 +1,82 @@
+//! What one snapshot of a document leaves to the next: texts that have been read, proofs that
+//! have been found, and the last diagram of each op that could be read.
+
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+use super::Examined;
+use super::readings::Readings;
+use crate::diagram;
+use crate::source::Span;
+
+/// How many proofs are remembered before those of other texts are dropped.
+const MOST_REMEMBERED: usize = 1024;
+
+#[derive(Clone, Debug, Default)]
+pub(super) struct Memory {
+    pub(super) readings: Readings,
+    /// By the name of the op.
+    pub(super) readable: BTreeMap<String, Rc<diagram::Op>>,
+    /// By the text of the op.
+    proofs: HashMap<String, Remembered>,
+}
+
+#[derive(Clone, Debug)]
+struct Remembered {
+    surroundings: u64,
+    at: Span,
+    examined: Rc<Examined>,
+}
+
+/// A part of a text, and what else its meaning depends on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passage<'t> {
+    pub(super) text: &'t str,
+    pub(super) span: Span,
+    pub(super) surroundings: u64,
+}
+
+impl Memory {
+    /// What came of an op that is written like this, wherever it stood then.
+    pub(super) fn recall(&self, op: Passage) -> Option<Rc<Examined>> {
+        let known = self.proofs.get(op.text)?;
+        (known.surroundings == op.surroundings).then(|| moved(&known.examined, known.at, op.span))
+    }
+
+    /// Keeps what came of an op. If it gets too much, what is not in `text` goes.
+    pub(super) fn keep(&mut self, op: Passage, examined: &Rc<Examined>, text: &str) {
+        if self.proofs.len() > MOST_REMEMBERED {
+            self.proofs.retain(|known, _| text.contains(known.as_str()));
+        }
+        let remembered = Remembered {
+            surroundings: op.surroundings,
+            at: op.span,
+            examined: Rc::clone(examined),
+        };
+        self.proofs.insert(op.text.to_owned(), remembered);
+    }
+}
+
+/// The same answer for an op that stands elsewhere now.
+fn moved(examined: &Rc<Examined>, was: Span, is: Span) -> Rc<Examined> {
+    if was == is || examined.diagnostics.is_empty() {
+        return Rc::clone(examined);
+    }
+    let shift = |span: &mut Span| {
+        let length = span.end - span.start;
+        span.start = (span.start - was.start) + is.start;
+        span.end = span.start + length;
+        span.file = is.file;
+    };
+    let mut moved = Examined::clone(examined);
+    for diagnostic in &mut moved.diagnostics {
+        diagnostic
+            .labels
+            .iter_mut()
+            .for_each(|label| shift(&mut label.span));
+        for fix in &mut diagnostic.fixes {
+            fix.edits.iter_mut().for_each(|edit| shift(&mut edit.span));
+        }
+    }
+    Rc::new(moved)
+}

@@ -1,0 +1,250 @@
+//! What an `alias` lets be one, proved.
+
+use super::closure::{Contradiction, united};
+use super::quotient::Quotient;
+use super::verdict::{Failed, laws};
+use crate::check::facts::{Change, Facts};
+use crate::check::fold::add_obligation;
+use crate::check::guard::{Obligation, Statement, obligations};
+use crate::check::problem::{Problem, enumerate};
+use crate::check::properties::kept;
+use crate::check::proved::Broken;
+use crate::check::witness;
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Drawing, Level, NameId, Op, Rule};
+use crate::source::Span;
+
+/// How many sets of names are looked at.
+const MOST: usize = 400;
+
+/// Every way in which names that may be one are, each proved.
+pub(in crate::check) struct Aliased {
+    quotients: Vec<Quotient>,
+    cases: usize,
+}
+
+/// Proves a rule for all that its `alias`es allow, or says what they must not.
+pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken> {
+    let mut aliased = Aliased {
+        quotients: Vec::new(),
+        cases: 0,
+    };
+    if rule.aliases.is_empty() {
+        return Ok(aliased);
+    }
+    let wanted = wanted(rule);
+    let mut problems = Vec::new();
+    let mut outcome = None;
+    for (names, quotients) in sets(rule, &wanted)? {
+        for quotient in quotients {
+            let quotient = quotient.finished();
+            match laws(&quotient) {
+                Ok(rings) => {
+                    aliased.cases += rings.cases;
+                    aliased.quotients.push(quotient);
+                }
+                Err(Failed::Impossible(_)) => {}
+                Err(Failed::Broken { why, arcs }) => {
+                    let code = "alias-breaks";
+                    let arcs = arcs.as_deref();
+                    let found = witness::find_where_one(op, rule, &quotient, arcs, code);
+                    outcome.get_or_insert(found);
+                    problems.push(breaks(rule, &names, &wanted, &why));
+                    break;
+                }
+            }
+        }
+    }
+    if !problems.is_empty() {
+        // The smallest set says most.
+        problems.truncate(1);
+        return Err(Broken {
+            problems,
+            arcs: None,
+            outcome,
+        });
+    }
+    for &(pair, span) in &wanted {
+        let is_one = |quotient: &Quotient| {
+            let [left, right] = pair.map(|name| quotient.stands_for(name));
+            left == right
+        };
+        if !aliased.quotients.iter().any(is_one) {
+            problems.push(never_one(rule, pair, span));
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(aliased),
+        false => Err(problems.into()),
+    }
+}
+
+/// The pairs that may be one, each with the statement that says so.
+fn wanted(rule: &Rule) -> Vec<([NameId; 2], Span)> {
+    let mut wanted: Vec<([NameId; 2], Span)> = Vec::new();
+    for alias in &rule.aliases {
+        for (at, left) in alias.names.iter().enumerate() {
+            for right in &alias.names[at + 1..] {
+                let pair = [left.name.min(right.name), left.name.max(right.name)];
+                if !wanted.iter().any(|(known, _)| *known == pair) {
+                    wanted.push((pair, alias.span));
+                }
+            }
+        }
+    }
+    wanted
+}
+
+type Sets = Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>;
+
+/// The sets of names that can be one and no test keeps apart, from small to large.
+fn sets(rule: &Rule, wanted: &[([NameId; 2], Span)]) -> Result<Sets, Vec<Problem>> {
+    let count = rule.names.len();
+    let is_allowed = |classes: &[Vec<NameId>]| {
+        classes.iter().all(|class| {
+            let mut pairs = pairs_of(class);
+            pairs.all(|pair| wanted.iter().any(|(known, _)| *known == pair))
+        })
+    };
+    let mut sets: Sets = vec![(Vec::new(), vec![Quotient::of(rule)])];
+    let mut at = 0;
+    while at < sets.len() {
+        for &(pair, span) in wanted {
+            let known = sets.len();
+            let mut found = Vec::new();
+            for quotient in &sets[at].1 {
+                match united(quotient, pair) {
+                    Ok(quotients) => found.extend(quotients),
+                    Err(Contradiction::Certain(_)) => {}
+                    Err(Contradiction::Unclear(why)) => return Err(unclear(why, span)),
+                }
+            }
+            for quotient in found {
+                let names = quotient.classes(count);
+                match sets.iter().position(|(other, _)| *other == names) {
+                    Some(at) if at < known => {}
+                    Some(at) => sets[at].1.push(quotient),
+                    None if is_allowed(&names) => sets.push((names, vec![quotient])),
+                    None => {}
+                }
+            }
+            if sets.len() > MOST {
+                return Err(unclear("there are too many ways to look at".into(), span));
+            }
+        }
+        at += 1;
+    }
+    sets.remove(0);
+    Ok(sets)
+}
+
+fn pairs_of(class: &[NameId]) -> impl Iterator<Item = [NameId; 2]> + '_ {
+    let places = 0..class.len();
+    places.flat_map(move |at| class[at + 1..].iter().map(move |&right| [class[at], right]))
+}
+
+fn unclear(why: String, span: Span) -> Vec<Problem> {
+    let message = format!("this `alias` is not proved: {why}");
+    vec![Diagnostic::error("too-many-cases", message, span).into()]
+}
+
+/// "`v2` and `v3`, and `a` and `b`"
+fn words(rule: &Rule, classes: &[Vec<NameId>]) -> String {
+    let classes = classes.iter().map(|class| enumerate(rule, class));
+    classes.collect::<Vec<_>>().join(", and ")
+}
+
+fn breaks(
+    rule: &Rule,
+    classes: &[Vec<NameId>],
+    wanted: &[([NameId; 2], Span)],
+    why: &str,
+) -> Problem {
+    let of_pair = |pair: [NameId; 2]| wanted.iter().find(|(known, _)| *known == pair);
+    let mut pairs = classes.iter().flat_map(|class| pairs_of(class));
+    let span = pairs.find_map(of_pair).map_or(rule.span, |(_, span)| *span);
+    let names = words(rule, classes);
+    let message = format!("{names} must not be one");
+    Diagnostic::error("alias-breaks", message, span)
+        .saying("may be one here")
+        .note(format!("where they are, {why}"))
+        .into()
+}
+
+/// Names that an `alias` lists and that no match has as one.
+fn never_one(rule: &Rule, pair: [NameId; 2], span: Span) -> Problem {
+    let names = words(rule, &[pair.to_vec()]);
+    let count = rule.names.len();
+    match united(&Quotient::of(rule), pair) {
+        Ok(quotients) => {
+            let needs = quotients.iter().map(|quotient| quotient.classes(count));
+            let impossible = |quotient: &Quotient| match laws(&quotient.clone().finished()) {
+                Err(Failed::Impossible(why)) => Some(why),
+                _ => None,
+            };
+            let never: Vec<_> = quotients.iter().filter_map(impossible).collect();
+            if never.len() == quotients.len() {
+                return impossible_alias(&names, never.first(), span);
+            }
+            let others = needs.min_by_key(|classes| classes.iter().map(Vec::len).sum::<usize>());
+            let others: Vec<_> = others.into_iter().flatten().collect();
+            let message = format!("{names} are one only where other names are one too");
+            let lists = others.iter().map(|class| {
+                let words = class.iter().map(|&name| rule.name(name).text.as_str());
+                format!("`alias {}`", words.collect::<Vec<_>>().join(" "))
+            });
+            let lists = lists.collect::<Vec<_>>().join(", ");
+            Diagnostic::error("alias-incomplete", message, span)
+                .saying("so a test refuses it all the same")
+                .note(format!("together they are {lists}"))
+                .into()
+        }
+        Err(Contradiction::Certain(why) | Contradiction::Unclear(why)) => {
+            impossible_alias(&names, Some(&why), span)
+        }
+    }
+}
+
+fn impossible_alias(names: &str, why: Option<&String>, span: Span) -> Problem {
+    let message = format!("{names} are never one");
+    let error = Diagnostic::error("alias-impossible", message, span);
+    match why {
+        Some(why) => error.note(why.clone()).into(),
+        None => error.into(),
+    }
+}
+
+impl Aliased {
+    /// How many cases were looked at beyond those where all names are distinct.
+    pub fn cases(&self) -> usize {
+        self.cases
+    }
+
+    /// What a level asks also where names are one. A statement is left to test if it is in one
+    /// of these cases: each is a condition of the level, so asking it once more refuses nothing
+    /// else.
+    pub fn obligations(&self, mut found: Vec<Obligation>, level: Level) -> Vec<Obligation> {
+        for quotient in &self.quotients {
+            let drawing = Drawing::new(&quotient.rule);
+            for Obligation { statement, because } in obligations(&drawing, level) {
+                let statement = match statement {
+                    Statement::OneHoleAlong(piece) => {
+                        Statement::OneHoleAlong(quotient.path_of(piece))
+                    }
+                    statement => statement,
+                };
+                add_obligation(statement, because, &mut found);
+            }
+        }
+        found
+    }
+
+    /// Takes from what a rule keeps whatever it does not keep where names are one.
+    pub fn keeps_no_more(&self, facts: &mut Facts) {
+        for quotient in &self.quotients {
+            let drawing = Drawing::new(&quotient.rule);
+            let here = kept(&drawing, Change::of(&quotient.rule), &facts.grows_with);
+            facts.keeps.retain(|property| here.contains(property));
+        }
+    }
+}

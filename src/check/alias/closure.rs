@@ -1,0 +1,321 @@
+//! What follows where names are one.
+//!
+//! Pointers are functions: of one halfedge there is one twin, one origin, one edge, one face.
+//! So what the statements say of either name is said of both, until nothing new follows. Some
+//! consequences leave a choice: two statements of one loop can overlap in several ways, and a
+//! named spoke of a vertex is one of those that its statement lists.
+
+use super::overlap::{Overlap, overlaps};
+use super::quotient::Quotient;
+use crate::check::chain::corners;
+use crate::check::port::{Links, Port};
+use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke};
+
+/// Why names cannot be one, or that it was not found out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::check) enum Contradiction {
+    /// No mesh is like that.
+    Certain(String),
+    /// There are too many ways, or one that is not looked into.
+    Unclear(String),
+}
+
+/// Something that follows.
+enum Consequence {
+    /// Two names are one.
+    One(NameId, NameId),
+    /// A name is one of these, or else there is this to say.
+    Among(NameId, Vec<NameId>, String),
+    /// Two statements of `before` speak of one loop.
+    Overlap([usize; 2], LoopKind, Vec<Overlap>),
+    /// Nothing can be like that.
+    Never(Contradiction),
+}
+
+/// How many ways of one set of names are looked at.
+const MOST: usize = 64;
+
+/// A quotient with two more names made one, and all that follows: each way in which it can be.
+pub(in crate::check) fn united(
+    quotient: &Quotient,
+    pair: [NameId; 2],
+) -> Result<Vec<Quotient>, Contradiction> {
+    let [left, right] = pair.map(|name| quotient.stands_for(name));
+    if left == right {
+        return Ok(vec![quotient.clone()]);
+    }
+    let mut open = vec![quotient.clone()];
+    open[0].unite(left, right);
+    let mut found: Vec<Quotient> = Vec::new();
+    let mut never = None;
+    let mut looked_at = 0;
+    while let Some(mut quotient) = open.pop() {
+        looked_at += 1;
+        if looked_at > 20 * MOST || found.len() > MOST {
+            let why = "there are too many ways to look at".into();
+            return Err(Contradiction::Unclear(why));
+        }
+        match consequence(&quotient) {
+            None => found.push(quotient),
+            Some(Consequence::One(left, right)) => {
+                quotient.unite(left, right);
+                open.push(quotient);
+            }
+            Some(Consequence::Among(name, others, otherwise)) => {
+                never.get_or_insert(Contradiction::Certain(otherwise));
+                let options = others.iter().map(|&other| {
+                    let mut option = quotient.clone();
+                    option.unite(name, other);
+                    option
+                });
+                open.extend(options);
+            }
+            Some(Consequence::Overlap(loops, kind, ways)) => {
+                for way in ways {
+                    let mut option = quotient.clone();
+                    let same = way.same.clone();
+                    option.rule.before.loops[loops[0]].kind = kind;
+                    option.overlay(loops, way);
+                    for pair in same {
+                        let [left, right] = pair.map(|name| option.stands_for(name));
+                        if left != right {
+                            option.unite(left, right);
+                        }
+                    }
+                    open.push(option);
+                }
+            }
+            Some(Consequence::Never(Contradiction::Unclear(why))) => {
+                return Err(Contradiction::Unclear(why));
+            }
+            Some(Consequence::Never(why)) => {
+                never.get_or_insert(why);
+            }
+        }
+    }
+    match never {
+        Some(why) if found.is_empty() => Err(why),
+        None if found.is_empty() => {
+            let why = "their loops cannot be one".into();
+            Err(Contradiction::Certain(why))
+        }
+        _ => Ok(found),
+    }
+}
+
+fn never(why: String) -> Option<Consequence> {
+    Some(Consequence::Never(Contradiction::Certain(why)))
+}
+
+/// The first thing that follows.
+fn consequence(quotient: &Quotient) -> Option<Consequence> {
+    of_loops(quotient)
+        .or_else(|| of_edges(quotient))
+        .or_else(|| of_origins(quotient))
+        .or_else(|| of_stars(quotient))
+        .or_else(|| of_rings(quotient))
+}
+
+/// A halfedge stands in one place of one loop, and a face has one loop.
+fn of_loops(quotient: &Quotient) -> Option<Consequence> {
+    let rule = &quotient.rule;
+    let loops = &rule.before.loops;
+    for (at, orbit) in loops.iter().enumerate() {
+        for (place, item) in orbit.items.iter().enumerate() {
+            let name = item.item.name;
+            let here = orbit.items[..place].iter();
+            if here.clone().any(|other| other.item.name == name) {
+                let (text, face) = (rule.quoted(name), rule.quoted(orbit.face.name));
+                return never(format!("{text} would stand twice in the loop of {face}"));
+            }
+            for other in &loops[..at] {
+                let mut items = other.items.iter();
+                if items.any(|item| item.item.name == name) && other.face.name != orbit.face.name {
+                    return Some(Consequence::One(other.face.name, orbit.face.name));
+                }
+            }
+        }
+        if orbit.items.first().map(|item| item.from.name) != Some(orbit.end.name) {
+            return Some(Consequence::One(
+                orbit.items.first()?.from.name,
+                orbit.end.name,
+            ));
+        }
+        for (first, other) in loops[..at].iter().enumerate() {
+            if other.face.name != orbit.face.name {
+                continue;
+            }
+            let kind = match (other.kind, orbit.kind) {
+                (LoopKind::Any, kind) | (kind, LoopKind::Any) => kind,
+                (one, other) if one == other => one,
+                _ => {
+                    let text = rule.quoted(orbit.face.name);
+                    return never(format!("{text} would be a face and a hole"));
+                }
+            };
+            return Some(match overlaps(rule, other, orbit) {
+                Some(ways) => Consequence::Overlap([first, at], kind, ways),
+                None => {
+                    let text = rule.quoted(orbit.face.name);
+                    let why = format!("the two loops of {text} can lie in many ways");
+                    Consequence::Never(Contradiction::Unclear(why))
+                }
+            });
+        }
+    }
+    None
+}
+
+/// A halfedge has one twin and one edge.
+fn of_edges(quotient: &Quotient) -> Option<Consequence> {
+    let rule = &quotient.rule;
+    let edges = &rule.before.edges;
+    for (at, edge) in edges.iter().enumerate() {
+        let [left, right] = edge.halfedges.map(|half| half.name);
+        if left == right {
+            return never(format!("{} would be its own twin", rule.quoted(left)));
+        }
+        for other in &edges[..at] {
+            let shared = [left, right]
+                .iter()
+                .position(|half| other.halfedges.iter().any(|of| of.name == *half));
+            if let Some(shared) = shared {
+                if other.edge.name != edge.edge.name {
+                    return Some(Consequence::One(other.edge.name, edge.edge.name));
+                }
+                let half = [left, right][shared];
+                return Some(Consequence::One(
+                    [left, right][1 - shared],
+                    partner(other, half),
+                ));
+            }
+        }
+    }
+    None
+}
+
+fn partner(edge: &Edge, half: NameId) -> NameId {
+    let [left, right] = edge.halfedges.map(|half| half.name);
+    if left == half { right } else { left }
+}
+
+/// A halfedge starts at one vertex, and its twin where it ends.
+fn of_origins(quotient: &Quotient) -> Option<Consequence> {
+    let rule = &quotient.rule;
+    let mut origins: Vec<Option<NameId>> = vec![None; rule.names.len()];
+    let mut says = Vec::new();
+    for orbit in &rule.before.loops {
+        for (at, item) in orbit.items.iter().enumerate() {
+            let name = item.item.name;
+            says.push((name, item.from.name));
+            let ends = orbit.items.get(at + 1).map_or(orbit.end, |next| next.from);
+            let edges = rule.before.edges.iter();
+            let of = edges.filter(|edge| edge.halfedges.iter().any(|half| half.name == name));
+            says.extend(of.map(|edge| (partner(edge, name), ends.name)));
+        }
+    }
+    for star in &rule.before.stars {
+        for spoke in &star.spokes {
+            if let Spoke::Halfedge(half) = spoke {
+                says.push((half.name, star.vertex.name));
+            }
+        }
+    }
+    for (half, vertex) in says {
+        match origins[half.index()] {
+            Some(known) if known != vertex => return Some(Consequence::One(known, vertex)),
+            _ => origins[half.index()] = Some(vertex),
+        }
+    }
+    None
+}
+
+/// A vertex has one star, which lists each of its spokes that has a name, once.
+fn of_stars(quotient: &Quotient) -> Option<Consequence> {
+    let rule = &quotient.rule;
+    let drawing = Drawing::new(rule);
+    let stars = &rule.before.stars;
+    for (at, star) in stars.iter().enumerate() {
+        let text = rule.quoted(star.vertex.name);
+        let halfedge = |spoke: &Spoke| match spoke {
+            Spoke::Halfedge(half) => Some(half.name),
+            Spoke::Fan(_) | Spoke::Rest(_) => None,
+        };
+        let listed: Vec<NameId> = star.spokes.iter().filter_map(halfedge).collect();
+        for (place, half) in listed.iter().enumerate() {
+            if listed[..place].contains(half) {
+                let half = rule.quoted(*half);
+                return never(format!("{half} would be two spokes of {text}"));
+            }
+        }
+        for half in rule.names_of(Kind::Halfedge) {
+            let here = drawing.before.mention(half).is_some()
+                && drawing.origin_before(half) == Some(star.vertex.name);
+            if !here || listed.contains(&half) {
+                continue;
+            }
+            let name = rule.quoted(half);
+            let otherwise =
+                format!("{name} would be a spoke of {text}, whose statement does not list it");
+            return Some(Consequence::Among(half, listed, otherwise));
+        }
+        if stars[..at]
+            .iter()
+            .any(|other| other.vertex.name == star.vertex.name)
+        {
+            let why = format!("{text} would have two statements of its spokes");
+            return Some(Consequence::Never(Contradiction::Unclear(why)));
+        }
+        // Counterclockwise the spoke after `a` is `a.prev.twin`.
+        let count = star.spokes.len();
+        for place in 0..count {
+            let next = halfedge(&star.spokes[(place + 1) % count]);
+            let (Some(spoke), Some(next)) = (halfedge(&star.spokes[place]), next) else {
+                continue;
+            };
+            let named =
+                |item: Option<NameId>| item.filter(|&item| rule.kind(item) == Kind::Halfedge);
+            let view = &drawing.before;
+            let back = named(view.item_before(spoke)).and_then(|prev| view.twin(prev));
+            if let Some(back) = back.filter(|&back| back != next) {
+                return Some(Consequence::One(back, next));
+            }
+            let ahead = view
+                .twin(next)
+                .and_then(|twin| named(view.item_after(twin)));
+            if let Some(ahead) = ahead.filter(|&ahead| ahead != spoke) {
+                return Some(Consequence::One(ahead, spoke));
+            }
+        }
+    }
+    None
+}
+
+/// Where spokes close into a ring they are the whole star: any other is one of them.
+fn of_rings(quotient: &Quotient) -> Option<Consequence> {
+    let rule = &quotient.rule;
+    let drawing = Drawing::new(rule);
+    let links = Links::of(rule, &rule.before);
+    for corner in corners(&drawing, &links) {
+        let Some(ring) = corner.chains.iter().position(|chain| chain.closed) else {
+            continue;
+        };
+        let spokes = |at: usize| {
+            let ports = corner.chains[at].ports.iter();
+            let out = ports.filter_map(|port| match port {
+                Port::Out(item) if rule.kind(*item) == Kind::Halfedge => Some(*item),
+                _ => None,
+            });
+            out.collect::<Vec<_>>()
+        };
+        let mut others = (0..corner.chains.len())
+            .filter(|&at| at != ring)
+            .flat_map(spokes);
+        if let Some(other) = others.next() {
+            let (name, text) = (rule.quoted(other), rule.quoted(corner.vertex));
+            let otherwise = format!("{name} would be one more spoke of {text}, which is full");
+            return Some(Consequence::Among(other, spokes(ring), otherwise));
+        }
+    }
+    None
+}

@@ -1,0 +1,187 @@
+//! What would come of names being one.
+
+use super::closure::{Contradiction, united};
+use super::quotient::Quotient;
+use crate::check::arrangement::Arc;
+use crate::check::proved::{Broken, statements};
+use crate::check::vertices_are_orbits::{self, Rings};
+use crate::check::witness::{self, Counterexample, Outcome};
+use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
+
+/// Names of a rule that are one, and what comes of it.
+#[derive(Clone, Debug)]
+pub struct Identification {
+    /// The names, set by set; all others are distinct. Edges are left out: two are one where
+    /// their halfedges are.
+    pub names: Vec<Vec<NameId>>,
+    /// What comes of it.
+    pub verdict: Verdict,
+}
+
+/// What comes of names being one.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// The rewrite is proved there as well.
+    Fine,
+    /// It breaks a mesh.
+    Breaks {
+        /// Which law, in words.
+        why: String,
+        /// The mesh.
+        example: Box<Counterexample>,
+    },
+    /// No mesh is like that, for this reason.
+    Impossible(String),
+    /// It is not proved there, for this reason, and no small mesh was found that breaks.
+    Unproved(String),
+}
+
+/// How many sets of names are looked at, beyond what follows from each pair.
+const MOST_SETS: usize = 48;
+
+/// What comes of names of a rule being one: for each pair of one kind with all that follows from
+/// it, then for what pairs come to together. A rule with families has none: its names stand for
+/// other elements on every cycle.
+pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
+    if rule.has_families() {
+        return Vec::new();
+    }
+    let count = rule.names.len();
+    let pairs = pairs(rule);
+    let mut sets: Vec<(Vec<Vec<NameId>>, Vec<Quotient>)> = Vec::new();
+    let mut found = Vec::new();
+    let mut possible = Vec::new();
+    let whole = Quotient::of(rule);
+    for &pair in &pairs {
+        match united(&whole, pair) {
+            Ok(quotients) => {
+                possible.push(pair);
+                add(&mut sets, quotients, count);
+            }
+            Err(why) => found.push(Identification {
+                names: vec![pair.to_vec()],
+                verdict: why.verdict(),
+            }),
+        }
+    }
+    let most = sets.len() + MOST_SETS;
+    let mut at = 0;
+    while at < sets.len() && sets.len() < most {
+        for &pair in &possible {
+            let quotients: Vec<_> = sets[at].1.iter().map(|known| united(known, pair)).collect();
+            add(
+                &mut sets,
+                quotients.into_iter().flatten().flatten().collect(),
+                count,
+            );
+        }
+        at += 1;
+    }
+    let judged = sets.into_iter().map(|(names, quotients)| Identification {
+        names,
+        verdict: verdict(op, rule, quotients),
+    });
+    let mut all: Vec<_> = judged.collect();
+    all.sort_by_key(|one| one.names.iter().map(Vec::len).sum::<usize>() - one.names.len());
+    all.append(&mut found);
+    all
+}
+
+impl Contradiction {
+    fn verdict(self) -> Verdict {
+        match self {
+            Self::Certain(why) => Verdict::Impossible(why),
+            Self::Unclear(why) => Verdict::Unproved(why),
+        }
+    }
+}
+
+/// All pairs of names of one kind that `before` draws.
+fn pairs(rule: &Rule) -> Vec<[NameId; 2]> {
+    let view = Drawing::new(rule).before;
+    let mut pairs = Vec::new();
+    for kind in [Kind::Vertex, Kind::Halfedge, Kind::Face] {
+        let drawn = |name: &NameId| view.mention(*name).is_some();
+        let names: Vec<_> = rule.names_of(kind).filter(drawn).collect();
+        for (at, &left) in names.iter().enumerate() {
+            pairs.extend(names[at + 1..].iter().map(|&right| [left, right]));
+        }
+    }
+    pairs
+}
+
+/// Sorts quotients by the names that are one in them.
+fn add(sets: &mut Vec<(Vec<Vec<NameId>>, Vec<Quotient>)>, quotients: Vec<Quotient>, count: usize) {
+    let known = sets.len();
+    for quotient in quotients {
+        let names = quotient.classes(count);
+        match sets.iter().position(|(other, _)| *other == names) {
+            // The same set found once more has the same quotients.
+            Some(at) if at < known => {}
+            Some(at) => sets[at].1.push(quotient),
+            None => sets.push((names, vec![quotient])),
+        }
+    }
+}
+
+/// Judges all ways in which the same names are one.
+fn verdict(op: &Op, rule: &Rule, quotients: Vec<Quotient>) -> Verdict {
+    let mut unproved = None;
+    let mut impossible = None;
+    let mut fine = false;
+    for quotient in quotients {
+        let quotient = quotient.finished();
+        match laws(&quotient) {
+            Ok(_) => fine = true,
+            Err(Failed::Impossible(why)) => impossible = Some(why),
+            Err(Failed::Broken { why, arcs }) => {
+                let code = "alias-breaks";
+                match witness::find_where_one(op, rule, &quotient, arcs.as_deref(), code) {
+                    Outcome::Breaks(example) => return Verdict::Breaks { why, example },
+                    _ => unproved = Some(why),
+                }
+            }
+        }
+    }
+    match (unproved, impossible) {
+        (Some(why), _) => Verdict::Unproved(why),
+        (None, Some(why)) if !fine => Verdict::Impossible(why),
+        _ => Verdict::Fine,
+    }
+}
+
+/// Why a quotient is not proved.
+pub(super) enum Failed {
+    /// No mesh matches it.
+    Impossible(String),
+    /// It breaks a law.
+    Broken {
+        /// Which, in words.
+        why: String,
+        /// For law 7 the case.
+        arcs: Option<Vec<Arc>>,
+    },
+}
+
+/// The laws, of a quotient that is finished.
+pub(super) fn laws(quotient: &Quotient) -> Result<Rings, Failed> {
+    if let Some(clash) = quotient.clashes.first() {
+        return Err(Failed::Broken {
+            why: clash.clone(),
+            arcs: None,
+        });
+    }
+    let drawing = Drawing::new(&quotient.rule);
+    let tested = statements(&drawing).and_then(|()| vertices_are_orbits::test(&drawing));
+    tested.map_err(|Broken { problems, arcs, .. }| {
+        let impossible = problems
+            .iter()
+            .find(|problem| problem.diagnostic.code == "impossible-drawing");
+        let told = impossible.or(problems.first());
+        let why = told.map_or(String::new(), |problem| problem.diagnostic.message.clone());
+        match impossible {
+            Some(_) => Failed::Impossible(why),
+            None => Failed::Broken { why, arcs },
+        }
+    })
+}

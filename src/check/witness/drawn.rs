@@ -1,0 +1,165 @@
+//! A counterexample as a drawing: the whole mesh before, and what became of it.
+//!
+//! Elements have the names of the rule they were found with, halfedges and vertices without a
+//! name get numbers. What `after` has is written down as it stands, broken as it is: a loop goes
+//! on until it comes back to a halfedge it has met, an edge is a halfedge and its twin.
+
+use super::Counterexample;
+use crate::diagram::{
+    Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side,
+};
+use crate::mesh::{Element, ElementKind, HalfedgeId, Mesh};
+use crate::source::Span;
+
+impl Counterexample {
+    /// The mesh before and after as an operation that draws all of it.
+    pub fn drawn(&self) -> Op {
+        let mut writer = Writer {
+            example: self,
+            names: Vec::new(),
+            elements: Vec::new(),
+        };
+        let before = writer.side(&self.before);
+        let after = writer.side(&self.after);
+        let lives = |mesh: &Mesh, element: &Element| is_alive(mesh, *element);
+        let listed = |of: &Mesh, not_of: &Mesh| {
+            let elements = writer.elements.iter().enumerate();
+            let only =
+                elements.filter(|(_, element)| lives(of, element) && !lives(not_of, element));
+            only.map(|(at, _)| mention(NameId(at as u32))).collect()
+        };
+        let created = listed(&self.after, &self.before);
+        let erased = listed(&self.before, &self.after);
+        let rule = Rule {
+            label: self.rule.clone(),
+            names: writer.names,
+            cycle: None,
+            params: Vec::new(),
+            result: None,
+            before,
+            requires: Vec::new(),
+            guard: None,
+            aliases: Vec::new(),
+            after,
+            created,
+            erased,
+            assignments: Vec::new(),
+            attributes: [].into(),
+            span: Span::default(),
+        };
+        Op {
+            name: self.op.clone(),
+            name_span: Span::default(),
+            docs: Vec::new(),
+            params: Vec::new(),
+            result: None,
+            keeps: Vec::new(),
+            rules: vec![rule],
+            span: Span::default(),
+        }
+    }
+}
+
+fn mention(name: NameId) -> Ref {
+    Ref::plain(name, Span::default())
+}
+
+fn is_alive(mesh: &Mesh, element: Element) -> bool {
+    let index = element.index;
+    match element.kind {
+        ElementKind::Vertex => mesh.vertex_alive(crate::mesh::VertexId(index)),
+        ElementKind::Halfedge => mesh.halfedge_alive(HalfedgeId(index)),
+        ElementKind::Edge => mesh.edge_alive(crate::mesh::EdgeId(index)),
+        ElementKind::Face => mesh.face_alive(crate::mesh::FaceId(index)),
+    }
+}
+
+/// Writes both sides, with one name for each element.
+struct Writer<'a> {
+    example: &'a Counterexample,
+    names: Vec<Name>,
+    /// For each name its element.
+    elements: Vec<Element>,
+}
+
+impl Writer<'_> {
+    fn name(&mut self, element: Element) -> Ref {
+        let known = self.elements.iter().position(|known| *known == element);
+        if let Some(at) = known {
+            return mention(NameId(at as u32));
+        }
+        let named = self.example.names.iter();
+        let mut named = named.filter(|(_, elements)| elements.as_slice() == [element]);
+        let text = named.next().map(|(text, _)| text.clone());
+        self.names.push(Name {
+            text: text.unwrap_or_else(|| element.index.to_string()),
+            kind: match element.kind {
+                ElementKind::Vertex => Kind::Vertex,
+                ElementKind::Halfedge => Kind::Halfedge,
+                ElementKind::Edge => Kind::Edge,
+                ElementKind::Face => Kind::Face,
+            },
+            named: true,
+            role: Role::Single,
+            span: Span::default(),
+        });
+        self.elements.push(element);
+        mention(NameId(self.names.len() as u32 - 1))
+    }
+
+    fn side(&mut self, mesh: &Mesh) -> Side {
+        let mut side = Side::default();
+        let halfedges: Vec<_> = mesh.halfedges().collect();
+        let mut met: Vec<HalfedgeId> = Vec::new();
+        for &start in &halfedges {
+            if met.contains(&start) {
+                continue;
+            }
+            let mut items = Vec::new();
+            let mut at = start;
+            while mesh.halfedge_alive(at) && !met.contains(&at) {
+                met.push(at);
+                items.push(LoopItem {
+                    from: self.name(mesh.vertex(at).into()),
+                    item: self.name(at.into()),
+                });
+                at = mesh.next(at);
+            }
+            let face = mesh.face(start);
+            let face_lives = mesh.face_alive(face);
+            let known = |orbit: &Loop, name: Ref| orbit.face.name == name.name;
+            let face = self.name(face.into());
+            if !face_lives || side.loops.iter().any(|orbit| known(orbit, face)) {
+                continue;
+            }
+            side.loops.push(Loop {
+                kind: match mesh.is_hole(mesh.face(start)) {
+                    true => LoopKind::Hole,
+                    false => LoopKind::Face,
+                },
+                face,
+                end: items[0].from,
+                items,
+                each: false,
+                span: Span::default(),
+            });
+        }
+        for &half in &halfedges {
+            let twin = mesh.twin(half);
+            let edge = mesh.edge(half);
+            if half.0 >= twin.0 || !mesh.halfedge_alive(twin) || !mesh.edge_alive(edge) {
+                continue;
+            }
+            let edge = self.name(edge.into());
+            if side.edges.iter().any(|known| known.edge.name == edge.name) {
+                continue;
+            }
+            side.edges.push(Edge {
+                edge,
+                halfedges: [self.name(half.into()), self.name(twin.into())],
+                span: Span::default(),
+            });
+        }
+        side
+    }
+}

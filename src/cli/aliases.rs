@@ -1,0 +1,57 @@
+//! `hedgerow check --aliases`: which names could be one, for people.
+
+use super::output::table;
+use crate::analysis::{NamesAsOne, RuleAliases};
+
+/// The names of a rule that could be one: a line each for what would be fine, would break and
+/// is not proved, and for what is impossible a line for each reason.
+pub(super) fn show(rule: &RuleAliases) -> String {
+    let name = rule.rule.iter().map(|rule| format!(", rule {rule}"));
+    let title = format!("\n{}{}", rule.op, name.collect::<String>());
+    if rule.has_families {
+        return format!("{title}\n  has families: their names are distinct on every cycle");
+    }
+    if rule.sets.is_empty() {
+        return format!("{title}\n  no two names are of one kind");
+    }
+    let mut rows = Vec::new();
+    for set in &rule.sets {
+        let verdict = match set.verdict {
+            "fine" => "would be fine",
+            "breaks" => "would break",
+            "unproved" => "is not proved",
+            _ => continue,
+        };
+        let why = [set.why.as_ref(), set.comes_to.as_ref()];
+        let why: Vec<_> = why.into_iter().flatten().map(String::as_str).collect();
+        rows.push(vec![
+            format!("  {verdict}"),
+            names(set),
+            why.join("; carried out literally, "),
+        ]);
+    }
+    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+    for set in rule.sets.iter().filter(|set| set.verdict == "impossible") {
+        let why = set.why.as_deref().unwrap_or_default();
+        match reasons.iter_mut().find(|(known, _)| *known == why) {
+            Some((_, sets)) => sets.push(names(set)),
+            None => reasons.push((why, vec![names(set)])),
+        }
+    }
+    let lines = match rows.is_empty() {
+        true => Vec::new(),
+        false => vec![table(&rows, &[])],
+    };
+    let impossible = reasons.iter().map(|(why, sets)| {
+        let sets = sets.join(", or ");
+        format!("  is impossible  {sets}: {why}")
+    });
+    let lines = std::iter::once(title).chain(lines).chain(impossible);
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// `v0 = v2, a = b`
+fn names(set: &NamesAsOne) -> String {
+    let classes = set.names.iter().map(|class| class.join(" = "));
+    classes.collect::<Vec<_>>().join(", ")
+}

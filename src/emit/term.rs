@@ -1,0 +1,247 @@
+//! Values in pointer code: names, pointers that are followed, places in lists, conditions.
+
+use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type, Unary};
+
+/// A parameter of a routine.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Parameter {
+    pub name: String,
+    pub ty: Type,
+}
+
+/// What is done for each index of a cycle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Turns {
+    /// The name of the index, which runs from 0.
+    pub index: String,
+    /// The name of how many there are.
+    pub size: String,
+}
+
+/// A value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Term {
+    Name(String),
+    Bool(bool),
+    Int(i64),
+    Real(f64),
+    /// `h.next`, `v.halfedge`
+    Follow(Pointer, Box<Term>),
+    /// `v.position`
+    Position(Box<Term>),
+    /// Whether a face is a hole.
+    Hole(Box<Term>),
+    Component(u8, Box<Term>),
+    Vector(Box<[Term; 3]>),
+    Unary(Unary, Box<Term>),
+    Binary(Binary, Box<Term>, Box<Term>),
+    Call(Function, Vec<Term>),
+    If(Box<Term>, Box<Term>, Box<Term>),
+    Fold(Box<Fold>),
+    /// What stands in a list so far from the index, counted around; without an index, from 0.
+    Member {
+        list: String,
+        index: Option<String>,
+        shift: i64,
+        size: String,
+    },
+    /// Whether something holds for some index.
+    Some(Turns, Box<Term>),
+}
+
+/// An aggregate.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fold {
+    pub function: FoldFunction,
+    pub ty: Type,
+    pub variable: Parameter,
+    pub around: Around,
+    pub element: Term,
+    pub filter: Option<Term>,
+    pub body: Term,
+    pub body_type: Type,
+}
+
+/// What an aggregate runs over, around one element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Around {
+    VertexHalfedges,
+    VertexEdges,
+    VertexFaces,
+    VertexNeighbors,
+    FaceHalfedges,
+    FaceVertices,
+    FaceEdges,
+    EdgeVertices,
+    EdgeFaces,
+}
+
+/// A function that is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Function {
+    /// One of the language.
+    Builtin(Builtin),
+    /// Whether going along a loop from the first halfedge the second comes before the third.
+    InOrderAlongLoop,
+    /// The same around a vertex, counterclockwise.
+    InOrderAroundVertex,
+    /// Whether no element stands twice in a list.
+    AllDiffer,
+    /// Whether a list holds an element.
+    Holds,
+    /// Whether two lists without repetitions hold the same.
+    SameElements,
+    /// Whether all parts of a vector are finite.
+    IsFinite,
+    /// Whether no halfedge starts at a vertex.
+    IsIsolated,
+    /// The halfedges of a loop, from one on.
+    LoopFrom,
+    /// The halfedges around a vertex, counterclockwise from one on.
+    SpokesFrom,
+    /// Every so manieth of a list: the list, the first, the step.
+    Every,
+    /// A list turned so that its first stands at an index.
+    Turned,
+    /// How many elements a list has.
+    Length,
+    /// What is left of that after division.
+    Remainder,
+    /// Whether the halfedges of a list follow each other along their loop, once around.
+    AllInOrderAlongLoop,
+    /// The same around a vertex, counterclockwise.
+    AllInOrderAroundVertex,
+}
+
+impl Term {
+    pub fn name(name: impl Into<String>) -> Self {
+        Self::Name(name.into())
+    }
+
+    pub fn follow(self, pointer: Pointer) -> Self {
+        Self::Follow(pointer, Box::new(self))
+    }
+
+    pub fn is(self, other: Self) -> Self {
+        Self::Binary(Binary::EqualElement, Box::new(self), Box::new(other))
+    }
+
+    pub fn equals(self, other: Self) -> Self {
+        Self::Binary(Binary::EqualInt, Box::new(self), Box::new(other))
+    }
+
+    pub fn differs_from(self, other: Self) -> Self {
+        self.is(other).not()
+    }
+
+    pub fn not(self) -> Self {
+        match self {
+            Self::Unary(Unary::Not, term) => *term,
+            Self::Bool(value) => Self::Bool(!value),
+            term => Self::Unary(Unary::Not, Box::new(term)),
+        }
+    }
+
+    pub fn and(self, other: Self) -> Self {
+        Self::Binary(Binary::And, Box::new(self), Box::new(other))
+    }
+
+    pub fn or(self, other: Self) -> Self {
+        Self::Binary(Binary::Or, Box::new(self), Box::new(other))
+    }
+
+    pub fn hole(self) -> Self {
+        Self::Hole(Box::new(self))
+    }
+
+    pub fn then(self, then: Self, otherwise: Self) -> Self {
+        Self::If(Box::new(self), Box::new(then), Box::new(otherwise))
+    }
+
+    /// Whether it holds for some index.
+    pub fn for_some(self, turns: Turns) -> Self {
+        Self::Some(turns, Box::new(self))
+    }
+
+    /// Shows every aggregate in it.
+    pub fn folds(&self, see: &mut dyn FnMut(&Fold)) {
+        match self {
+            Self::Name(_) | Self::Bool(_) | Self::Int(_) | Self::Real(_) | Self::Member { .. } => {}
+            Self::Some(_, of)
+            | Self::Follow(_, of)
+            | Self::Position(of)
+            | Self::Hole(of)
+            | Self::Component(_, of)
+            | Self::Unary(_, of) => of.folds(see),
+            Self::Vector(parts) => parts.iter().for_each(|part| part.folds(see)),
+            Self::Binary(_, left, right) => {
+                left.folds(see);
+                right.folds(see);
+            }
+            Self::Call(_, args) => args.iter().for_each(|arg| arg.folds(see)),
+            Self::If(condition, then, otherwise) => {
+                condition.folds(see);
+                then.folds(see);
+                otherwise.folds(see);
+            }
+            Self::Fold(fold) => {
+                see(fold);
+                fold.element.folds(see);
+                fold.filter.iter().for_each(|filter| filter.folds(see));
+                fold.body.folds(see);
+            }
+        }
+    }
+
+    /// Asks about every name in it.
+    pub fn names(&self, see: &mut dyn FnMut(&str)) {
+        match self {
+            Self::Name(name) => see(name),
+            Self::Member {
+                list,
+                index,
+                shift,
+                size,
+            } => {
+                see(list);
+                index.iter().for_each(|index| see(index));
+                if *shift != 0 {
+                    see(size);
+                }
+            }
+            Self::Some(turns, of) => {
+                turns.names(see);
+                of.names(see);
+            }
+            Self::Bool(_) | Self::Int(_) | Self::Real(_) => {}
+            Self::Follow(_, of)
+            | Self::Position(of)
+            | Self::Hole(of)
+            | Self::Component(_, of)
+            | Self::Unary(_, of) => of.names(see),
+            Self::Vector(parts) => parts.iter().for_each(|part| part.names(see)),
+            Self::Binary(_, left, right) => {
+                left.names(see);
+                right.names(see);
+            }
+            Self::Call(_, args) => args.iter().for_each(|arg| arg.names(see)),
+            Self::If(condition, then, otherwise) => {
+                condition.names(see);
+                then.names(see);
+                otherwise.names(see);
+            }
+            Self::Fold(fold) => {
+                fold.element.names(see);
+                fold.filter.iter().for_each(|filter| filter.names(see));
+                fold.body.names(see);
+            }
+        }
+    }
+}
+
+impl Turns {
+    /// Asks about the names that it reads.
+    pub fn names(&self, see: &mut dyn FnMut(&str)) {
+        see(&self.size);
+    }
+}

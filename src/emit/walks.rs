@@ -1,0 +1,116 @@
+//! Walks along paths and over fans, and what they set: the face along a path that changes its
+//! loop, the vertex around a fan that changes its vertex.
+
+use super::names::Names;
+use super::routine::{Statement, Step, Walk};
+use super::term::Term;
+use crate::diagram::{Drawing, NameId, Pointer, Spoke};
+
+/// The walk along a path, from its first halfedge to what follows it in `before`.
+pub(super) fn along_path(
+    drawing: &Drawing,
+    names: &Names,
+    path: NameId,
+    halfedge: String,
+) -> Option<Walk> {
+    let next = drawing.before.item_after(path)?;
+    Some(Walk {
+        halfedge,
+        step: Step::Next,
+        from: names.term(path),
+        until: names.term(next),
+        around: next == path,
+    })
+}
+
+pub(super) fn path_walk(drawing: &Drawing, names: &mut Names, path: NameId) -> Option<Statement> {
+    let face = drawing.after.face(path)?;
+    let halfedge = names.fresh("h");
+    names.release(&halfedge);
+    let walk = along_path(drawing, names, path, halfedge.clone())?;
+    Some(Statement::Walk {
+        walk,
+        body: vec![Statement::Set {
+            pointer: Pointer::Face,
+            of: Term::name(halfedge),
+            value: names.term(face),
+        }],
+    })
+}
+
+/// The walk over the spokes of a fan, clockwise: from behind the spoke that follows it to the
+/// spoke that precedes it.
+pub(super) fn along_fan(
+    drawing: &Drawing,
+    names: &Names,
+    fan: NameId,
+    halfedge: String,
+) -> Option<Walk> {
+    let vertex = drawing.before.star_of_spoke(fan)?;
+    let spokes = &drawing.before.star(vertex)?.spokes;
+    let at = spokes
+        .iter()
+        .position(|spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan))?;
+    Some(along_spokes(drawing, names, vertex, (spokes, at), halfedge))
+}
+
+/// The walk over the run of spokes that stands at a place of a vertex statement.
+pub(super) fn along_spokes(
+    drawing: &Drawing,
+    names: &Names,
+    vertex: NameId,
+    (spokes, at): (&[Spoke], usize),
+    halfedge: String,
+) -> Walk {
+    let count = spokes.len();
+    let half = |spoke: &Spoke| match spoke {
+        Spoke::Halfedge(half) => Some(half.name),
+        Spoke::Fan(_) | Spoke::Rest(_) => None,
+    };
+    let (before, after) = (
+        half(&spokes[(at + count - 1) % count]),
+        half(&spokes[(at + 1) % count]),
+    );
+    let step = Step::Clockwise;
+    match (before, after) {
+        (Some(before), Some(after)) => Walk {
+            halfedge,
+            step,
+            from: match drawing.before.twin(after) {
+                Some(twin) => names.term(twin).follow(Pointer::Next),
+                None => names
+                    .term(after)
+                    .follow(Pointer::Twin)
+                    .follow(Pointer::Next),
+            },
+            until: names.term(before),
+            around: false,
+        },
+        // The fan is the whole star.
+        _ => {
+            let first = names.term(vertex).follow(Pointer::VertexHalfedge);
+            Walk {
+                halfedge,
+                step,
+                from: first.clone(),
+                until: first,
+                around: true,
+            }
+        }
+    }
+}
+
+pub(super) fn fan_walk(drawing: &Drawing, names: &mut Names, fan: NameId) -> Option<Statement> {
+    let vertex = drawing.after.star_of_spoke(fan)?;
+    let halfedge = names.fresh("h");
+    names.release(&halfedge);
+    let walk = along_fan(drawing, names, fan, halfedge.clone())?;
+    Some(Statement::Walk {
+        walk,
+        body: vec![Statement::Set {
+            pointer: Pointer::Vertex,
+            of: Term::name(halfedge),
+            value: names.term(vertex),
+        }],
+    })
+}

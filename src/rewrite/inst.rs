@@ -1,0 +1,290 @@
+//! The instructions.
+
+use super::print::RealDigits;
+use super::wide::{Lanes, Matrix};
+use super::{
+    ElementField, Elements, Foreseen, HalfedgeField, Label, Math, Question, Reg, Room, Span, Walk,
+};
+use crate::mesh::ElementKind;
+
+/// One instruction. `to` is written; everything else is read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+#[rustfmt::skip] // A table, a line each.
+pub enum Inst {
+    // Values.
+    Const { to: Reg, bits: u64 },
+    Copy { to: Reg, from: Reg },
+    CopyVec { to: Reg, from: Reg },
+    /// `to = if condition { then } else { otherwise }`
+    Select { to: Reg, condition: Reg, then: Reg, otherwise: Reg },
+    Not { to: Reg, from: Reg },
+    And { to: Reg, left: Reg, right: Reg },
+    Or { to: Reg, left: Reg, right: Reg },
+    /// Two ints, bools, elements or texts.
+    Equal { to: Reg, left: Reg, right: Reg },
+    /// Traps, as all arithmetic of ints does, when the result does not fit.
+    AddInt { to: Reg, left: Reg, right: Reg },
+    SubInt { to: Reg, left: Reg, right: Reg },
+    MulInt { to: Reg, left: Reg, right: Reg },
+    /// Rounds towards minus infinity. Traps on zero.
+    DivInt { to: Reg, left: Reg, right: Reg },
+    /// Sign of the divisor. Traps on zero.
+    ModInt { to: Reg, left: Reg, right: Reg },
+    NegInt { to: Reg, from: Reg },
+    AbsInt { to: Reg, from: Reg },
+    MinInt { to: Reg, left: Reg, right: Reg },
+    MaxInt { to: Reg, left: Reg, right: Reg },
+    LessInt { to: Reg, left: Reg, right: Reg },
+    LessEqualInt { to: Reg, left: Reg, right: Reg },
+    IntToReal { to: Reg, from: Reg },
+    /// Half to even. Traps when it does not fit.
+    RoundReal { to: Reg, from: Reg },
+    AddReal { to: Reg, left: Reg, right: Reg },
+    SubReal { to: Reg, left: Reg, right: Reg },
+    MulReal { to: Reg, left: Reg, right: Reg },
+    DivReal { to: Reg, left: Reg, right: Reg },
+    MinReal { to: Reg, left: Reg, right: Reg },
+    MaxReal { to: Reg, left: Reg, right: Reg },
+    PowReal { to: Reg, left: Reg, right: Reg },
+    Atan2Real { to: Reg, left: Reg, right: Reg },
+    LessReal { to: Reg, left: Reg, right: Reg },
+    LessEqualReal { to: Reg, left: Reg, right: Reg },
+    EqualReal { to: Reg, left: Reg, right: Reg },
+    MathReal { math: Math, to: Reg, from: Reg },
+    AddVec { to: Reg, left: Reg, right: Reg },
+    SubVec { to: Reg, left: Reg, right: Reg },
+    MulVec { to: Reg, left: Reg, right: Reg },
+    NegVec { to: Reg, from: Reg },
+    /// A vector by a real.
+    ScaleVec { to: Reg, left: Reg, right: Reg },
+    DivVec { to: Reg, left: Reg, right: Reg },
+    MixVec { to: Reg, left: Reg, right: Reg, t: Reg },
+    EqualVec { to: Reg, left: Reg, right: Reg },
+    Dot { to: Reg, left: Reg, right: Reg },
+    Cross { to: Reg, left: Reg, right: Reg },
+    LengthVec { to: Reg, from: Reg },
+    Normalize { to: Reg, from: Reg },
+    /// A value of any width.
+    CopyWide { to: Reg, from: Reg, width: u8 },
+    /// Vectors and matrices of any width, component by component.
+    Wide { operation: Lanes, width: u8, to: Reg, left: Reg, right: Reg },
+    /// Square matrices with so many rows, and their vectors. What takes one operand reads
+    /// `left`.
+    Matrix { operation: Matrix, size: u8, to: Reg, left: Reg, right: Reg },
+
+    // Loads. Each traps if the element is none or erased.
+    Load { field: HalfedgeField, to: Reg, halfedge: Reg },
+    LoadHalfedge { of: ElementField, to: Reg, element: Reg },
+    LoadHole { to: Reg, face: Reg },
+    LoadPosition { to: Reg, vertex: Reg },
+    /// A declared attribute, by its number in the machine's table.
+    LoadAttribute { attribute: u16, to: Reg, element: Reg },
+    /// The number of slots of a kind, living or dead: the bound of a loop over all.
+    Capacity { kind: ElementKind, to: Reg },
+    /// Moves `element` on to the first living one from there on, itself included; jumps
+    /// if there is none.
+    NextLiving { of: Elements, element: Reg, otherwise: Label },
+    /// Jumps if an element is erased, or a face no longer of its sort. Never traps.
+    JumpUnlessLiving { of: Elements, element: Reg, to: Label },
+    /// Whether an element exists. Never traps.
+    Alive { kind: ElementKind, to: Reg, element: Reg },
+
+    // Questions.
+    /// About the first element, or about both. Traps as loads do.
+    Ask { question: Question, to: Reg, elements: [Reg; 2] },
+    /// The number of living elements; of faces, without holes.
+    Count { kind: ElementKind, to: Reg },
+    CountHoles { to: Reg },
+
+    // Jumps.
+    Jump { to: Label },
+    JumpIf { condition: Reg, to: Label },
+    JumpUnless { condition: Reg, to: Label },
+    /// Jumps when two elements or ints differ.
+    JumpUnequal { left: Reg, right: Reg, to: Label },
+    /// Jumps when two elements or ints are equal.
+    JumpEqual { left: Reg, right: Reg, to: Label },
+
+    // Matching. A test that fails notes its refusal, if none of a later phase is noted
+    // yet, and jumps to the next attempt.
+    /// The refusal if two elements differ.
+    ExpectEqual { left: Reg, right: Reg, refusal: u16, otherwise: Label },
+    /// The refusal if two elements are the same.
+    ExpectDistinct { left: Reg, right: Reg, refusal: u16, otherwise: Label },
+    /// The refusal if a bool is false.
+    Expect { condition: Reg, refusal: u16, otherwise: Label },
+    /// The refusal if a vector has a component that is not finite.
+    ExpectFinite { vector: Reg, refusal: u16, otherwise: Label },
+    /// The refusal if the id space has no room for so many new elements.
+    ExpectRoom { room: Room, refusal: u16, otherwise: Label },
+    /// Appends the halfedges from `from` up to, but without, `until` to a buffer; the
+    /// whole cycle if both are the same and `whole`, else nothing.
+    Collect { walk: Walk, buffer: u16, from: Reg, until: Reg, whole: bool },
+    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts;
+    /// where it is also the `stop`, the walk goes once around. It ends when it is back.
+    Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },
+    // Looking ahead: what would be written is noted on a sheet over the mesh, and asked
+    // about. The mesh stays as it is. Each traps as loads do.
+    /// An empty sheet.
+    PreviewClear,
+    /// A number for an element that would be created.
+    PreviewNew { to: Reg },
+    PreviewStore { field: HalfedgeField, halfedge: Reg, value: Reg },
+    PreviewStoreHalfedge { of: ElementField, element: Reg, value: Reg },
+    PreviewStoreHole { face: Reg, hole: bool },
+    PreviewStoreAll { field: HalfedgeField, buffer: u16, value: Reg },
+    /// Whether a condition would hold for an element: a face, vertex or halfedge; `at` is
+    /// the vertex, where it speaks of a face and a vertex.
+    Foresee { condition: Foreseen, to: Reg, element: Reg, at: Reg },
+    /// Whether a condition of vertices would hold where the halfedges of a buffer start.
+    ForeseeAlong { condition: Foreseen, to: Reg, buffer: u16 },
+    PreviewStoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
+
+    // Families: a buffer holds one slot for each index of a cycle.
+    /// The next index of a family, from -1 on; jumps when there is none.
+    NextIndex { buffer: u16, index: Reg, otherwise: Label },
+    /// `to = buffer[index + shift]`, counted around. Traps if the buffer is empty.
+    Member { buffer: u16, index: Reg, shift: i16, to: Reg },
+    /// The `width` slots from `index * width` on. Traps out of range.
+    BufferGetWide { buffer: u16, index: Reg, width: u16, to: Reg },
+    /// Appends a buffer to another.
+    BufferAppend { from: u16, to: u16 },
+    /// Appends every `period`-th slot, from the one at `place` on, to another buffer, turned
+    /// so that what came first stands at the index `turn`.
+    BufferDeal { from: u16, to: u16, place: u16, period: u16, turn: i16 },
+    /// The refusal if two slots of a buffer are the same. Leaves the slots in some order.
+    ExpectAllDistinct { buffer: u16, refusal: u16, otherwise: Label },
+    /// The refusal if the id space has no room for so many new elements of a kind.
+    ExpectRoomFor { kind: ElementKind, count: Reg, refusal: u16, otherwise: Label },
+    /// Whether a walk from the first halfedge of a buffer, once around, meets all others in
+    /// their order.
+    MeetsAll { walk: Walk, to: Reg, buffer: u16 },
+    /// Gives up: the op refuses with the reason noted.
+    Refuse,
+    /// The op has been applied; its result, if any, is in the register.
+    Return { result: Option<Reg> },
+
+    // Buffers: growing lists of slots, empty at the start of a call.
+    BufferClear { buffer: u16 },
+    BufferPush { buffer: u16, from: Reg },
+    BufferLength { buffer: u16, to: Reg },
+    /// Traps out of range.
+    BufferGet { buffer: u16, to: Reg, index: Reg },
+    /// `to = buffer[index]`, and `index` moves on by one; jumps when nothing is left.
+    BufferNext { buffer: u16, index: Reg, to: Reg, otherwise: Label },
+    /// Appends all living elements, in order of their ids.
+    BufferLiving { of: Elements, buffer: u16 },
+
+    // Writes.
+    NewVertex { to: Reg },
+    NewHalfedge { to: Reg },
+    NewEdge { to: Reg },
+    NewFace { to: Reg },
+    Store { field: HalfedgeField, halfedge: Reg, value: Reg },
+    StoreHalfedge { of: ElementField, element: Reg, value: Reg },
+    StoreHole { face: Reg, hole: bool },
+    /// Traps if not finite.
+    StorePosition { vertex: Reg, value: Reg },
+    /// Keeps a position back in a buffer. Traps if it is not finite or the vertex is
+    /// gone.
+    HoldPosition { buffer: u16, vertex: Reg, value: Reg },
+    StoreAttribute { attribute: u16, element: Reg, value: Reg },
+    /// Keeps the value of an attribute back in a buffer. Traps if the element is gone.
+    HoldAttribute { buffer: u16, attribute: u16, element: Reg, value: Reg },
+    /// Writes what is kept back in a buffer, in order, and clears it. Elements erased in
+    /// the meantime are passed over.
+    ReleaseHeld { buffer: u16 },
+    /// Writes one pointer of every halfedge in a buffer.
+    StoreAll { field: HalfedgeField, buffer: u16, value: Reg },
+    /// Writes one pointer of every halfedge in a part of a buffer.
+    StoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
+    Erase { kind: ElementKind, element: Reg },
+    /// Lets erased slots be used again: nothing can see them any more.
+    Recycle,
+
+    // Drains: loops over elements in the order of keys that are kept current. All but the
+    // first concern the innermost that runs.
+    /// Begins a drain: of all such elements, or of those in a buffer.
+    DrainOpen { of: Elements, members: Option<u16> },
+    /// What all keys depend on has changed.
+    DrainAllStale,
+    /// The next element whose key is to be computed; jumps if there is none.
+    DrainStale { to: Reg, otherwise: Label },
+    /// Its key, a real. Traps if it is not a number.
+    DrainKey { key: Reg },
+    /// The element with the least key; jumps if there is none.
+    DrainLeast { to: Reg, otherwise: Label },
+    /// That element leaves the queue.
+    DrainTake,
+    DrainClose,
+
+    // Calls.
+    /// Calls a function: arguments in consecutive slots from `args`; its value goes to `to`.
+    /// If `holds`, the caller still needs ids, so that none is given out again meanwhile.
+    Call { function: u16, args: Reg, to: Reg, holds: bool },
+    /// The function is done; its value stands in so many slots from `from`.
+    Give { from: Reg, width: u16 },
+
+    // Operations, progress and output (scripts).
+    /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
+    /// bool; the result, if applied, goes to `result`.
+    Apply { op: u16, args: Reg, applied: Reg, result: Reg },
+    /// The op just called refused, and the script said `must`: traps with its reason.
+    Refused { op: u16 },
+    /// One turn of a loop of the script: `done` of `total`. The watcher may interrupt.
+    Turn { depth: u16, done: Reg, total: Reg },
+    /// One turn of an aggregate over the whole mesh. The watcher may interrupt.
+    Tick,
+    /// Prints a constant text.
+    PrintText { text: u32 },
+    /// Prints the text whose number is in the register.
+    PrintTextOf { from: Reg },
+    PrintBool { from: Reg },
+    PrintInt { from: Reg },
+    PrintReal { from: Reg, digits: RealDigits },
+    PrintVec { from: Reg, digits: RealDigits },
+    /// Prints a vector or matrix with columns of this size.
+    PrintWide { from: Reg, size: u8, columns: u8, digits: RealDigits },
+    PrintElement { kind: ElementKind, from: Reg },
+    PrintEnd,
+    /// Prints why an op refused that was called last.
+    PrintReason { op: u16 },
+    /// Whether the op that was called last refused for this reason.
+    RefusedFor { op: u16, text: u32, to: Reg },
+    /// Keeps the mesh as it is now, to compare it later (tests).
+    MeshKeep { mesh: u16 },
+    /// Whether the mesh is one that is kept, up to renumbering (tests).
+    MeshSame { mesh: u16, to: Reg },
+    /// Traps with a constant text, and with what was printed since the last line ended.
+    FailShowing { text: u32 },
+    /// Traps with a constant text: an assertion, or an aggregate of nothing.
+    Fail { text: u32 },
+}
+
+impl Inst {
+    /// The instruction it may jump to.
+    pub fn target_mut(&mut self) -> Option<&mut Label> {
+        match self {
+            Inst::Jump { to }
+            | Inst::JumpIf { to, .. }
+            | Inst::JumpUnless { to, .. }
+            | Inst::JumpUnequal { to, .. }
+            | Inst::JumpEqual { to, .. } => Some(to),
+            Inst::JumpUnlessLiving { to, .. } => Some(to),
+            Inst::NextLiving { otherwise, .. }
+            | Inst::BufferNext { otherwise, .. }
+            | Inst::NextIndex { otherwise, .. }
+            | Inst::ExpectAllDistinct { otherwise, .. }
+            | Inst::ExpectRoomFor { otherwise, .. }
+            | Inst::DrainStale { otherwise, .. }
+            | Inst::DrainLeast { otherwise, .. } => Some(otherwise),
+            Inst::ExpectEqual { otherwise, .. }
+            | Inst::ExpectDistinct { otherwise, .. }
+            | Inst::Expect { otherwise, .. }
+            | Inst::ExpectFinite { otherwise, .. }
+            | Inst::ExpectRoom { otherwise, .. } => Some(otherwise),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! What instructions speak of: pointers, walks, sorts of elements, functions.
+
+use crate::mesh::ElementKind;
+
+/// A pointer of a halfedge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum HalfedgeField {
+    Next,
+    Prev,
+    Twin,
+    Vertex,
+    Edge,
+    Face,
+}
+
+/// The `halfedge` pointer of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum ElementField {
+    Vertex,
+    Edge,
+    Face,
+}
+
+/// The part of a buffer that belongs to an index: another buffer tells where the parts end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Span {
+    /// What is in all parts.
+    pub buffer: u16,
+    /// For each index the end of its part.
+    pub ends: u16,
+    /// What is added to the index, around the cycle.
+    pub shift: i16,
+}
+
+/// So many new elements of each kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub struct Room {
+    pub vertices: u16,
+    pub halfedges: u16,
+    pub edges: u16,
+    pub faces: u16,
+}
+
+/// How a run of halfedges is walked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Walk {
+    /// Along a loop: `h.next`.
+    Loop,
+    /// Around a vertex, counterclockwise: `h.prev.twin`.
+    Star,
+}
+
+/// The elements a loop over the whole mesh visits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Elements {
+    Vertices,
+    Halfedges,
+    Edges,
+    /// Faces that are not holes.
+    Faces,
+    Holes,
+}
+
+impl Elements {
+    /// Their kind.
+    pub fn kind(self) -> ElementKind {
+        match self {
+            Elements::Vertices => ElementKind::Vertex,
+            Elements::Halfedges => ElementKind::Halfedge,
+            Elements::Edges => ElementKind::Edge,
+            Elements::Faces | Elements::Holes => ElementKind::Face,
+        }
+    }
+}
+
+/// What can be asked of the result before it is written: the conditions of the levels,
+/// for one orbit each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Foreseen {
+    /// A face has three sides or more; a hole may have fewer.
+    ThreeSides,
+    /// A loop meets no vertex twice.
+    MeetsOnce,
+    /// A loop has no more than one corner at a vertex.
+    CornerOnce,
+    /// A vertex has two spokes or more, or none at all.
+    TwoSpokes,
+    /// At most one corner of a vertex lies in a hole.
+    OneHole,
+    /// No loop lies around a vertex twice.
+    FacesDiffer,
+    /// No two edges join a vertex to the same neighbor.
+    NeighborsDiffer,
+    /// No other edge has the ends of that of a halfedge.
+    SingleEdge,
+    /// No two faces around a vertex have the same set of corners.
+    CornersDiffer,
+    /// No other face around a vertex of a face has the same set of corners.
+    CornersOwn,
+}
+
+/// A function of reals: `f64 -> f64`, or with two or three operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Math {
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Exp,
+    Log,
+    Floor,
+    Ceil,
+    Abs,
+    Negate,
+}

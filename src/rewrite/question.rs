@@ -1,0 +1,68 @@
+//! What can be asked of an element that takes a walk or a measurement to answer.
+//!
+//! Each asks the mesh, which says how it is meant; here is only which elements are read and
+//! where the answer goes.
+
+use glam::DVec3;
+
+use super::access;
+use super::window::Window;
+use super::{Message, Reg};
+use crate::mesh::Mesh;
+
+/// A question to the mesh about one element; [`Question::Adjacent`] is about two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Question {
+    // Of a vertex.
+    Degree,
+    BoundaryVertex,
+    NormalVertex,
+    Adjacent,
+    // Of an edge.
+    BoundaryEdge,
+    LengthEdge,
+    LinkCondition,
+    StarShaped,
+    KernelCentroid,
+    // Of a face.
+    FaceSize,
+    Area,
+    NormalFace,
+    CentroidFace,
+}
+
+/// Answers a question about the first element, or about both.
+pub(super) fn ask(
+    mesh: &Mesh,
+    question: Question,
+    w: &mut Window,
+    [to, first, second]: [Reg; 3],
+) -> Result<(), Message> {
+    let id = w.id(first);
+    let vertex = || access::vertex(mesh, id);
+    let edge = || access::edge(mesh, id);
+    let face = || access::face(mesh, id);
+    match question {
+        Question::Degree => w.set_int(to, mesh.degree(vertex()?) as i64),
+        Question::BoundaryVertex => w.set_truth(to, mesh.is_boundary_vertex(vertex()?)),
+        Question::NormalVertex => w.set_vector(to, mesh.vertex_normal(vertex()?)),
+        Question::Adjacent => {
+            let other = access::vertex(mesh, w.id(second))?;
+            w.set_truth(to, mesh.adjacent(vertex()?, other));
+        }
+        Question::BoundaryEdge => w.set_truth(to, mesh.is_boundary_edge(edge()?)),
+        Question::LengthEdge => w.set_real(to, mesh.length(edge()?)),
+        Question::LinkCondition => w.set_truth(to, mesh.link_condition(edge()?)),
+        Question::StarShaped => w.set_truth(to, mesh.kernel_centroid(edge()?).is_some()),
+        Question::KernelCentroid => {
+            let centroid = mesh.kernel_centroid(edge()?);
+            w.set_vector(to, centroid.unwrap_or(DVec3::NAN));
+        }
+        Question::FaceSize => w.set_int(to, mesh.face_size(face()?) as i64),
+        Question::Area => w.set_real(to, mesh.area(face()?)),
+        Question::NormalFace => w.set_vector(to, mesh.normal(face()?)),
+        Question::CentroidFace => w.set_vector(to, mesh.centroid(face()?)),
+    }
+    Ok(())
+}

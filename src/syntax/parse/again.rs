@@ -1,0 +1,44 @@
+//! Reading a text that has changed a little: items that are as they were are not read again.
+
+use super::file::{Parsed, parse_with};
+use crate::source::{FileId, Span};
+use crate::syntax::place::moved;
+use crate::syntax::tree::Item;
+use std::collections::HashMap;
+
+/// Reads the next text of a file of which `earlier` is what the text `was` said. Gives what
+/// [`parse`](super::parse) gives.
+pub fn parse_again(file: FileId, text: &str, was: &str, earlier: &Parsed) -> Parsed {
+    parse_with(file, text, &Known::of(was, earlier))
+}
+
+/// Items that have been read, by their texts; those only in which nothing was wrong, since
+/// what is told of a mistake can depend on what stands around it.
+#[derive(Debug, Default)]
+pub(super) struct Known<'t>(HashMap<&'t str, (u32, &'t Item)>);
+
+impl<'t> Known<'t> {
+    fn of(text: &'t str, read: &'t Parsed) -> Self {
+        let labels = read.diagnostics.iter().flat_map(|told| &told.labels);
+        let mut wrong: Vec<u32> = labels
+            .flat_map(|label| [label.span.start, label.span.end])
+            .collect();
+        wrong.sort_unstable();
+        let is_right = |span: Span| {
+            let first = wrong.partition_point(|&place| place < span.start);
+            wrong.get(first).is_none_or(|&place| place > span.end)
+        };
+        let items = read.tree.items.iter().map(|item| (item.span(), item));
+        let right = items.filter(|(span, _)| is_right(*span));
+        let named =
+            right.filter_map(|(span, item)| Some((text.get(span.range())?, (span.start, item))));
+        Self(named.collect())
+    }
+
+    /// The item that the text of a span is, if it has been read.
+    pub(super) fn item(&self, text: &str, span: Span) -> Option<Item> {
+        let (was, item) = self.0.get(text.get(span.range())?)?;
+        let by = i64::from(span.start) - i64::from(*was);
+        Some(moved(item, i32::try_from(by).ok()?))
+    }
+}

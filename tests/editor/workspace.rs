@@ -1,0 +1,195 @@
+//! Names over the files of a workspace, open or not.
+
+use std::collections::BTreeMap;
+
+use hedgerow::analysis::Reader;
+use serde_json::{Value, json};
+
+use crate::client::{Client, URI, document};
+
+/// A disk with these files.
+struct Shelf(BTreeMap<String, String>);
+
+impl Reader for Shelf {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        let file = self.0.get(name).cloned();
+        file.ok_or_else(|| "there is no such file".to_owned())
+    }
+
+    fn beside(&mut self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn under(&mut self, folder: &str) -> Vec<String> {
+        let names = self.0.keys();
+        let inside = names.filter(|name| name.starts_with(&format!("{folder}/")));
+        inside.cloned().collect()
+    }
+}
+
+const OPS: &str = "file:///work/lib/ops.hedge";
+const APP: &str = "file:///work/app/app.hedge";
+
+/// An editor in the folder `/work`, in which three files lie and none is open.
+fn editor(folders: Value) -> Client {
+    let files = [
+        (
+            "/work/lib/ops.hedge",
+            "op flip(e: edge) { }\nop turn(e: edge) { }\n",
+        ),
+        (
+            "/work/app/app.hedge",
+            "use \"../lib/ops.hedge\"\nscript s() { for e in edges { flip(e) } }\n",
+        ),
+        ("/work/app/other.hedge", "op flip(e: edge) { }\n"),
+        ("/else/far.hedge", "op far(e: edge) { }\n"),
+    ];
+    let files = files.map(|(name, text)| (name.to_owned(), text.to_owned()));
+    Client::over(
+        Box::new(Shelf(files.into())),
+        json!({ "workspaceFolders": folders, "capabilities": {
+            "general": { "positionEncodings": ["utf-8"] },
+            "workspace": { "workspaceEdit": { "documentChanges": true } },
+        } }),
+    )
+}
+
+fn work() -> Value {
+    json!([{ "uri": "file:///work", "name": "work" }])
+}
+
+/// The places of an answer, as file and line.
+fn places(answer: &Value) -> Vec<String> {
+    let place = |found: &Value| {
+        let place = if found["location"].is_object() {
+            &found["location"]
+        } else {
+            found
+        };
+        let file = place["uri"].as_str().unwrap().rsplit('/').next().unwrap();
+        format!("{file}:{}", place["range"]["start"]["line"])
+    };
+    answer.as_array().unwrap().iter().map(place).collect()
+}
+
+#[test]
+fn names_reach_over_files() {
+    let mut client = Client::able("utf-8");
+    let library = "file:///work/ops.hedge";
+    client.open_as(
+        library,
+        "op flip(e: edge) { }\nscript s() { for e in edges { flip(e) } }\n",
+    );
+    client.open("use \"ops.hedge\"\nuse \"std/triangle.hedge\"\nscript t() { for e in edges { flip(e) } }\n");
+    let at = |line: u32, character: u32| json!({ "line": line, "character": character });
+    let here = json!({ "textDocument": document(), "position": at(2, 32) });
+    let found = client
+        .request("textDocument/definition", here.clone())
+        .unwrap();
+    assert_eq!(found["uri"], library);
+    assert_eq!(found["range"]["start"], at(0, 3));
+    let mut params = here.clone();
+    params["context"] = json!({ "includeDeclaration": true });
+    let found = client
+        .request("textDocument/references", params.clone())
+        .unwrap();
+    assert_eq!(found.as_array().unwrap().len(), 3);
+    params["context"] = json!({ "includeDeclaration": false });
+    let found = client.request("textDocument/references", params).unwrap();
+    assert_eq!(found.as_array().unwrap().len(), 2);
+    let mut params = here;
+    params["newName"] = "turn".into();
+    let edit = client.request("textDocument/rename", params).unwrap();
+    let changes = edit["documentChanges"].as_array().unwrap();
+    let count = |uri: &str| {
+        let of = changes
+            .iter()
+            .find(|change| change["textDocument"]["uri"] == uri);
+        of.map(|change| change["edits"].as_array().unwrap().len())
+    };
+    assert_eq!((count(library), count(URI)), (Some(2), Some(1)));
+    // What a file says is heard by those who use it.
+    let before = client.published().unwrap()["diagnostics"].clone();
+    let change = json!({ "textDocument": { "uri": library, "version": 2 },
+        "contentChanges": [{ "text": "op turn(e: edge) { }\n" }] });
+    client.notify("textDocument/didChange", change);
+    let after = &client.published().unwrap()["diagnostics"];
+    assert_ne!(&before, after);
+    let links = json!({ "textDocument": document() });
+    let links = client.request("textDocument/documentLink", links).unwrap();
+    assert_eq!(links[0]["target"], library);
+    let std = links[1]["target"].as_str().unwrap();
+    assert!(std.ends_with("/std/triangle.hedge"), "{std}");
+}
+
+#[test]
+fn references_are_found_in_files_that_are_not_open() {
+    let mut client = editor(work());
+    client.open_as(OPS, "op flip(e: edge) { }\nop turn(e: edge) { }\n");
+    let params = json!({ "textDocument": { "uri": OPS }, "position": { "line": 0, "character": 4 },
+        "context": { "includeDeclaration": true } });
+    let found = client.request("textDocument/references", params).unwrap();
+    // `other.hedge` has a flip of its own.
+    assert_eq!(places(&found), ["ops.hedge:0", "app.hedge:1"]);
+}
+
+#[test]
+fn a_rename_reaches_files_that_are_not_open() {
+    // From the file that calls; the one that declares is not open, nor in a folder.
+    for folders in [work(), json!(null)] {
+        let mut client = editor(folders);
+        client.open_as(
+            APP,
+            "use \"../lib/ops.hedge\"\nscript s() { for e in edges { flip(e) } }\n",
+        );
+        let rename = |to: &str| {
+            json!({ "textDocument": { "uri": APP }, "position": { "line": 1, "character": 31 },
+                "newName": to })
+        };
+        let edit = client
+            .request("textDocument/rename", rename("spin"))
+            .unwrap();
+        let changes = edit["documentChanges"].as_array().unwrap();
+        let told: Vec<_> = changes
+            .iter()
+            .map(|change| {
+                let document = &change["textDocument"];
+                let count = change["edits"].as_array().unwrap().len();
+                (document["uri"].clone(), document["version"].clone(), count)
+            })
+            .collect();
+        // One that is not open has no version.
+        let expected = [(json!(APP), json!(1), 1), (json!(OPS), json!(null), 1)];
+        assert_eq!(told, expected);
+        let (_, why) = client
+            .request("textDocument/rename", rename("turn"))
+            .unwrap_err();
+        assert_eq!(
+            why,
+            "there is already an op `turn` in `/work/lib/ops.hedge`"
+        );
+    }
+}
+
+#[test]
+fn symbols_are_those_of_the_workspace() {
+    let mut client = editor(work());
+    let symbols = |client: &mut Client, query: &str| {
+        let found = client.request("workspace/symbol", json!({ "query": query }));
+        places(&found.unwrap())
+    };
+    assert_eq!(
+        symbols(&mut client, "flip"),
+        ["other.hedge:0", "ops.hedge:0"]
+    );
+    assert_eq!(symbols(&mut client, "far"), [""; 0]);
+    let far = json!([{ "uri": "file:///else", "name": "else" }]);
+    let change = json!({ "event": { "added": far, "removed": work() } });
+    client.notify("workspace/didChangeWorkspaceFolders", change);
+    assert_eq!(symbols(&mut client, "flip"), [""; 0]);
+    assert_eq!(symbols(&mut client, "far"), ["far.hedge:0"]);
+    // What is open counts as the editor has it.
+    client.open_as("file:///else/far.hedge", "\nop nearer(e: edge) { }\n");
+    assert_eq!(symbols(&mut client, "far"), [""; 0]);
+    assert_eq!(symbols(&mut client, "near"), ["far.hedge:1"]);
+}
