@@ -18,9 +18,10 @@ use chumsky::prelude::*;
 pub(super) fn expression<'t>(block: Rule<'t, Block>) -> Rule<'t, Expr> {
     recursive(|expression| {
         let expression = expression.boxed();
-        operators(field(atom(expression.clone(), block)))
-            .labelled(Phrase::Value)
-            .boxed()
+        // Entering a recursive rule makes room on the stack. From one value to the next inside
+        // of it is too far for a single time, so an atom is such a rule as well.
+        let atom = recursive(|_| atom(expression.clone(), block)).boxed();
+        operators(field(atom)).labelled(Phrase::Value).boxed()
     })
     .boxed()
 }
