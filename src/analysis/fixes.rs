@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use super::action::{Action, Purpose, append, statement_span};
+use super::demand::lacking;
 use super::element::{Fate, element_of};
 use super::names::{SymbolId, SymbolKind};
 use super::side::subject;
@@ -49,6 +50,9 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
 type Proposal = (String, Vec<Edit>);
 
 fn proposals(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
+    if told.code == "property-not-kept" {
+        return lacking(snapshot, told);
+    }
     let Some((item, at, op)) = snapshot.rule_at(told.span().start as usize) else {
         return Vec::new();
     };

@@ -3,6 +3,7 @@
 
 use super::action::{Action, Purpose, append, indentation, statement_span};
 use super::hover::op_named;
+use super::invert::inverse;
 use super::place::{op_near, rule_near};
 use super::side::subject;
 use super::snapshot::Snapshot;
@@ -50,7 +51,8 @@ fn is_empty(side: Option<&Side>) -> bool {
     side.is_none_or(|side| side.statements.is_empty())
 }
 
-fn slice<'s>(snapshot: &'s Snapshot, statement: &Statement) -> &'s str {
+/// A statement as it is written.
+pub(super) fn slice<'s>(snapshot: &'s Snapshot, statement: &Statement) -> &'s str {
     snapshot.sources().slice(statement_span(statement))
 }
 
@@ -170,75 +172,4 @@ fn split_out(snapshot: &Snapshot, op: &Op, at: usize, name: &str) -> Option<Vec<
             text: format!("\n\n{}{body}", head),
         },
     ])
-}
-
-/// The op backwards: `before` and `after` exchanged, what was new erased, and the other way
-/// around. Attributes of what is new again are for a person to set.
-fn inverse(snapshot: &Snapshot, op: &Op, name: &str) -> Option<Vec<Edit>> {
-    if op.rules.is_empty() || op_named(snapshot, name).is_some() {
-        return None;
-    }
-    let params = op
-        .params
-        .iter()
-        .map(|param| snapshot.sources().slice(param.span));
-    let params = params.collect::<Vec<_>>().join(", ");
-    let mut text = format!("\n\nop {name}({params}) {{");
-    for rule in &op.rules {
-        let indentation = match &rule.name {
-            Some(label) => {
-                text.push_str(&format!("\n  rule {} {{", label.text));
-                "    "
-            }
-            None => "  ",
-        };
-        text.push_str(&backwards(snapshot, rule, indentation)?);
-        if rule.name.is_some() {
-            text.push_str("\n  }");
-        }
-    }
-    text.push_str("\n}");
-    let span = op.span.after();
-    Some(vec![Edit { span, text }])
-}
-
-fn backwards(snapshot: &Snapshot, rule: &Rule, indentation: &str) -> Option<String> {
-    let (before, after) = (rule.before.as_ref()?, rule.after.as_ref()?);
-    let mut kept = Vec::new();
-    let (mut made, mut erased) = (Vec::new(), Vec::new());
-    let mut first = Vec::new();
-    for statement in &after.statements {
-        match statement {
-            Statement::New(names, _) => made.extend(names),
-            Statement::Erase(names, _) => erased.extend(names),
-            Statement::Keep(names, _) => kept.extend(names.iter().map(|name| &name.ident.text)),
-            Statement::Assign { .. } => {}
-            Statement::Broken(_) => return None,
-            drawn => first.push(slice(snapshot, drawn)),
-        }
-    }
-    let is_kept = |statement: &&Statement| {
-        subject(statement).is_some_and(|name| kept.contains(&&name.ident.text))
-    };
-    let stays = before.statements.iter().filter(is_kept);
-    first.extend(stays.map(|statement| slice(snapshot, statement)));
-    let list = |word: &str, names: &[&Name]| {
-        let names = names.iter().map(|name| snapshot.sources().slice(name.span));
-        let names = names.collect::<Vec<_>>().join(" ");
-        (!names.is_empty()).then(|| format!("{word} {names}"))
-    };
-    let drawn = before.statements.iter().filter(|s| subject(s).is_some());
-    let mut second: Vec<String> = list("new", &erased).into_iter().collect();
-    second.extend(drawn.map(|statement| slice(snapshot, statement).to_owned()));
-    second.extend(list("erase", &made));
-    let mut text = format!("\n{indentation}before {{");
-    for statement in first {
-        text.push_str(&format!("\n{indentation}  {statement}"));
-    }
-    text.push_str(&format!("\n{indentation}}}\n{indentation}after {{"));
-    for statement in second {
-        text.push_str(&format!("\n{indentation}  {statement}"));
-    }
-    text.push_str(&format!("\n{indentation}}}"));
-    Some(text)
 }

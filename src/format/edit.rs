@@ -1,6 +1,6 @@
 //! The white space that formatting exchanges, gap by gap, as editors want it.
 
-use super::safe::{Refusal, checked, places};
+use super::safe::{Refusal, kept, places};
 use crate::source::{FileId, LineTable, Span};
 use crate::syntax::Parsed;
 use std::ops::Range;
@@ -18,9 +18,11 @@ pub struct Edit {
 ///
 /// # Errors
 ///
-/// As [`format`](super::format).
+/// If the result would differ from the text in anything but white space: a mistake of this
+/// program. (Whether it would be formatted differently once more is not looked at here, where
+/// somebody waits; [`format`](super::format) looks.)
 pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, Refusal> {
-    let (formatted, again) = checked(file, source, parsed)?;
+    let (formatted, again) = kept(file, source, parsed)?;
     let (old, new) = (gaps(source, parsed), gaps(&formatted, &again));
     let pairs = old.into_iter().zip(new);
     let edits = pairs.filter_map(|(old, new)| {
@@ -37,7 +39,7 @@ pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, R
 ///
 /// # Errors
 ///
-/// As [`format`](super::format).
+/// As [`edits`].
 pub fn edits_of_lines(
     file: FileId,
     source: &str,

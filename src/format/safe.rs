@@ -43,15 +43,21 @@ impl std::error::Error for Refusal {}
 /// differently once more. Both are mistakes of this program; the text should be left as it is.
 pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     let parsed = parse(file, source);
-    let (text, _) = checked(file, source, &parsed)?;
+    let (text, again) = kept(file, source, &parsed)?;
+    let twice = formatted(&text, &again);
+    if twice != text {
+        let same = text.bytes().zip(twice.bytes());
+        let place = same.take_while(|(one, other)| one == other).count();
+        return Err(Refusal::NotStable(place));
+    }
     Ok(Formatted {
         text,
         diagnostics: parsed.diagnostics,
     })
 }
 
-/// The new text, and what it says.
-pub(super) fn checked(
+/// The new text, which has all words of the old one, and what it says.
+pub(super) fn kept(
     file: FileId,
     source: &str,
     parsed: &Parsed,
@@ -60,14 +66,6 @@ pub(super) fn checked(
     let again = parse_again(file, &text, source, parsed);
     if let Some(place) = first_difference(source, parsed, &text, &again) {
         return Err(Refusal::WouldChange(place));
-    }
-    if text != source {
-        let twice = formatted(&text, &again);
-        if twice != text {
-            let same = text.bytes().zip(twice.bytes());
-            let place = same.take_while(|(one, other)| one == other).count();
-            return Err(Refusal::NotStable(place));
-        }
     }
     Ok((text, again))
 }

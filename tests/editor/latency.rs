@@ -107,7 +107,10 @@ fn latency() {
             text.remove(at);
             let end = position(&text, at + 1);
             let range = json!({ "start": start, "end": end });
+            let started = Instant::now();
             client.notify("textDocument/didChange", change(round * 2 + 3, &range, ""));
+            let published = "(diagnostics published)";
+            times.entry(published).or_default().push(started.elapsed());
             assert_eq!(client.server.text(URI), Some(text.as_str()));
         } else {
             client.settle(None);
@@ -125,7 +128,7 @@ fn report(what: &str, times: &mut [Duration]) {
     times.sort();
     let part = |hundredths: usize| times[(times.len() * hundredths / 100).min(times.len() - 1)];
     println!(
-        "{what:20} p50 {:8.2?}  p99 {:8.2?}  most {:8.2?}",
+        "{what:23} p50 {:8.2?}  p99 {:8.2?}  most {:8.2?}",
         part(50),
         part(99),
         times[times.len() - 1]
