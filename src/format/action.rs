@@ -116,7 +116,8 @@ impl Printer<'_> {
                 }
                 doc.nest(HANG).group()
             }
-            ActionKind::Assert { condition, reason } => {
+            ActionKind::Assert { condition, reason }
+            | ActionKind::Require { condition, reason } => {
                 self.demanded(condition, reason.is_some(), width)
             }
             ActionKind::Return(Some(value)) => {
