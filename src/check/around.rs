@@ -58,12 +58,33 @@ impl Reach<'_> {
         }
     }
 
-    /// How many halfedges of an orbit with `each` are tried as the beginning of a family:
-    /// those of one period.
+    /// How many halfedges of a face or vertex are tried as the one to begin with, if not all:
+    /// with `each` those of one period, and as many as are drawn where all are.
     pub fn tries(&self, element: NameId) -> Option<u16> {
         let mut orbits = self.orbits().into_iter();
-        let around = orbits.find(|around| around.orbit == element)?;
-        u16::try_from(around.period).ok()
+        let around = orbits.find(|around| around.orbit == element);
+        let tries = match around {
+            Some(around) => around.period,
+            None => self.whole_orbit(element)?,
+        };
+        u16::try_from(tries).ok()
+    }
+
+    /// How many halfedges a loop or a star has that is drawn without runs.
+    fn whole_orbit(&self, element: NameId) -> Option<usize> {
+        let before = &self.drawing.before;
+        if let Some(orbit) = before.loop_of_face(element) {
+            let kinds = orbit.items.iter().map(|item| item.item.name);
+            let mut kinds = kinds.map(|name| self.drawing.rule.kind(name));
+            return kinds
+                .all(|kind| kind == Kind::Halfedge)
+                .then_some(orbit.items.len());
+        }
+        let spokes = &before.star(element)?.spokes;
+        let mut runs = spokes
+            .iter()
+            .filter(|spoke| !matches!(spoke, Spoke::Halfedge(_)));
+        runs.next().is_none().then_some(spokes.len())
     }
 
     fn orbits(&self) -> Vec<Around> {
