@@ -216,7 +216,7 @@ module.exports = grammar({
       "by", field("by", $._value),
       optional(seq("while", field("condition", $._value))), field("body", $.block),
     ),
-    print: ($) => seq("print", list($._value)),
+    print: ($) => seq("print", list(choice($._value, $.text_with_values))),
     assert: ($) => seq(
       "assert", field("condition", $._value), optional(seq("else", field("reason", $.text))),
     ),
@@ -248,7 +248,9 @@ module.exports = grammar({
 
     must: ($) => prec.right(seq("must", choice($.name, $.call))),
     call: ($) => prec(9, seq(
-      field("function", $.identifier), "(",
+      field("function", choice($.identifier, alias("hole", $.identifier))),
+      // On the line of the name; the next statement may begin with one, too.
+      alias(token.immediate(prec(1, /[ \t\r\f\uFEFF]*\(/)), "("),
       optional(choice(
         seq(list($._value), optional(",")),
         seq($._value, "for", $._source),
@@ -264,7 +266,10 @@ module.exports = grammar({
     // of a subscript. Nothing matches the end of it.
     _no_value: ($) => choice(
       seq($._grown_number, $._never),
-      prec(9, seq($.identifier, $._subscript, "(", $._never)),
+      prec(9, seq(
+        $.identifier, $._subscript,
+        alias(token.immediate(prec(1, /[ \t\r\f\uFEFF]*\(/)), "("), $._never,
+      )),
     ),
     _never: (_) => "\u{10FFFF}\u{10FFFE}",
 
@@ -286,7 +291,15 @@ module.exports = grammar({
       /[0-9]+(\.[0-9]+)?\p{XID_Start}\p{XID_Continue}*/,
       /[0-9]+(\.[0-9]+)?_\p{XID_Continue}*/,
     )),
-    text: (_) => /"([^"\\\r\n]|\\[nt"\\])*"/,
+    text: (_) => /"([^"\\\r\n{]|\\[nt"\\{}])*"/,
+    text_with_values: ($) => seq(
+      $._text_head, $._value, repeat(seq($._text_middle, $._value)), $._text_tail,
+    ),
+    _text_head: (_) => /"([^"\\\r\n{]|\\[nt"\\{}])*\{/,
+    _text_middle: (_) =>
+      /(:[ \t]*(full|\.[0-9]|\.1[0-7])[ \t]*)?\}([^"\\\r\n{]|\\[nt"\\{}])*\{/,
+    _text_tail: (_) =>
+      /(:[ \t]*(full|\.[0-9]|\.1[0-7])[ \t]*)?\}([^"\\\r\n{]|\\[nt"\\{}])*"/,
 
     // Exactly one of the three matches a whole line.
     comment: (_) => token(choice(/\/\/([^\/!\n][^\n]*)?/, /\/\/\/\/[^\n]*/)),

@@ -99,7 +99,8 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> Place {
     let Some(last) = tokens.last() else {
         return Place::Top;
     };
-    if matches!(last.kind, T::Text | T::OpenText) && last.span.end as usize >= offset {
+    let is_text = matches!(last.kind, T::Text | T::TextTail | T::OpenText);
+    if is_text && last.span.end as usize >= offset {
         let is_use = tokens.iter().rev().nth(1).map(|token| token.kind) == Some(T::Use);
         let is_inside = (last.span.end as usize) > offset || last.kind == T::OpenText;
         return match (is_use, is_inside) {

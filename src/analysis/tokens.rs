@@ -102,7 +102,11 @@ pub fn tokens(snapshot: &Snapshot) -> Vec<Coloured> {
                 )),
                 TokenKind::Word => plain(Class::Variable),
                 TokenKind::Int | TokenKind::Real | TokenKind::BadNumber => plain(Class::Number),
-                TokenKind::Text | TokenKind::OpenText => plain(Class::Text),
+                TokenKind::Text
+                | TokenKind::TextHead
+                | TokenKind::TextMiddle
+                | TokenKind::TextTail
+                | TokenKind::OpenText => plain(Class::Text),
                 TokenKind::Arrow | TokenKind::FatArrow | TokenKind::Bar | TokenKind::Star => {
                     plain(Class::Operator)
                 }

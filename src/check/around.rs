@@ -72,19 +72,21 @@ impl Reach<'_> {
 
     /// How many halfedges a loop or a star has that is drawn without runs.
     fn whole_orbit(&self, element: NameId) -> Option<usize> {
-        let before = &self.drawing.before;
-        if let Some(orbit) = before.loop_of_face(element) {
-            let kinds = orbit.items.iter().map(|item| item.item.name);
-            let mut kinds = kinds.map(|name| self.drawing.rule.kind(name));
-            return kinds
-                .all(|kind| kind == Kind::Halfedge)
-                .then_some(orbit.items.len());
+        let (rule, before) = (self.drawing.rule, &self.drawing.before);
+        match rule.kind(element) {
+            Kind::Face => {
+                let items = &before.loop_of_face(element)?.items;
+                let mut kinds = items.iter().map(|item| rule.kind(item.item.name));
+                let whole = kinds.all(|kind| kind == Kind::Halfedge);
+                whole.then_some(items.len())
+            }
+            Kind::Vertex => {
+                let spokes = &before.star(element)?.spokes;
+                let is_one = |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(_));
+                spokes.iter().all(is_one).then_some(spokes.len())
+            }
+            _ => None,
         }
-        let spokes = &before.star(element)?.spokes;
-        let mut runs = spokes
-            .iter()
-            .filter(|spoke| !matches!(spoke, Spoke::Halfedge(_)));
-        runs.next().is_none().then_some(spokes.len())
     }
 
     fn orbits(&self) -> Vec<Around> {

@@ -19,7 +19,8 @@ Exit codes:
   0  all is well
   1  something is not proved or not formatted, or a script failed
   2  bad usage, or a file that cannot be read or written
-  3  the operation was refused";
+  3  the operation was refused
+  130  interrupted by Ctrl-C, with nothing written";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -82,6 +83,7 @@ pub(super) struct CheckArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Behind FILE::SCRIPT, --help is about the script and its parameters.")]
 pub(super) struct RunArguments {
     /// A program, and the script in it if there are several
     #[arg(value_name = "FILE[::SCRIPT]")]

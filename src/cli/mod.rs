@@ -3,7 +3,7 @@
 //! The only place, with the language server, that touches files and streams.
 //! Results go to standard output, everything said about them to standard error. Exit
 //! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
-//! usage or a file that cannot be read or written; 3 the operation was refused.
+//! usage or a file that cannot be read or written; 3 the operation was refused; 130 interrupted.
 
 mod aliases;
 mod apply;
@@ -16,6 +16,7 @@ mod failure;
 mod files;
 mod fmt;
 mod info;
+mod interrupt;
 mod library;
 mod lsp;
 mod meshes;
@@ -25,6 +26,7 @@ mod plan;
 mod program;
 mod progress;
 mod run;
+mod script;
 mod test;
 mod view;
 mod witness;
@@ -32,20 +34,29 @@ mod witness;
 use std::process::ExitCode;
 
 use clap::Parser;
+use clap::error::ErrorKind;
 
 use arguments::{Arguments, Command};
+use failure::Failure;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
+            let words = std::env::args_os().skip(1);
+            let words = words.map(|word| word.to_string_lossy().into_owned());
+            if error.kind() == ErrorKind::DisplayHelp
+                && let Some(script) = script::asked(words)
+            {
+                return ended(script::help(&script));
+            }
             // Help and version are no failures; a closed pipe is nobody's.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
     };
-    let done = match arguments.command {
+    ended(match arguments.command {
         Command::Check(arguments) => check::check(&arguments),
         Command::Plan(arguments) => plan::plan(&arguments),
         Command::Info(arguments) => info::info(&arguments),
@@ -58,7 +69,11 @@ pub fn main() -> ExitCode {
         Command::Fmt(arguments) => fmt::fmt(&arguments),
         Command::Test(arguments) => test::test(&arguments),
         Command::Std(arguments) => library::std(&arguments),
-    };
+    })
+}
+
+/// The exit code of a command; a failure is told.
+fn ended(done: Result<(), Failure>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

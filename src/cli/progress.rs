@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::interrupt;
 use super::output::{complain, say};
 use crate::rewrite::Watch;
 
@@ -51,14 +52,17 @@ impl Progress {
 
 impl Watch for Progress {
     fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        let Some(total) = total.filter(|&total| total > 0) else {
-            return ControlFlow::Continue(());
-        };
-        let part = (done as f64 / total as f64).min(1.0);
-        if depth == 0 {
+        if depth == 0
+            && let Some(total) = total.filter(|&total| total > 0)
+        {
+            let part = (done as f64 / total as f64).min(1.0);
             self.bar.set_position((part * PARTS as f64) as u64);
         }
-        ControlFlow::Continue(())
+        interrupt::unless_asked()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        interrupt::unless_asked()
     }
 
     fn print(&mut self, line: &str) {

@@ -8,6 +8,7 @@ use super::arguments::{Format, RunArguments};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
+use super::interrupt;
 use super::meshes;
 use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
@@ -46,10 +47,17 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 
     let started = Instant::now();
     let name = program.analysis.program.scripts[script].name.clone();
+    interrupt::listen();
     let mut progress = Progress::new(&name, arguments.format == Format::Json);
     let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);
     progress.finish();
-    let report = report.map_err(|failure| complain(&[failure.diagnostic], 1))?;
+    let report = report.map_err(|failure| {
+        let code = match failure.diagnostic.code {
+            "interrupted" => interrupt::CODE,
+            _ => 1,
+        };
+        complain(&[failure.diagnostic], code)
+    })?;
     let run = started.elapsed().as_secs_f64();
 
     let started = Instant::now();

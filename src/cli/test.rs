@@ -1,5 +1,6 @@
 //! `hedgerow test`
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use serde::Serialize;
@@ -7,6 +8,7 @@ use serde::Serialize;
 use super::arguments::{Format, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
+use super::interrupt;
 use super::meshes;
 use super::output::{complain_of, say, say_json};
 use super::program::{self, Program};
@@ -18,6 +20,7 @@ use crate::source::Span;
 
 /// Runs the tests of files, and says which fail.
 pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
+    interrupt::listen();
     let mut files = Vec::new();
     let mut unreadable = None;
     for path in &arguments.files {
@@ -43,6 +46,7 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
         Format::Human => say(&format!("{passed} passed, {failed} failed")),
     }
     match unreadable {
+        _ if interrupt::is_asked() => Err(Failure::Silent(interrupt::CODE.into())),
         Some(code) => Err(Failure::Silent(code)),
         None if failed > 0 || !sound => Err(Failure::NotProved),
         None => Ok(()),
@@ -63,7 +67,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     for (number, test) in own {
         let name = test.script.name.clone();
         let wanted = |filter: &String| name.contains(filter.as_str());
-        if !arguments.filter.as_ref().is_none_or(wanted) {
+        if interrupt::is_asked() || !arguments.filter.as_ref().is_none_or(wanted) {
             continue;
         }
         let mut printed = Lines::default();
@@ -115,6 +119,14 @@ fn load(program: &Program, path: &str, span: Span) -> Result<Obj, String> {
 struct Lines(Vec<String>);
 
 impl Watch for Lines {
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        interrupt::unless_asked()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        interrupt::unless_asked()
+    }
+
     fn print(&mut self, line: &str) {
         self.0.push(line.to_owned());
     }

@@ -333,6 +333,12 @@ pub enum Builtin {
     Distance,
     /// vec3, vec3 -> real: the angle between two vectors in radians.
     Angle,
+    /// halfedge -> real: the angle of the corner where it starts, in its face
+    AngleCorner,
+    /// halfedge -> real: the cotangent of the angle opposite to it, in its triangle
+    Cotangent,
+    /// edge -> real: by how much the surface turns there; zero on the boundary
+    DihedralAngle,
     AbsInt,
     AbsReal,
     MinInt,
@@ -451,7 +457,7 @@ pub struct Fold {
 }
 
 /// What an aggregate makes of its values. Of nothing: `sum` and `count` are zero; `mean`,
-/// `min` and `max` are a run-time error.
+/// `min`, `max`, `argmin` and `argmax` are a run-time error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum FoldFunction {
@@ -459,6 +465,9 @@ pub enum FoldFunction {
     Sum,
     Min,
     Max,
+    /// The first element with the least, or the greatest, value.
+    ArgMin,
+    ArgMax,
     /// How many of the bodies are true.
     Count,
     /// Whether any, or all, of the bodies are true.

@@ -3,7 +3,9 @@
 use super::NotEmitted;
 use super::names::Names;
 use super::term::{Around, Fold, Function, Parameter, Term};
-use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Type, Unary};
+use crate::diagram::{
+    Access, Binary, Builtin, Collection, Expr, ExprKind, FoldFunction, Type, Unary,
+};
 
 /// Writes expressions.
 pub(super) struct Expressions<'n> {
@@ -69,7 +71,11 @@ impl Expressions<'_> {
             ExprKind::Call(builtin, args) => {
                 let of_vector = args.first().is_some_and(|arg| arg.ty != Type::Real);
                 let unknown = match builtin {
-                    Builtin::StarShaped | Builtin::KernelCentroid => true,
+                    Builtin::StarShaped
+                    | Builtin::KernelCentroid
+                    | Builtin::AngleCorner
+                    | Builtin::Cotangent
+                    | Builtin::DihedralAngle => true,
                     Builtin::IsNan => of_vector,
                     _ => false,
                 };
@@ -82,6 +88,11 @@ impl Expressions<'_> {
             ExprKind::If(condition, then, otherwise) => {
                 let condition = self.term(condition)?;
                 condition.then(self.term(then)?, self.term(otherwise)?)
+            }
+            ExprKind::Fold(fold)
+                if matches!(fold.function, FoldFunction::ArgMin | FoldFunction::ArgMax) =>
+            {
+                return Err(NotEmitted::new("this aggregate", expr.span));
             }
             ExprKind::Fold(fold) => {
                 let (around, element) = around(&fold.collection)

@@ -3,7 +3,7 @@
 use super::printer::{Block, Doc, HANG, INDENT, Lines, Printer, laid_out, line, nil, text};
 use crate::source::Span;
 use crate::syntax::TokenKind as T;
-use crate::syntax::tree::{self, Action, ActionKind, Expr};
+use crate::syntax::tree::{self, Action, ActionKind, Expr, Shown};
 
 impl Printer<'_> {
     /// A block of code; `width` is that of the lines around it.
@@ -106,7 +106,13 @@ impl Printer<'_> {
                     if at > 0 {
                         doc = doc.append(self.token()).append(line());
                     }
-                    doc = doc.append(self.value(value, width));
+                    doc = doc.append(match value {
+                        Shown::Value(value) => self.value(value, width),
+                        // It ends on the line on which it begins.
+                        Shown::Text(_, span) => {
+                            text(self.verbatim(span.start as usize, span.end as usize))
+                        }
+                    });
                 }
                 doc.nest(HANG).group()
             }

@@ -257,7 +257,11 @@ impl Scripting<'_> {
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
         let error = match declared.is_script(word) {
-            true => error.note(format!("`{word}` is a script; a script calls ops only")),
+            true => error
+                .note(format!(
+                    "`{word}` is a script, which is only run from outside"
+                ))
+                .note("put what it does into a `fn`, and call that from both"),
             false => suggest(error, word, function.span, declared.op_names()),
         };
         self.typing.report.add(error);

@@ -198,7 +198,15 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
             f(&[M4], BOOL, Builtin::IsFinite),
         ],
     ),
-    ("angle", &[f(&[X, X], REAL, Builtin::Angle)]),
+    (
+        "angle",
+        &[
+            f(&[X, X], REAL, Builtin::Angle),
+            f(&[H], REAL, Builtin::AngleCorner),
+        ],
+    ),
+    ("cotangent", &[f(&[H], REAL, Builtin::Cotangent)]),
+    ("dihedral_angle", &[f(&[E], REAL, Builtin::DihedralAngle)]),
     (
         "abs",
         &[

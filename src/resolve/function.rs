@@ -78,7 +78,9 @@ impl Typing<'_> {
             return None;
         }
         let values: Vec<Option<Expr>> = args.iter().map(|arg| self.expression(arg)).collect();
-        let count = known[0].wanted.len();
+        let counts = known.iter().map(|way| way.wanted.len());
+        let given = counts.clone().find(|count| *count == args.len());
+        let count = given.or(counts.max()).unwrap_or(0);
         self.right_count(function, count, args.len(), span)?;
         let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
         // The best fit wins, and of several the first.

@@ -55,6 +55,7 @@ mod statement;
 mod steps;
 mod testing;
 
+pub use crate::syntax::tree::Digits;
 pub use file::{Resolved, Unit, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,

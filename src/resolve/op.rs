@@ -30,6 +30,20 @@ pub(super) struct Signature {
     pub(super) result: Returned,
 }
 
+impl Signature {
+    /// The op at this name: drawn, or without a diagram, which its steps will take the place of.
+    pub(super) fn op(&self, name: Span, diagram: Option<diagram::Op>) -> program::Op {
+        program::Op {
+            name: self.name.clone(),
+            span: name,
+            params: self.params.iter().map(Parameter::param).collect(),
+            result: self.result.element(),
+            diagram,
+            steps: None,
+        }
+    }
+}
+
 /// What an op returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Returned {
@@ -39,6 +53,16 @@ pub(super) enum Returned {
     Element(Type),
     /// Something, but it could not be found out what.
     Unknown,
+}
+
+impl Returned {
+    /// The type of the element.
+    fn element(self) -> Option<Type> {
+        match self {
+            Returned::Element(ty) => Some(ty),
+            Returned::Nothing | Returned::Unknown => None,
+        }
+    }
 }
 
 /// Resolves an op.
@@ -86,34 +110,22 @@ pub(super) fn resolve_op(
     for (rule, names) in op.rules.iter().zip(names) {
         rules.extend(resolve_rule(rule, names, &context, report));
     }
-    let result_type = match result {
-        Returned::Element(ty) => Some(ty),
-        Returned::Nothing | Returned::Unknown => None,
-    };
-    let public: Vec<diagram::Param> = params.iter().map(Parameter::param).collect();
     let diagram = (!report.failed()).then(|| diagram::Op {
         name: op.name.text.clone(),
         name_span: op.name.span,
         docs: op.docs.clone(),
-        params: public.clone(),
-        result: result_type,
+        params: params.iter().map(Parameter::param).collect(),
+        result: result.element(),
         keeps,
         rules,
         span: op.span,
     });
-    let resolved = program::Op {
-        name: op.name.text.clone(),
-        span: op.name.span,
-        params: public,
-        result: result_type,
-        diagram,
-        steps: None,
-    };
     let signature = Signature {
         name: op.name.text.clone(),
         params,
         result,
     };
+    let resolved = signature.op(op.name.span, diagram);
     (signature, resolved)
 }
 

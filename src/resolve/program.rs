@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::diagram::{self, Access, Attribute, Collection, Expr, Param, Type};
 use crate::source::Span;
+use crate::syntax::tree::Digits;
 
 /// Everything one file declares, as far as it could be understood.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -258,11 +259,11 @@ pub enum StatementKind {
     },
 }
 
-/// A piece of what `print` prints; the pieces are joined by one space.
+/// A piece of what `print` prints, one behind the other.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Print {
     /// A text.
     Text(String),
     /// A value.
-    Value(Expr),
+    Value(Expr, Digits),
 }

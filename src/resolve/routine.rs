@@ -12,13 +12,11 @@ use super::declared::Declared;
 use super::depth::shallow_block;
 use super::effects::Effects;
 use super::op::Signature;
-use super::parameter::{Owner, Parameter, local, parameters, type_named};
+use super::parameter::{Owner, Parameter, parameters, type_named};
 use super::program::{Body, Function};
 use super::report::Report;
 use super::returns::{Returns, ends};
-use super::scopes::Scopes;
 use super::script::Scripting;
-use super::typing::{Place, Typing};
 
 /// What a call of a function needs to know.
 #[derive(Clone, Debug)]
@@ -110,25 +108,8 @@ pub(super) fn resolve_body(
     if !shallow_block(written, report) {
         return (signature.result, Vec::new(), None);
     }
-    let mut scopes = Scopes::default();
-    scopes.enter();
-    for param in &signature.params {
-        scopes.declare(local(param));
-    }
-    let mut scripting = Scripting {
-        typing: Typing {
-            place: Place::Script,
-            declared,
-            scopes,
-            report,
-            may_change: false,
-        },
-        ops,
-        loops: 0,
-        updating: false,
-        returns: Returns::of_function(signature, cycles),
-        testing: None,
-    };
+    let mut scripting = Scripting::beginning(&signature.params, ops, declared, report);
+    scripting.returns = Returns::of_function(signature, cycles);
     let requires = requires(asked, &signature.name, &mut scripting.typing);
     let block = scripting.body(written);
     let value = scripting.returns.value();

@@ -59,25 +59,7 @@ pub(super) fn resolve_script(
     if !shallow_block(&script.body, report) {
         return None;
     }
-    let mut scopes = Scopes::default();
-    scopes.enter();
-    for param in &params {
-        scopes.declare(local(param));
-    }
-    let mut scripting = Scripting {
-        typing: Typing {
-            place: Place::Script,
-            declared,
-            scopes,
-            report,
-            may_change: false,
-        },
-        ops,
-        loops: 0,
-        updating: false,
-        returns: Returns::nothing(),
-        testing: None,
-    };
+    let mut scripting = Scripting::beginning(&params, ops, declared, report);
     let body = scripting.block(&script.body);
     let scopes = scripting.typing.scopes;
     if report.failed() {
@@ -91,6 +73,36 @@ pub(super) fn resolve_script(
         variables: scopes.into_variables()?,
         body,
     })
+}
+
+impl<'a> Scripting<'a> {
+    /// The beginning of something that runs: its parameters are known, and it gives nothing.
+    pub(super) fn beginning(
+        params: &[Parameter],
+        ops: &'a [Signature],
+        declared: &'a Declared,
+        report: &'a mut Report,
+    ) -> Self {
+        let mut scopes = Scopes::default();
+        scopes.enter();
+        for param in params {
+            scopes.declare(local(param));
+        }
+        Self {
+            typing: Typing {
+                place: Place::Script,
+                declared,
+                scopes,
+                report,
+                may_change: false,
+            },
+            ops,
+            loops: 0,
+            updating: false,
+            returns: Returns::nothing(),
+            testing: None,
+        }
+    }
 }
 
 impl Scripting<'_> {
@@ -138,64 +150,30 @@ impl Scripting<'_> {
         match &action.kind {
             ActionKind::Let { .. } => self.declaration(action),
             ActionKind::Assign { target, value } => self.assignment(target, value, action.span),
-            ActionKind::Repeat { count, body } => {
-                let count = self.typing.expression_as(count, Type::Int, "`repeat`");
-                let body = self.repeated(body);
-                Some(StatementKind::Repeat {
-                    count: count?,
-                    body,
-                })
-            }
-            ActionKind::While { condition, body } => {
-                self.typing.may_change = true;
-                let condition = self.typing.expression_as(condition, Type::Bool, "`while`");
-                let body = self.repeated(body);
-                Some(StatementKind::While {
-                    condition: condition?,
-                    body,
-                })
-            }
+            ActionKind::Repeat { count, body } => self.repeat(count, body),
+            ActionKind::While { condition, body } => self.repeat_while(condition, body),
             ActionKind::For {
                 variable,
                 sequence,
                 filter,
                 body,
-            } => {
-                let visited = self.visit(Visit {
-                    variable,
-                    sequence,
-                    filter: filter.as_ref(),
-                    body,
-                })?;
-                Some(StatementKind::For {
-                    variable: visited.variable,
-                    collection: visited.collection,
-                    filter: visited.filter,
-                    body: visited.body,
-                })
-            }
+            } => self.visit_each(Visit {
+                variable,
+                sequence,
+                filter: filter.as_ref(),
+                body,
+            }),
             ActionKind::Update {
                 variable,
                 sequence,
                 filter,
                 body,
-            } => {
-                self.updating = true;
-                let visited = self.visit(Visit {
-                    variable,
-                    sequence,
-                    filter: filter.as_ref(),
-                    body,
-                });
-                self.updating = false;
-                let visited = visited?;
-                Some(StatementKind::Update {
-                    variable: visited.variable,
-                    collection: visited.collection,
-                    filter: visited.filter,
-                    body: visited.body,
-                })
-            }
+            } => self.update_each(Visit {
+                variable,
+                sequence,
+                filter: filter.as_ref(),
+                body,
+            }),
             ActionKind::Drain {
                 variable,
                 sequence,
@@ -211,14 +189,8 @@ impl Scripting<'_> {
             } => self.choice(binding.as_ref(), condition, then, otherwise.as_ref()),
             ActionKind::Print(values) => self.print(values),
             ActionKind::Assert { condition, reason } => {
-                let condition = self
-                    .typing
-                    .expression_as(condition, Type::Bool, "`assert`")?;
-                let reason = reason.as_ref().map(|(text, _)| text.clone());
-                Some(StatementKind::Assert {
-                    condition,
-                    reason: reason.unwrap_or_else(|| "the assertion does not hold".to_owned()),
-                })
+                let reason = reason.as_ref().map(|(text, _)| text.as_str());
+                self.demand(condition, reason)
             }
             ActionKind::Return(value) => self.exit(value.as_ref(), action.span),
             ActionKind::Break => self.of_a_loop("break", StatementKind::Break, action.span),
@@ -231,6 +203,60 @@ impl Scripting<'_> {
                 None
             }
         }
+    }
+
+    /// `repeat n { … }`
+    fn repeat(&mut self, count: &tree::Expr, body: &tree::Block) -> Option<StatementKind> {
+        let count = self.typing.expression_as(count, Type::Int, "`repeat`");
+        let body = self.repeated(body);
+        let count = count?;
+        Some(StatementKind::Repeat { count, body })
+    }
+
+    /// `while c { … }`
+    fn repeat_while(
+        &mut self,
+        condition: &tree::Expr,
+        body: &tree::Block,
+    ) -> Option<StatementKind> {
+        self.typing.may_change = true;
+        let condition = self.typing.expression_as(condition, Type::Bool, "`while`");
+        let body = self.repeated(body);
+        let condition = condition?;
+        Some(StatementKind::While { condition, body })
+    }
+
+    /// `for x in xs where c { … }`
+    fn visit_each(&mut self, visit: Visit) -> Option<StatementKind> {
+        let visited = self.visit(visit)?;
+        Some(StatementKind::For {
+            variable: visited.variable,
+            collection: visited.collection,
+            filter: visited.filter,
+            body: visited.body,
+        })
+    }
+
+    /// `update x in xs where c { … }`
+    fn update_each(&mut self, visit: Visit) -> Option<StatementKind> {
+        self.updating = true;
+        let visited = self.visit(visit);
+        self.updating = false;
+        let visited = visited?;
+        Some(StatementKind::Update {
+            variable: visited.variable,
+            collection: visited.collection,
+            filter: visited.filter,
+            body: visited.body,
+        })
+    }
+
+    /// `assert c else "…"`
+    fn demand(&mut self, condition: &tree::Expr, reason: Option<&str>) -> Option<StatementKind> {
+        let typing = &mut self.typing;
+        let condition = typing.expression_as(condition, Type::Bool, "`assert`")?;
+        let reason = reason.unwrap_or("the assertion does not hold").to_owned();
+        Some(StatementKind::Assert { condition, reason })
     }
 
     /// The body of a loop.

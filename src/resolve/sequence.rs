@@ -19,11 +19,13 @@ pub(super) const WHOLE_MESH: [(&str, Collection); 5] = [
     ("holes", Collection::Holes),
 ];
 
-const FOLDS: [(&str, FoldFunction); 7] = [
+const FOLDS: [(&str, FoldFunction); 9] = [
     ("mean", FoldFunction::Mean),
     ("sum", FoldFunction::Sum),
     ("min", FoldFunction::Min),
     ("max", FoldFunction::Max),
+    ("argmin", FoldFunction::ArgMin),
+    ("argmax", FoldFunction::ArgMax),
     ("count", FoldFunction::Count),
     ("any", FoldFunction::Any),
     ("all", FoldFunction::All),
@@ -165,6 +167,10 @@ impl Typing<'_> {
         };
         let (fold, value) = (fold?, value?);
         let (ty, value) = self.fold_body(fold, function, body, value)?;
+        let ty = match (fold, &collection) {
+            (FoldFunction::ArgMin | FoldFunction::ArgMax, Some(of)) => of.element(),
+            _ => ty,
+        };
         let fold = Fold {
             function: fold,
             variable: number,
@@ -246,6 +252,21 @@ impl Typing<'_> {
             | (FoldFunction::Min | FoldFunction::Max, Type::Int | Type::Real) => {
                 return Some((value.ty, value));
             }
+            (FoldFunction::ArgMin | FoldFunction::ArgMax, Type::Int | Type::Real) => {
+                return Some((value.ty, to_real(value)));
+            }
+            (FoldFunction::Count, ty) if ty.is_element() => {
+                let message = format!(
+                    "`count` wants a bool for each element, but {} is {}",
+                    subject(written),
+                    a_type(ty)
+                );
+                let error = Diagnostic::error("type-mismatch", message, written.span);
+                let all = "`count(edges)` counts them all, `count(boundary(e) for e in edges)` \
+                           those for which a condition holds";
+                self.report.add(error.note(all));
+                return None;
+            }
             (FoldFunction::Count | FoldFunction::Any | FoldFunction::All, _) => {
                 let ty = match fold {
                     FoldFunction::Count => Type::Int,
@@ -255,7 +276,10 @@ impl Typing<'_> {
                 return Some((ty, value));
             }
             (FoldFunction::Mean | FoldFunction::Sum, _) => "numbers, vectors or matrices",
-            (FoldFunction::Min | FoldFunction::Max, _) => "numbers",
+            (
+                FoldFunction::Min | FoldFunction::Max | FoldFunction::ArgMin | FoldFunction::ArgMax,
+                _,
+            ) => "numbers",
         };
         let message = format!(
             "{whose} wants {wants}, but {} is {}",

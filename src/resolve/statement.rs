@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
-use crate::syntax::tree::{self, Action, ActionKind, Ident};
+use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
 
 use super::declared::duplicate;
 use super::parameter::type_named;
@@ -11,7 +11,8 @@ use super::program::{Print, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::suggestion::suggest;
-use super::words::a_type;
+use super::typing::to_real;
+use super::words::{a_type, subject};
 
 impl Scripting<'_> {
     /// `let x = …`, `var x = …`
@@ -182,20 +183,43 @@ impl Scripting<'_> {
         })
     }
 
-    /// `print a, b`
-    pub(super) fn print(&mut self, values: &[tree::Expr]) -> Option<StatementKind> {
-        let pieces: Vec<Option<Print>> = values
-            .iter()
-            .map(|value| {
-                let value = self.typing.expression(value)?;
-                Some(match value.kind {
-                    ExprKind::Text(text) => Print::Text(text),
-                    _ => Print::Value(value),
-                })
-            })
-            .collect();
+    /// `print a, "b {c:.3}"`
+    pub(super) fn print(&mut self, values: &[Shown]) -> Option<StatementKind> {
+        let mut pieces = Vec::new();
+        for (at, shown) in values.iter().enumerate() {
+            if at > 0 {
+                pieces.push(Some(Print::Text(" ".to_owned())));
+            }
+            match shown {
+                Shown::Value(value) => pieces.push(self.printed(value, Digits::Few)),
+                Shown::Text(inside, _) => pieces.extend(inside.iter().map(|piece| match piece {
+                    Piece::Text(text) => Some(Print::Text(text.clone())),
+                    Piece::Value(value, digits) => self.printed(value, *digits),
+                })),
+            }
+        }
         let pieces = pieces.into_iter().collect::<Option<_>>()?;
         Some(StatementKind::Print(pieces))
+    }
+
+    fn printed(&mut self, written: &tree::Expr, digits: Digits) -> Option<Print> {
+        let value = self.typing.expression(written)?;
+        let of_reals = value.ty == Type::Real || value.ty.is_vector() || value.ty.is_matrix();
+        match value.kind {
+            ExprKind::Text(text) if digits == Digits::Few => Some(Print::Text(text)),
+            _ if of_reals || digits == Digits::Few => Some(Print::Value(value, digits)),
+            _ if value.ty == Type::Int => Some(Print::Value(to_real(value), digits)),
+            _ => {
+                let message = format!(
+                    "digits are of numbers, vectors and matrices, but {} is {}",
+                    subject(written),
+                    a_type(value.ty)
+                );
+                let error = Diagnostic::error("type-mismatch", message, written.span);
+                self.typing.report.add(error);
+                None
+            }
+        }
     }
 
     /// `break`, `continue`
@@ -218,7 +242,6 @@ impl Scripting<'_> {
     /// An expression that stands alone: the call of an op, or a mistake.
     pub(super) fn alone(&mut self, expr: &tree::Expr) -> Option<StatementKind> {
         match &expr.kind {
-            tree::ExprKind::Call { function, args } if function.text == "print" => self.print(args),
             tree::ExprKind::Call { function, args }
                 if self.typing.declared.function(&function.text).is_some() =>
             {

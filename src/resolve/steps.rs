@@ -61,22 +61,12 @@ pub(super) fn steps_signature(
             .note("of its steps each keeps what it keeps; the whole, the level that it guards");
         report.add(error);
     }
-    let resolved = program::Op {
-        name: op.name.text.clone(),
-        span: op.name.span,
-        params: params.iter().map(Parameter::param).collect(),
-        result: match result {
-            Returned::Element(ty) => Some(ty),
-            Returned::Nothing | Returned::Unknown => None,
-        },
-        diagram: None,
-        steps: None,
-    };
     let signature = Signature {
         name: op.name.text.clone(),
         params,
         result,
     };
+    let resolved = signature.op(op.name.span, None);
     (signature, resolved)
 }
 

@@ -18,11 +18,8 @@ use super::depth::shallow_block;
 use super::op::Signature;
 use super::program::{Script, StatementKind, Test, TestMesh};
 use super::report::Report;
-use super::returns::Returns;
-use super::scopes::Scopes;
 use super::script::Scripting;
 use super::suggestion::suggest;
-use super::typing::{Place, Typing};
 use super::words::{arguments, quoted};
 
 /// What makes a mesh: its name, and the least that each of its sizes can be.
@@ -64,22 +61,8 @@ pub(super) fn resolve_test(
     if !shallow_block(&test.body, report) {
         return None;
     }
-    let mut scopes = Scopes::default();
-    scopes.enter();
-    let mut scripting = Scripting {
-        typing: Typing {
-            place: Place::Script,
-            declared,
-            scopes,
-            report,
-            may_change: false,
-        },
-        ops,
-        loops: 0,
-        updating: false,
-        returns: Returns::nothing(),
-        testing: Some(Meshes::default()),
-    };
+    let mut scripting = Scripting::beginning(&[], ops, declared, report);
+    scripting.testing = Some(Meshes::default());
     let mut body = Vec::new();
     let statements = test.body.statements.as_slice();
     let (begin, rest) = match statements.split_first() {

@@ -713,15 +713,20 @@ impl Machine<'_> {
                 },
                 PrintBool { from } => append(&mut self.line, w.truth(from)),
                 PrintInt { from } => append(&mut self.line, w.int(from)),
-                PrintReal { from } => append(&mut self.line, RealText(w.real(from))),
-                PrintVec { from } => append(&mut self.line, VectorText(w.vector(from))),
+                PrintReal { from, digits } => {
+                    append(&mut self.line, RealText(w.real(from), digits));
+                }
+                PrintVec { from, digits } => {
+                    append(&mut self.line, VectorText(w.vector(from), digits));
+                }
                 PrintWide {
                     from,
                     size,
                     columns,
+                    digits,
                 } => append(
                     &mut self.line,
-                    WideText(wide::columns(&w, from, size, columns)),
+                    WideText(wide::columns(&w, from, size, columns), digits),
                 ),
                 PrintElement { kind, from } => {
                     append(&mut self.line, ElementText(kind, w.id(from)));

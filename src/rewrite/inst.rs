@@ -1,5 +1,6 @@
 //! The instructions.
 
+use super::print::RealDigits;
 use super::wide::{Lanes, Matrix};
 use super::{
     ElementField, Elements, Foreseen, HalfedgeField, Label, Math, Question, Reg, Room, Span, Walk,
@@ -241,10 +242,10 @@ pub enum Inst {
     PrintTextOf { from: Reg },
     PrintBool { from: Reg },
     PrintInt { from: Reg },
-    PrintReal { from: Reg },
-    PrintVec { from: Reg },
+    PrintReal { from: Reg, digits: RealDigits },
+    PrintVec { from: Reg, digits: RealDigits },
     /// Prints a vector or matrix with columns of this size.
-    PrintWide { from: Reg, size: u8, columns: u8 },
+    PrintWide { from: Reg, size: u8, columns: u8, digits: RealDigits },
     PrintElement { kind: ElementKind, from: Reg },
     PrintEnd,
     /// Prints why an op refused that was called last.

@@ -45,7 +45,7 @@ pub use inst::Inst;
 pub use machine::{Count, Machine};
 pub use operand::{ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Walk};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
-pub use print::{ElementText, RealText, VectorText, WideText};
+pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};
 pub use trap::{Message, Site, Trap};

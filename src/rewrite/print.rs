@@ -6,41 +6,72 @@ use glam::DVec3;
 
 use crate::mesh::ElementKind;
 
-/// A real in the shortest form that reads back as the same number: `0.1`, `2`, `1e30`.
+/// How many digits of a real are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RealDigits {
+    /// Six significant ones, and never fewer than stand before the point: `0.333333`, `1234568`.
+    Few,
+    /// As many as read back as the same number, and no more: `0.3333333333333333`.
+    All,
+    /// So many behind the point: `0.333`.
+    Behind(u8),
+}
+
+/// A real: `0.1`, `2`, `1e30`.
 #[derive(Clone, Copy, Debug)]
-pub struct RealText(pub f64);
+pub struct RealText(pub f64, pub RealDigits);
 
 impl Display for RealText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = self.0.abs();
-        // Written out, such numbers would be mostly zeros.
-        match size != 0.0 && size.is_finite() && !(1e-5..1e16).contains(&size) {
-            true => write!(f, "{:e}", self.0),
-            false => self.0.fmt(f),
+        let Self(real, digits) = *self;
+        match digits {
+            RealDigits::Behind(count) => write!(f, "{real:.0$}", usize::from(count)),
+            RealDigits::All => write_all(f, real),
+            RealDigits::Few => write_all(f, rounded(real)),
         }
     }
 }
 
+fn write_all(f: &mut fmt::Formatter<'_>, real: f64) -> fmt::Result {
+    let size = real.abs();
+    // Written out, such numbers would be mostly zeros.
+    match size != 0.0 && size.is_finite() && !(1e-5..1e16).contains(&size) {
+        true => write!(f, "{real:e}"),
+        false => real.fmt(f),
+    }
+}
+
+/// The nearest number with six significant digits, or the nearest whole one where that takes
+/// more of them.
+fn rounded(real: f64) -> f64 {
+    if !real.is_finite() || (1e5..1e16).contains(&real.abs()) {
+        return real.round_ties_even();
+    }
+    // Through the decimal text, which is the one way to round decimally.
+    let text = format!("{real:.5e}");
+    text.parse().unwrap_or(real)
+}
+
 /// A vector: `(0, 0.5, 1)`.
 #[derive(Clone, Copy, Debug)]
-pub struct VectorText(pub DVec3);
+pub struct VectorText(pub DVec3, pub RealDigits);
 
 impl Display for VectorText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = self.0.to_array().map(RealText);
+        let [x, y, z] = self.0.to_array().map(|x| RealText(x, self.1));
         write!(f, "({x}, {y}, {z})")
     }
 }
 
 /// A vector or matrix by its columns: `(0, 1)`, `((1, 0), (0, 1))`.
 #[derive(Clone, Debug)]
-pub struct WideText(pub Vec<Vec<f64>>);
+pub struct WideText(pub Vec<Vec<f64>>, pub RealDigits);
 
 impl Display for WideText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let column = |parts: &Vec<f64>| {
-            let parts: Vec<_> = parts.iter().map(|x| RealText(*x).to_string()).collect();
-            format!("({})", parts.join(", "))
+            let parts = parts.iter().map(|x| RealText(*x, self.1).to_string());
+            format!("({})", parts.collect::<Vec<_>>().join(", "))
         };
         match self.0.as_slice() {
             [one] => f.write_str(&column(one)),
@@ -76,6 +107,32 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_few_digits_are_enough_for_a_reader() {
+        let cases = [
+            (2.0, "2"),
+            (0.1 + 0.2, "0.3"),
+            (-1.0 / 3.0, "-0.333333"),
+            (2.0 / 3.0 * 1e-9, "6.66667e-10"),
+            (12345.678, "12345.7"),
+            (123456.78, "123457"),
+            (1234567.8, "1234568"),
+            (99999.96, "100000"),
+            (1e15 + 0.5, "1000000000000000"),
+            (1.23456789e20, "1.23457e20"),
+            (f64::INFINITY, "inf"),
+            (f64::NAN, "NaN"),
+            (-0.0, "-0"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(RealText(value, RealDigits::Few).to_string(), text);
+        }
+        let behind = |value, count| RealText(value, RealDigits::Behind(count)).to_string();
+        assert_eq!(behind(2.0 / 3.0, 3), "0.667");
+        assert_eq!(behind(2.0, 2), "2.00");
+        assert_eq!(behind(0.5, 0), "0");
+    }
+
+    #[test]
     fn reals_are_short_and_read_back() {
         let cases = [
             (2.0, "2"),
@@ -88,10 +145,10 @@ mod tests {
             (f64::NAN, "NaN"),
         ];
         for (value, text) in cases {
-            assert_eq!(RealText(value).to_string(), text);
+            assert_eq!(RealText(value, RealDigits::All).to_string(), text);
         }
         assert_eq!(
-            VectorText(DVec3::new(0.0, 0.5, 1.0)).to_string(),
+            VectorText(DVec3::new(0.0, 0.5, 1.0), RealDigits::Few).to_string(),
             "(0, 0.5, 1)"
         );
         assert_eq!(

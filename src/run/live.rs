@@ -148,7 +148,7 @@ impl Liveness<'_> {
             StatementKind::Print(pieces) => {
                 let values = pieces.iter().filter_map(|piece| match piece {
                     Print::Text(_) => None,
-                    Print::Value(value) => Some(value),
+                    Print::Value(value, _) => Some(value),
                 });
                 self.reading(values, exits.next.clone())
             }
@@ -263,6 +263,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
 mod tests {
     use super::*;
     use crate::diagram::{Access, Type};
+    use crate::resolve::Digits;
     use crate::source::Span;
 
     const SPAN: Span = Span {
@@ -289,7 +290,10 @@ mod tests {
     }
 
     fn read(variable: u32) -> Statement {
-        statement(StatementKind::Print(vec![Print::Value(vertex(variable))]))
+        statement(StatementKind::Print(vec![Print::Value(
+            vertex(variable),
+            Digits::Few,
+        )]))
     }
 
     fn repeat(body: Vec<Statement>) -> Statement {

@@ -4,8 +4,8 @@ use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
-use crate::resolve::{Print, Statement, StatementKind, Variable};
-use crate::rewrite::{Assembler, Inst, Label, Reg};
+use crate::resolve::{Digits, Print, Statement, StatementKind, Variable};
+use crate::rewrite::{Assembler, Inst, Label, RealDigits, Reg};
 use crate::source::Span;
 
 /// Writes the code of a script.
@@ -189,15 +189,8 @@ impl<'p> Lowering<'p> {
         match &statement.kind {
             StatementKind::Set { variable, value } => match &value.kind {
                 ExprKind::Invoke(function, args) => {
-                    let to = self.asm.block(width(value.ty));
-                    let call = FunctionCall {
-                        function: *function,
-                        args,
-                        to,
-                        holds: self.needs_ids(exits, Some(*variable)),
-                    };
-                    self.call(call, value.span);
-                    let from = to;
+                    let holds = self.needs_ids(exits, Some(*variable));
+                    let from = self.given(*function, args, value, holds);
                     let to = self.names.local(*variable);
                     copy(&mut self.asm, value.ty, to, from);
                 }
@@ -295,21 +288,28 @@ impl<'p> Lowering<'p> {
         exits.is_none_or(needed)
     }
 
+    /// What a function gives that is called for `value`; whether it `holds` ids is said in
+    /// [`FunctionCall`].
+    fn given(&mut self, function: u32, args: &[Expr], value: &Expr, holds: bool) -> Reg {
+        let to = self.asm.block(width(value.ty));
+        let call = FunctionCall {
+            function,
+            args,
+            to,
+            holds,
+        };
+        self.call(call, value.span);
+        to
+    }
+
     /// `return`, `return x`
     fn leave(&mut self, value: Option<&Expr>, exits: Option<&Exits>) {
         let given = value.map(|value| match &value.kind {
             ExprKind::Invoke(function, args) => {
-                let to = self.asm.block(width(value.ty));
-                let call = FunctionCall {
-                    function: *function,
-                    args,
-                    to,
-                    // Within a loop over elements its ids are needed, though they are not
-                    // used again: another one may be running further out.
-                    holds: exits.is_none(),
-                };
-                self.call(call, value.span);
-                (to, width(value.ty))
+                // Within a loop over elements its ids are needed, though they are not used
+                // again: another one may be running further out.
+                let from = self.given(*function, args, value, exits.is_none());
+                (from, width(value.ty))
             }
             _ => (self.value(value), width(value.ty)),
         });
@@ -421,21 +421,24 @@ impl<'p> Lowering<'p> {
     }
 
     fn print(&mut self, pieces: &[Print]) {
-        for (at, piece) in pieces.iter().enumerate() {
-            if at > 0 {
-                self.print_text(" ");
-            }
-            match piece {
-                Print::Text(text) => self.print_text(text),
-                Print::Value(value) => {
-                    let mark = self.asm.mark();
-                    let from = self.value(value);
-                    self.asm.emit(print_value(value.ty, from));
-                    self.asm.release(mark);
+        let mark = self.asm.mark();
+        // A function among them may print lines of its own, so all are computed first.
+        let values = pieces.iter().map(|piece| match piece {
+            Print::Text(_) => None,
+            Print::Value(value, _) => Some(self.value(value)),
+        });
+        let values: Vec<_> = values.collect();
+        for (piece, from) in pieces.iter().zip(values) {
+            match (piece, from) {
+                (Print::Text(text), _) => self.print_text(text),
+                (Print::Value(value, digits), Some(from)) => {
+                    self.asm.emit(print_value(value.ty, from, *digits));
                 }
+                (Print::Value(..), None) => {}
             }
         }
         self.asm.emit(Inst::PrintEnd);
+        self.asm.release(mark);
     }
 
     pub(super) fn print_text(&mut self, text: &str) {
@@ -444,22 +447,29 @@ impl<'p> Lowering<'p> {
     }
 }
 
-pub(super) fn print_value(ty: Type, from: Reg) -> Inst {
+pub(super) fn print_value(ty: Type, from: Reg, digits: Digits) -> Inst {
+    let digits = match digits {
+        Digits::Few => RealDigits::Few,
+        Digits::All => RealDigits::All,
+        Digits::Behind(count) => RealDigits::Behind(count),
+    };
     use crate::mesh::ElementKind::{Edge, Face, Halfedge, Vertex};
     match ty {
         Type::Bool => Inst::PrintBool { from },
         Type::Int => Inst::PrintInt { from },
-        Type::Real => Inst::PrintReal { from },
-        Type::Vec3 => Inst::PrintVec { from },
+        Type::Real => Inst::PrintReal { from, digits },
+        Type::Vec3 => Inst::PrintVec { from, digits },
         Type::Vec2 | Type::Vec4 => Inst::PrintWide {
             from,
             size: ty.size(),
             columns: 1,
+            digits,
         },
         Type::Mat3 | Type::Mat4 => Inst::PrintWide {
             from,
             size: ty.size(),
             columns: ty.size(),
+            digits,
         },
         Type::Text => Inst::PrintTextOf { from },
         Type::Vertex => Inst::PrintElement { kind: Vertex, from },

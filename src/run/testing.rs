@@ -8,7 +8,7 @@ use crate::compile::Scope;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
 use crate::mesh::{Mesh, Obj, shape};
-use crate::resolve::{Program, TestMesh};
+use crate::resolve::{Digits, Program, TestMesh};
 use crate::rewrite::{Inst, Plan, Watch};
 use crate::source::Span;
 
@@ -162,7 +162,8 @@ impl Lowering<'_> {
         self.print_text(text);
         let mark = self.asm.mark();
         let from = self.value(value);
-        self.asm.emit(super::lower::print_value(value.ty, from));
+        self.asm
+            .emit(super::lower::print_value(value.ty, from, Digits::All));
         self.asm.release(mark);
     }
 

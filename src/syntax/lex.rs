@@ -3,11 +3,12 @@
 //! What is no token is reported and left out, so that the parser never sees it; a number
 //! or a text with a mistake in it is reported and stays.
 
-use super::text::read_text;
+use super::text::{holes, read_text};
 use super::token::{Token, TokenKind};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
 use logos::Logos;
+use std::ops::Range;
 
 /// How many runs of unknown characters are reported one by one.
 const MOST_UNKNOWN: usize = 16;
@@ -60,47 +61,71 @@ pub(super) fn lex(file: FileId, text: &str) -> Lexed {
         diagnostics: Vec::new(),
     };
     let mut unknown: Vec<Span> = Vec::new();
-    let mut broken_off = false;
-    for (kind, range) in TokenKind::lexer(text).spanned() {
-        let span = Span::new(file, range.start, range.end);
-        let Ok(kind) = kind else {
-            match unknown.last_mut() {
-                Some(last) if broken_off => *last = last.to(span),
-                _ => unknown.push(span),
-            }
-            broken_off = true;
-            continue;
-        };
-        broken_off = false;
-        let word = &text[range];
-        match kind {
-            TokenKind::Comment => lexed.comments.push(comment(span, word)),
-            TokenKind::BadNumber => lexed.number(TokenKind::BadNumber, span, word),
-            TokenKind::Int | TokenKind::Real => lexed.number(kind, span, word),
-            TokenKind::Text => lexed.text(span, word),
-            TokenKind::OpenText => lexed.open_text(span),
-            kind => lexed.tokens.push(Token { kind, span }),
-        }
-    }
+    lexed.read(Span::new(file, 0, text.len()), text, &mut unknown);
     report_unknown(text, &unknown, &mut lexed.diagnostics);
     lexed
 }
 
-fn comment(span: Span, word: &str) -> Comment {
-    let kind = if word.starts_with("//!") {
-        CommentKind::FileDoc
-    } else if word.starts_with("///") && !word.starts_with("////") {
-        CommentKind::Doc
-    } else {
-        CommentKind::Plain
-    };
-    let length = word.trim_end().len();
-    let start = span.start as usize;
-    let span = Span::new(span.file, start, start + length);
-    Comment { kind, span }
-}
-
 impl Lexed {
+    /// Reads all tokens of a part of the text.
+    fn read(&mut self, part: Span, text: &str, unknown: &mut Vec<Span>) {
+        let (file, offset) = (part.file, part.start as usize);
+        let mut broken_off = false;
+        for (kind, range) in TokenKind::lexer(&text[part.range()]).spanned() {
+            let range = range.start + offset..range.end + offset;
+            let span = Span::new(file, range.start, range.end);
+            let Ok(kind) = kind else {
+                match unknown.last_mut() {
+                    Some(last) if broken_off => *last = last.to(span),
+                    _ => unknown.push(span),
+                }
+                broken_off = true;
+                continue;
+            };
+            broken_off = false;
+            let word = &text[range];
+            match kind {
+                TokenKind::Comment => self.comments.push(comment(span, word)),
+                TokenKind::BadNumber => self.number(TokenKind::BadNumber, span, word),
+                TokenKind::Int | TokenKind::Real => self.number(kind, span, word),
+                TokenKind::Text => self.text_with_values(span, text, unknown),
+                TokenKind::OpenText => self.open_text(span),
+                kind => self.tokens.push(Token { kind, span }),
+            }
+        }
+    }
+
+    /// A text, cut at its values: what stands between them are tokens of their own, and the
+    /// values are read like anything else.
+    fn text_with_values(&mut self, span: Span, text: &str, unknown: &mut Vec<Span>) {
+        let word = &text[span.range()];
+        let holes = holes(word);
+        if holes.values.is_empty() {
+            return self.text(span, TokenKind::Text, word);
+        }
+        let place = |range: Range<usize>| {
+            let start = span.start as usize;
+            Span::new(span.file, start + range.start, start + range.end)
+        };
+        let mut kind = TokenKind::TextHead;
+        let mut begin = 0;
+        for hole in holes.values {
+            self.text(place(begin..hole.start), kind, &word[begin..hole.start]);
+            self.read(place(hole.clone()), text, unknown);
+            kind = TokenKind::TextMiddle;
+            begin = hole.end;
+        }
+        let tail = place(begin..word.len());
+        if holes.is_open {
+            let message = "a value in a text ends with `}`";
+            let found = Diagnostic::error("unterminated-text", message, tail);
+            let literally = "a brace that stands for itself is written `\\{`";
+            self.diagnostics
+                .push(found.saying("no closing `}`").note(literally));
+        }
+        self.text(tail, TokenKind::TextTail, &word[begin..]);
+    }
+
     fn number(&mut self, kind: TokenKind, span: Span, word: &str) {
         let kind = match kind {
             TokenKind::BadNumber => {
@@ -129,15 +154,15 @@ impl Lexed {
         self.diagnostics.push(found);
     }
 
-    fn text(&mut self, span: Span, word: &str) {
-        let kind = TokenKind::Text;
+    /// A text, or a part of one that begins and ends with a mark.
+    fn text(&mut self, span: Span, kind: TokenKind, word: &str) {
         self.tokens.push(Token { kind, span });
         for (range, escape) in read_text(word).unknown {
             let start = span.start as usize;
             let place = Span::new(span.file, start + range.start, start + range.end);
             let message = format!("`{escape}` is not an escape");
             let found = Diagnostic::error("unknown-escape", message, place);
-            let known = r#"the escapes are `\n`, `\t`, `\"` and `\\`"#;
+            let known = r#"the escapes are `\n`, `\t`, `\"`, `\\`, `\{` and `\}`"#;
             self.diagnostics.push(found.note(known));
         }
     }
@@ -149,6 +174,20 @@ impl Lexed {
         let kind = TokenKind::Text;
         self.tokens.push(Token { kind, span });
     }
+}
+
+fn comment(span: Span, word: &str) -> Comment {
+    let kind = if word.starts_with("//!") {
+        CommentKind::FileDoc
+    } else if word.starts_with("///") && !word.starts_with("////") {
+        CommentKind::Doc
+    } else {
+        CommentKind::Plain
+    };
+    let length = word.trim_end().len();
+    let start = span.start as usize;
+    let span = Span::new(span.file, start, start + length);
+    Comment { kind, span }
 }
 
 fn report_unknown(text: &str, unknown: &[Span], diagnostics: &mut Vec<Diagnostic>) {

@@ -3,7 +3,7 @@
 //! Who looks for something in code, whatever stands around it, walks it by these; who treats
 //! each kind of statement in its own way matches on the [tree](super::tree) instead.
 
-use super::tree::{Action, ActionKind, Block, Expr, ExprKind};
+use super::tree::{Action, ActionKind, Block, Expr, ExprKind, Shown};
 
 /// A part of code.
 #[derive(Clone, Copy, Debug)]
@@ -110,7 +110,10 @@ impl Action {
                 look(Part::Block(then));
                 otherwise.iter().for_each(|block| look(Part::Block(block)));
             }
-            ActionKind::Print(values) => values.iter().for_each(|value| look(Part::Expr(value))),
+            ActionKind::Print(values) => {
+                let values = values.iter().flat_map(Shown::values);
+                values.for_each(|value| look(Part::Expr(value)));
+            }
             ActionKind::Assert { condition, .. } => look(Part::Expr(condition)),
             ActionKind::Return(value) => value.iter().for_each(|value| look(Part::Expr(value))),
             ActionKind::Block(block) => look(Part::Block(block)),

@@ -2,7 +2,8 @@
 
 use super::tree::{
     Action, ActionKind, Arrow, Attr, Block, Condition, Expr, ExprKind, Fn, Ident, Index, Item,
-    Loop, LoopItem, Name, Op, Param, Rule, Script, Side, Spoke, Star, Statement, Steps, Test, Use,
+    Loop, LoopItem, Name, Op, Param, Piece, Rule, Script, Shown, Side, Spoke, Star, Statement,
+    Steps, Test, Use,
 };
 use crate::source::Span;
 
@@ -320,6 +321,26 @@ impl Shift for ExprKind {
             | ExprKind::Real(_)
             | ExprKind::Text(_)
             | ExprKind::Broken => {}
+        }
+    }
+}
+
+impl Shift for Shown {
+    fn shift(&mut self, by: i32) {
+        match self {
+            Shown::Value(value) => value.shift(by),
+            Shown::Text(pieces, span) => {
+                pieces.shift(by);
+                span.shift(by);
+            }
+        }
+    }
+}
+
+impl Shift for Piece {
+    fn shift(&mut self, by: i32) {
+        if let Piece::Value(value, _) = self {
+            value.shift(by);
         }
     }
 }

@@ -49,6 +49,13 @@ macro_rules! token_kinds {
             /// `"text"`
             #[regex(r#""([^"\\\r\n]|\\[^\r\n])*""#)]
             Text,
+            /// A text up to its first value: `"mean {`. The automaton knows whole texts only;
+            /// those with values in them are cut where they are read.
+            TextHead,
+            /// What stands between two values of a text: `:.3} and {`.
+            TextMiddle,
+            /// A text behind its last value: `}."`.
+            TextTail,
             /// A text whose line ends before its closing quote.
             #[regex(r#""([^"\\\r\n]|\\[^\r\n])*\\?"#)]
             OpenText,
@@ -130,6 +137,8 @@ impl fmt::Display for TokenKind {
             Self::Real => f.write_str("a real"),
             Self::BadNumber => f.write_str("a number"),
             Self::Text | Self::OpenText => f.write_str("a text in quotes"),
+            Self::TextHead => f.write_str("a text with values in it"),
+            Self::TextMiddle | Self::TextTail => f.write_str("the end of a value in a text"),
             Self::Comment => f.write_str("a comment"),
             fixed => write!(f, "`{}`", fixed.spelling().unwrap_or_default()),
         }

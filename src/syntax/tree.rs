@@ -413,8 +413,8 @@ pub enum ActionKind {
         then: Block,
         otherwise: Option<Block>,
     },
-    /// `print a, b`
-    Print(Vec<Expr>),
+    /// `print a, b`, `print "a {b:.3}"`
+    Print(Vec<Shown>),
     /// `assert c else "…"`
     Assert {
         condition: Expr,
@@ -432,6 +432,50 @@ pub enum ActionKind {
     Expr(Expr),
     /// Something that could not be read.
     Broken,
+}
+
+/// What is printed between two commas.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shown {
+    /// A value.
+    Value(Expr),
+    /// `"mean {mean(len):.3} of {n}"`, and where it stands.
+    Text(Vec<Piece>, Span),
+}
+
+impl Shown {
+    /// The values in it, in order.
+    pub fn values(&self) -> impl Iterator<Item = &Expr> {
+        let (alone, pieces) = match self {
+            Self::Value(value) => (Some(value), [].as_slice()),
+            Self::Text(pieces, _) => (None, pieces.as_slice()),
+        };
+        let inside = pieces.iter().filter_map(|piece| match piece {
+            Piece::Text(_) => None,
+            Piece::Value(value, _) => Some(value),
+        });
+        alone.into_iter().chain(inside)
+    }
+}
+
+/// A piece of a text with values in it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// What stands between the values, escapes undone.
+    Text(String),
+    /// `{x}`, `{x:.3}`
+    Value(Expr, Digits),
+}
+
+/// How many digits of a real are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Digits {
+    /// `{x}`: as many as a reader wants, six significant ones
+    Few,
+    /// `{x:full}`: as many as read back as the same number
+    All,
+    /// `{x:.3}`: so many behind the point
+    Behind(u8),
 }
 
 /// An expression.

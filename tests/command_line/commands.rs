@@ -253,3 +253,28 @@ fn every_line_of_help_fits_a_terminal() {
         }
     }
 }
+
+#[test]
+fn the_help_of_a_script() {
+    let bench = Bench::new();
+    let script = "/// Does nothing at all,\n/// twice.\n\
+        script s(n: int, at: vec3 = vec3(0, 0, 1), m: int = 2 * n) { print n, at, m }\n\
+        script t() { print 1 }\n";
+    bench.write("s.hedge", script);
+    let told = "Does nothing at all,\ntwice.\n\n\
+        Usage: hedgerow run s.hedge::s MESH -o FILE [--set NAME=VALUE]...\n\n\
+        Parameters:\n  \
+        n   int   has to be given\n  \
+        at  vec3  if not given: vec3(0, 0, 1)\n  \
+        m   int   if not given: 2 * n\n\n\
+        Other options: hedgerow run --help\n";
+    assert_eq!(bench.succeeds(&["run", "s.hedge::s", "--help"]), told);
+    let both = bench.succeeds(&["run", "s.hedge", "-h"]);
+    assert!(both.starts_with(told.trim_end()) && both.contains("It has no parameters."));
+    bench.fails(2, &["run", "s.hedge::u", "--help"], "no script `u`");
+    let own = bench.succeeds(&["run", "--help"]);
+    assert!(
+        own.contains("Usage: ") && own.contains("--picture"),
+        "{own}"
+    );
+}

@@ -115,14 +115,27 @@ fn every_token_of_every_program_is_coloured_as_what_it_is() {
                 comment.text(&text)
             );
         }
+        let mut in_text = false;
         for (at, token) in parsed.tokens.iter().enumerate() {
+            // What stands in a text is coloured as text.
+            match token.kind {
+                TokenKind::TextHead => in_text = true,
+                TokenKind::TextTail => in_text = false,
+                _ => {}
+            }
+            if in_text || token.kind == TokenKind::TextTail {
+                assert!(scopes[token.span.start as usize].starts_with("string"));
+                continue;
+            }
             let before = at.checked_sub(1).map(|before| parsed.tokens[before].kind);
             let word = &text[token.span.range()];
             let scope = &scopes[token.span.start as usize];
-            // Behind a dot and as a type, a keyword is a word; a soft one may be a name.
+            // Behind a dot and as a type, a keyword is a word; a soft one may be a name, and
+            // `hole(f)` is called.
             let is_word = before == Some(TokenKind::Dot)
                 || scope.starts_with("storage.type")
-                || token.kind.is_soft() && scope.starts_with("variable");
+                || token.kind.is_soft() && scope.starts_with("variable")
+                || token.kind == TokenKind::Hole && scope.starts_with("entity");
             let kind = if is_word && token.kind.is_wordlike() {
                 TokenKind::Word
             } else {

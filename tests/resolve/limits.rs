@@ -3,7 +3,8 @@
 use hedgerow::resolve::{Resolved, resolve};
 use hedgerow::source::Span;
 use hedgerow::syntax::tree::{
-    Action, ActionKind, BinaryOp, Block, Expr, ExprKind, File, Ident, Item, Name, Script, UnaryOp,
+    Action, ActionKind, BinaryOp, Block, Expr, ExprKind, File, Ident, Item, Name, Script, Shown,
+    UnaryOp,
 };
 
 fn ident(text: &str) -> Ident {
@@ -123,7 +124,10 @@ fn ifs(depth: usize) -> ActionKind {
         then: block(vec![inner]),
         otherwise: None,
     };
-    (0..depth).fold(ActionKind::Print(vec![expr(ExprKind::Int(1))]), nest)
+    (0..depth).fold(
+        ActionKind::Print(vec![Shown::Value(expr(ExprKind::Int(1)))]),
+        nest,
+    )
 }
 
 #[test]

@@ -63,7 +63,10 @@ fn int(from: Reg) -> Inst {
 }
 
 fn real(from: Reg) -> Inst {
-    Inst::PrintReal { from }
+    Inst::PrintReal {
+        from,
+        digits: RealDigits::All,
+    }
 }
 
 fn truth(from: Reg) -> Inst {
@@ -71,7 +74,10 @@ fn truth(from: Reg) -> Inst {
 }
 
 fn vector(from: Reg) -> Inst {
-    Inst::PrintVec { from }
+    Inst::PrintVec {
+        from,
+        digits: RealDigits::All,
+    }
 }
 
 /// Why some code traps.

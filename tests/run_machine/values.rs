@@ -176,7 +176,7 @@ fn every_function_of_a_real() {
             asm.emit(Inst::MathReal { math, to, from });
             print(asm, real, to);
         });
-        assert_eq!(lines, [RealText(expected).to_string()]);
+        assert_eq!(lines, [RealText(expected, RealDigits::All).to_string()]);
     }
 }
 

@@ -22,7 +22,7 @@ fn numbers() {
             ("-7 div 2", "-4"),
             ("-7 mod 2", "1"),
             ("7 / 2", "3.5"),
-            ("1 / 3", "0.3333333333333333"),
+            ("1 / 3", "0.333333"),
             ("abs(-3), abs(-2.5)", "3 2.5"),
             (
                 "min(1, 2), max(1, 2), min(1.5, 2.0), max(1.5, 2.0)",
@@ -187,4 +187,49 @@ fn long_sums_and_deep_blocks_run() {
     let (open, close) = ("repeat 1 { if true { ".repeat(40), "} }".repeat(40));
     let body = format!("print {sum}\n{open} for e in edges {{ flip(e) }} {close}\nprint 2");
     assert_eq!(printed(&mut shape::cube(), &body), ["200", "2"]);
+}
+
+#[test]
+fn angles() {
+    let body = "
+      let turn = atan2(0.0, -1.0)
+      assert all(abs(dihedral_angle(e) - turn / 2) < 1e-12 for e in edges)
+      assert all(abs(angle(h) - turn / 2) < 1e-12 for h in halfedges)
+      print dihedral_angle(edges_of_cube()), count(edges)";
+    let body = body.replace("edges_of_cube()", "argmin(length(e) for e in edges)");
+    let printed_here = printed(&mut shape::cube(), &body);
+    assert_eq!(printed_here, ["1.5708 12"]);
+    // Gauss and Bonnet: the angle defects add up; and triangles by their cotangents.
+    let body = "
+      let turn = atan2(0.0, -1.0)
+      let defect = sum(2 * turn - sum(angle(h) for h in v.halfedges) for v in vertices)
+      assert abs(defect - 4 * turn) < 1e-9
+      let squares = sum(cotangent(h) * length(h) * length(h) for h in halfedges)
+      assert abs(squares / 4 - sum(area(f) for f in faces)) < 1e-9
+      print \"done\"";
+    assert_eq!(printed(&mut shape::icosphere(2), body), ["done"]);
+    // What stands out turns the surface by a positive angle, and nothing turns the boundary.
+    let body = "
+      let v = argmin(length(v.position - vec3(1, 1, 0)) for v in vertices)
+      v.position = vec3(1, 1, 0.5)
+      assert all(dihedral_angle(e) >= 0 for e in v.edges) and any(dihedral_angle(e) > 0.1 for e in v.edges)
+      v.position = vec3(1, 1, -0.5)
+      assert all(dihedral_angle(e) <= 0 for e in v.edges) and any(dihedral_angle(e) < -0.1 for e in v.edges)
+      print count(dihedral_angle(e) == 0 for e in edges where boundary(e)) == count(boundary(e) for e in edges)";
+    assert_eq!(printed(&mut shape::triangle_grid(2, 2), body), ["true"]);
+}
+
+#[test]
+fn elements_with_extreme_values() {
+    let body = "
+      print argmax(v.position.x for v in vertices where not boundary(v))
+      let e = argmin(e.vertices_sum for e in edges)
+      print e"
+        .replace("e.vertices_sum", "e.halfedge.vertex.position.x");
+    assert_eq!(
+        printed(&mut shape::grid(3, 3), &body),
+        ["vertex 6", "edge 0"]
+    );
+    let failed = "print argmin(area(f) for f in holes)";
+    assert!(printed(&mut shape::grid(1, 1), failed).len() == 1);
 }

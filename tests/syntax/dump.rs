@@ -201,7 +201,7 @@ impl Page {
                 }
             }
             ActionKind::Print(values) => {
-                let values: Vec<_> = values.iter().map(value).collect();
+                let values: Vec<_> = values.iter().map(shown).collect();
                 self.line(format!("print {}", values.join(" ")));
             }
             ActionKind::Assert { condition, reason } => {
@@ -325,6 +325,22 @@ fn drawn(statement: &Statement) -> String {
 
 fn each(variable: &Option<Ident>) -> String {
     optional(" each ", variable.as_ref().map(|name| name.text.clone()))
+}
+
+/// What is printed between two commas.
+fn shown(shown: &Shown) -> String {
+    match shown {
+        Shown::Value(printed) => value(printed),
+        Shown::Text(pieces, _) => {
+            let piece = |piece: &Piece| match piece {
+                Piece::Text(text) => format!("{text:?}"),
+                Piece::Value(of, Digits::Few) => value(of),
+                Piece::Value(of, digits) => format!("({digits:?} {})", value(of)),
+            };
+            let pieces: Vec<_> = pieces.iter().map(piece).collect();
+            format!("(text {})", pieces.join(" "))
+        }
+    }
 }
 
 fn value(expr: &Expr) -> String {

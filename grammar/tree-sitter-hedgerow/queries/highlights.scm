@@ -23,7 +23,7 @@
 (real) @number.float
 (true) @boolean
 (false) @boolean
-(text) @string
+[(text) (text_with_values)] @string
 (type) @type
 (property) @constant
 (guard level: (identifier) @constant)

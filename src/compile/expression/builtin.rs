@@ -1,5 +1,6 @@
 //! Calls of what is part of the language.
 
+use super::angle;
 use super::operator::{matrix, wide};
 use crate::diagram::{Builtin, Type};
 use crate::rewrite::{
@@ -119,6 +120,9 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
             asm.trap_at(place, load(HalfedgeField::Edge, to, from));
             asm.trap_at(place, ask(Question::LengthEdge, to, to));
         }
+        Builtin::AngleCorner | Builtin::Cotangent | Builtin::DihedralAngle => {
+            angle::lower(asm, place, builtin, from, to);
+        }
         Builtin::CentroidEdge => {
             let (halfedge, other) = (asm.reg(), asm.vec());
             let (of, element) = (ElementField::Edge, from);
@@ -143,7 +147,7 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
     true
 }
 
-fn ask(question: Question, to: Reg, element: Reg) -> Inst {
+pub(super) fn ask(question: Question, to: Reg, element: Reg) -> Inst {
     Inst::Ask {
         question,
         to,
@@ -212,30 +216,7 @@ fn of_two(asm: &mut Assembler, place: u32, builtin: Builtin, [left, right]: [Reg
             });
             Inst::LengthVec { to, from: between }
         }
-        Builtin::Angle => {
-            // The arc tangent of sine over cosine is exact near 0 and a half turn, where
-            // the arc cosine is not.
-            let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
-            asm.emit(Inst::Cross {
-                to: cross,
-                left,
-                right,
-            });
-            asm.emit(Inst::LengthVec {
-                to: sine,
-                from: cross,
-            });
-            asm.emit(Inst::Dot {
-                to: cosine,
-                left,
-                right,
-            });
-            Inst::Atan2Real {
-                to,
-                left: sine,
-                right: cosine,
-            }
-        }
+        Builtin::Angle => angle::between(asm, left, right, to),
         _ => return unknown(asm, place),
     };
     asm.trap_at(place, inst);

@@ -13,11 +13,12 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
         return asm.emit(inst);
     }
     let done = asm.label();
-    let seen = asm.reg();
+    let (seen, best) = (asm.reg(), asm.reg());
     let sum = Sum {
         ty: of.ty,
         to,
         seen,
+        best,
     };
     sum.start(asm, fold.function);
     let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
@@ -50,6 +51,10 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
                 if fold.function == FoldFunction::Mean {
                     sum.add_one(asm, seen);
                 }
+            }
+            FoldFunction::ArgMin | FoldFunction::ArgMax => {
+                let value = lower(asm, scope, &fold.body);
+                sum.take_element(asm, fold.function, (value, element), next);
             }
             FoldFunction::Min | FoldFunction::Max => {
                 let value = sum.value(asm, scope, &fold.body);
@@ -95,13 +100,14 @@ fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
     asm.emit(Inst::Jump { to: done });
 }
 
-/// What has been made of the values so far: in `to`, of type `ty`; and in `seen` how
-/// many there were, where that matters.
+/// What has been made of the values so far: in `to`, of type `ty`; in `seen` how many there
+/// were, where that matters; and in `best` the value of the element in `to`, if it is one.
 #[derive(Clone, Copy)]
 struct Sum {
     ty: Type,
     to: Reg,
     seen: Reg,
+    best: Reg,
 }
 
 impl Sum {
@@ -167,11 +173,48 @@ impl Sum {
         });
     }
 
+    /// Keeps the element with the better value; of equal values, the first.
+    fn take_element(
+        self,
+        asm: &mut Assembler,
+        function: FoldFunction,
+        (value, element): (Reg, Reg),
+        next: Label,
+    ) {
+        let (take, better) = (asm.label(), asm.reg());
+        let condition = self.seen;
+        asm.emit(Inst::Not {
+            to: better,
+            from: condition,
+        });
+        asm.emit(Inst::JumpIf {
+            condition: better,
+            to: take,
+        });
+        let (left, right) = match function {
+            FoldFunction::ArgMin => (value, self.best),
+            _ => (self.best, value),
+        };
+        let to = better;
+        asm.emit(Inst::LessReal { to, left, right });
+        asm.emit(Inst::JumpUnless {
+            condition: better,
+            to: next,
+        });
+        asm.bind(take);
+        let (to, from) = (self.best, value);
+        asm.emit(Inst::Copy { to, from });
+        let (to, from) = (self.to, element);
+        asm.emit(Inst::Copy { to, from });
+        let (to, from) = (self.seen, asm.constant_int(1));
+        asm.emit(Inst::Copy { to, from });
+    }
+
     fn end(self, asm: &mut Assembler, place: u32, function: FoldFunction) {
         let text = match function {
             FoldFunction::Mean => "the mean of nothing",
-            FoldFunction::Min => "the least of nothing",
-            FoldFunction::Max => "the greatest of nothing",
+            FoldFunction::Min | FoldFunction::ArgMin => "the least of nothing",
+            FoldFunction::Max | FoldFunction::ArgMax => "the greatest of nothing",
             _ => return,
         };
         let some = asm.label();

@@ -8,6 +8,7 @@
 //! It is assumed that types are right: an ill-typed expression gives code that computes
 //! nonsense, though nothing worse.
 
+mod angle;
 mod builtin;
 mod collection;
 mod fold;

@@ -163,6 +163,9 @@ impl Language for Printer<'_> {
             // None of these is built.
             Builtin::StarShaped
             | Builtin::KernelCentroid
+            | Builtin::AngleCorner
+            | Builtin::Cotangent
+            | Builtin::DihedralAngle
             | Builtin::CrossPlane
             | Builtin::Diagonal
             | Builtin::UpperLeft
@@ -243,6 +246,8 @@ impl Language for Printer<'_> {
             FoldFunction::Mean => ("mean", vec![all, zero, body]),
             FoldFunction::Min => ("least", vec![all, zero, body]),
             FoldFunction::Max => ("greatest", vec![all, zero, body]),
+            // Neither of these is built.
+            FoldFunction::ArgMin | FoldFunction::ArgMax => return Spelled::whole(""),
         };
         Spelled::whole(self.support(name, args))
     }

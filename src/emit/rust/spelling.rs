@@ -158,6 +158,9 @@ impl Language for Printer {
             // None of these is built.
             Builtin::StarShaped
             | Builtin::KernelCentroid
+            | Builtin::AngleCorner
+            | Builtin::Cotangent
+            | Builtin::DihedralAngle
             | Builtin::CrossPlane
             | Builtin::Diagonal
             | Builtin::UpperLeft
@@ -260,6 +263,8 @@ impl Language for Printer {
             }
             FoldFunction::Min => format!("{values}.reduce({of}::min).expect(\"{nothing}\")"),
             FoldFunction::Max => format!("{values}.reduce({of}::max).expect(\"{nothing}\")"),
+            // Neither of these is built.
+            FoldFunction::ArgMin | FoldFunction::ArgMax => String::new(),
         })
     }
 }

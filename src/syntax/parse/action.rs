@@ -6,8 +6,9 @@ use super::failure::Phrase;
 use super::input::{Rule, Scene};
 use super::name::{ident, text, type_word};
 use super::recover;
+use super::text::text_with_values;
 use crate::syntax::token::TokenKind as T;
-use crate::syntax::tree::{Action, ActionKind, Block, Expr, Ident};
+use crate::syntax::tree::{Action, ActionKind, Block, Expr, Ident, Shown};
 use chumsky::prelude::*;
 
 /// The two rules that need each other.
@@ -53,11 +54,10 @@ fn braces<'t>(action: Rule<'t, Action>) -> Rule<'t, Block> {
 fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
     let Code { block, expression } = code;
     let jump = select! { T::Break => ActionKind::Break, T::Continue => ActionKind::Continue };
-    let values = expression
-        .clone()
-        .separated_by(just(T::Comma))
-        .at_least(1)
-        .collect();
+    let shown = text_with_values(expression.clone())
+        .map_with(|pieces, scene: &mut Scene<'t, '_>| Shown::Text(pieces, scene.span()))
+        .or(expression.clone().map(Shown::Value));
+    let values = shown.separated_by(just(T::Comma)).at_least(1).collect();
     let print = just(T::Print).ignore_then(values).map(ActionKind::Print);
     let back = just(T::Return)
         .ignore_then(expression.clone().or_not())

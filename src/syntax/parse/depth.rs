@@ -113,7 +113,7 @@ fn restarts(before: Option<T>, kind: T) -> bool {
         _ => before.is_some_and(|before| {
             matches!(
                 before,
-                T::Word | T::Int | T::Real | T::Text | T::True | T::False
+                T::Word | T::Int | T::Real | T::Text | T::TextTail | T::True | T::False
             ) || matches!(before, T::RightParen | T::RightBracket | T::RightBrace)
                 || before.is_soft()
         }),

@@ -4,8 +4,9 @@
 
 use super::failure::{Failure, Mistake, Phrase};
 use super::input::{Rule, Scene, slice};
-use super::name::{ident, int_here, name, text, word};
+use super::name::{ident, int_here, name, name_here, text, word};
 use super::recover;
+use super::text::text_with_values;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
@@ -17,9 +18,10 @@ use chumsky::prelude::*;
 pub(super) fn expression<'t>(block: Rule<'t, Block>) -> Rule<'t, Expr> {
     recursive(|expression| {
         let expression = expression.boxed();
-        operators(field(atom(expression.clone(), block)))
-            .labelled(Phrase::Value)
-            .boxed()
+        // Entering a recursive rule makes room on the stack. From one value to the next inside
+        // of it is too far for a single time, so an atom is such a rule as well.
+        let atom = recursive(|_| atom(expression.clone(), block)).boxed();
+        operators(field(atom)).labelled(Phrase::Value).boxed()
     })
     .boxed()
 }
@@ -138,7 +140,13 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
             .filter(|value: &f64| value.is_finite());
         ExprKind::Real(value.unwrap_or(f64::MAX))
     });
+    let misplaced = text_with_values(expression.clone()).validate(|_, scene, emitter| {
+        let mistake = Mistake::ValuesInText;
+        emitter.emit(Failure::mistake(mistake, scene.span()));
+        ExprKind::Broken
+    });
     let text = text().map(|(text, _)| ExprKind::Text(text));
+    let text = text.or(misplaced).boxed();
     let inside = expression.clone().map(|inner| inner.kind);
     let inside = inside.then_ignore(recover::right_paren());
     let broken = recover::parentheses().map(|_| ExprKind::Broken);
@@ -224,10 +232,17 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
         values: vec![broken_value(span)],
         each: None,
     });
-    let arguments = just(T::LeftParen)
-        .labelled(Phrase::Operator)
-        .ignore_then(inside.recover_with(via_parser(broken)));
-    name()
+    // One that begins a line begins the next statement.
+    let open = just(T::LeftParen).try_map_with(|_, scene| match begins_line(scene) {
+        true => Err(Failure::at(scene.span())),
+        false => Ok(()),
+    });
+    let open = open.labelled(Phrase::Operator).boxed();
+    let hole = select! { T::Hole => () }.map_with(|(), scene| name_here(scene));
+    let callee = name().or(hole.then_ignore(open.clone().rewind())).boxed();
+    let inside = inside.recover_with(via_parser(broken)).boxed();
+    let arguments = open.ignore_then(inside).boxed();
+    callee
         .then(arguments.or_not())
         .validate(|(name, arguments), _, emitter| {
             let Some(arguments) = arguments else {
@@ -239,6 +254,14 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
             called_with(name, arguments)
         })
         .boxed()
+}
+
+/// Whether nothing stands before a token on its line.
+fn begins_line(scene: &mut Scene) -> bool {
+    let span: Span = scene.span();
+    let before = scene.state().0.get(..span.start as usize).unwrap_or("");
+    let between = before.trim_end_matches(|c: char| c.is_whitespace() && c != '\n');
+    between.is_empty() || between.ends_with('\n')
 }
 
 fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {

@@ -125,6 +125,10 @@ pub(super) enum Mistake {
     Misplaced(&'static str),
     /// `v[i](…)`: what is called has no subscript.
     CalledFamily,
+    /// `"a {b}"` where nothing is printed.
+    ValuesInText,
+    /// `{x:…}` with something else than digits behind the point.
+    UnknownFormat,
     /// `rule` beside parts that stand in none.
     RuleAmongParts,
 }

@@ -21,6 +21,8 @@ mod expression;
 
 mod name;
 
+mod text;
+
 mod recover;
 
 mod failure;

@@ -15,6 +15,15 @@ fn ident_here(scene: &mut Scene) -> Ident {
     }
 }
 
+/// A keyword that is called like a function.
+pub(super) fn name_here(scene: &mut Scene) -> Name {
+    Name {
+        ident: ident_here(scene),
+        index: None,
+        span: scene.span(),
+    }
+}
+
 /// A name without a subscript.
 pub(super) fn ident<'t>() -> Rule<'t, Ident> {
     select! { kind if T::is_name(kind) => () }

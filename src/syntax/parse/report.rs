@@ -83,6 +83,16 @@ fn mistaken(mistake: Mistake, span: Span) -> Diagnostic {
             let message = "what is called has no subscript";
             Diagnostic::error("syntax-error", message, span)
         }
+        Mistake::ValuesInText => {
+            let message = "a text with values in it stands behind `print` only";
+            let found = Diagnostic::error("misplaced-part", message, span);
+            found.note("a brace that stands for itself is written `\\{`")
+        }
+        Mistake::UnknownFormat => {
+            let message = "this is no way to print a value";
+            let found = Diagnostic::error("syntax-error", message, span);
+            found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are")
+        }
         Mistake::RuleAmongParts => {
             let message = "an op has either rules or drawings of its own";
             let found = Diagnostic::error("misplaced-part", message, span);

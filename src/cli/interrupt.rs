@@ -1,0 +1,36 @@
+//! Ctrl-C while a program runs.
+//!
+//! The first one asks the script to stop, which it does at its next turn, with nothing written;
+//! the second ends the process at once.
+
+use std::ops::ControlFlow;
+use std::process::exit;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The exit code of a command that was interrupted: 128 and the number of the signal, as shells
+/// count.
+pub(super) const CODE: u8 = 130;
+
+static ASKED: AtomicBool = AtomicBool::new(false);
+
+/// Takes Ctrl-C from now on. Where that cannot be had, it ends the process as ever.
+pub(super) fn listen() {
+    let _ = ctrlc::set_handler(|| {
+        if ASKED.swap(true, Ordering::Relaxed) {
+            exit(i32::from(CODE));
+        }
+    });
+}
+
+/// Whether somebody has asked to stop.
+pub(super) fn is_asked() -> bool {
+    ASKED.load(Ordering::Relaxed)
+}
+
+/// Goes on unless somebody has asked to stop.
+pub(super) fn unless_asked() -> ControlFlow<()> {
+    match is_asked() {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    }
+}

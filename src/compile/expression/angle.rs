@@ -1,0 +1,172 @@
+//! Angles on a mesh: of corners, opposite to halfedges, and across edges.
+
+use crate::diagram::Builtin;
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
+
+use super::builtin::ask;
+
+/// The angle between two vectors.
+///
+/// The arc tangent of sine over cosine is exact near 0 and a half turn, where the arc cosine is
+/// not.
+pub(super) fn between(asm: &mut Assembler, left: Reg, right: Reg, to: Reg) -> Inst {
+    let [sine, cosine] = sine_and_cosine(asm, left, right);
+    Inst::Atan2Real {
+        to,
+        left: sine,
+        right: cosine,
+    }
+}
+
+/// Of the angle between two vectors, times the product of their lengths.
+fn sine_and_cosine(asm: &mut Assembler, left: Reg, right: Reg) -> [Reg; 2] {
+    let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
+    let to = cross;
+    asm.emit(Inst::Cross { to, left, right });
+    let (to, from) = (sine, cross);
+    asm.emit(Inst::LengthVec { to, from });
+    let to = cosine;
+    asm.emit(Inst::Dot { to, left, right });
+    [sine, cosine]
+}
+
+/// The angles of halfedges and edges, in radians:
+///
+/// ```text
+///        apex                     N1  N2      turned by the dihedral angle
+///       / c \    cotangent(h)     \  /
+///      /     \      of c        ___\/___
+///     a       \   angle(h) is a  f1  e  f2
+///    v ---h--> w
+/// ```
+pub(super) fn lower(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: Reg) {
+    match builtin {
+        Builtin::AngleCorner => {
+            let around = Triangle::at(asm, place, from);
+            let [left, right] = [around.end, around.apex].map(|far| {
+                let to = asm.vec();
+                let (left, right) = (far, around.start);
+                asm.emit(Inst::SubVec { to, left, right });
+                to
+            });
+            let angle = between(asm, left, right, to);
+            asm.emit(angle);
+        }
+        Builtin::Cotangent => {
+            let around = Triangle::at(asm, place, from);
+            let [left, right] = [around.start, around.end].map(|far| {
+                let to = asm.vec();
+                let (left, right) = (far, around.apex);
+                asm.emit(Inst::SubVec { to, left, right });
+                to
+            });
+            let [sine, cosine] = sine_and_cosine(asm, left, right);
+            let (left, right) = (cosine, sine);
+            asm.emit(Inst::DivReal { to, left, right });
+        }
+        _ => dihedral(asm, place, from, to),
+    }
+}
+
+/// The corners of the triangle at a halfedge; of a larger face, the corners before and behind.
+struct Triangle {
+    start: Reg,
+    end: Reg,
+    apex: Reg,
+}
+
+impl Triangle {
+    fn at(asm: &mut Assembler, place: u32, halfedge: Reg) -> Self {
+        Self {
+            start: position(asm, place, &[], halfedge),
+            end: position(asm, place, &[HalfedgeField::Next], halfedge),
+            apex: position(asm, place, &[HalfedgeField::Prev], halfedge),
+        }
+    }
+}
+
+/// Where the halfedge starts that some pointers lead to.
+fn position(asm: &mut Assembler, place: u32, path: &[HalfedgeField], halfedge: Reg) -> Reg {
+    let (vertex, to) = (asm.reg(), asm.vec());
+    let path = [path, &[HalfedgeField::Vertex]].concat();
+    follow(asm, place, &path, [vertex, halfedge]);
+    asm.trap_at(place, Inst::LoadPosition { to, vertex });
+    to
+}
+
+/// What pointers lead to from a halfedge.
+fn follow(asm: &mut Assembler, place: u32, path: &[HalfedgeField], [to, from]: [Reg; 2]) {
+    asm.emit(Inst::Copy { to, from });
+    for &field in path {
+        let halfedge = to;
+        asm.trap_at(
+            place,
+            Inst::Load {
+                field,
+                to,
+                halfedge,
+            },
+        );
+    }
+}
+
+/// The angle between the normals on both sides, positive where the edge stands out: the sine
+/// along the edge over the cosine. On the boundary it is zero.
+fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
+    let (flat, end) = (asm.constant_real(0.0), asm.label());
+    let from = flat;
+    asm.emit(Inst::Copy { to, from });
+    let condition = asm.reg();
+    let on_boundary = condition;
+    let asked = ask(Question::BoundaryEdge, on_boundary, edge);
+    asm.trap_at(place, asked);
+    asm.emit(Inst::JumpIf { condition, to: end });
+    let halfedge = asm.reg();
+    let (of, element) = (ElementField::Edge, edge);
+    asm.trap_at(
+        place,
+        Inst::LoadHalfedge {
+            of,
+            to: halfedge,
+            element,
+        },
+    );
+    let [first, second] = [&[][..], &[HalfedgeField::Twin]].map(|side| {
+        let (face, to) = (asm.reg(), asm.vec());
+        let path = [side, &[HalfedgeField::Face]].concat();
+        follow(asm, place, &path, [face, halfedge]);
+        asm.trap_at(place, ask(Question::NormalFace, to, face));
+        to
+    });
+    let right = position(asm, place, &[], halfedge);
+    let left = position(asm, place, &[HalfedgeField::Next], halfedge);
+    let along = asm.vec();
+    asm.emit(Inst::SubVec {
+        to: along,
+        left,
+        right,
+    });
+    let from = along;
+    asm.emit(Inst::Normalize { to: along, from });
+    let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
+    let (left, right) = (first, second);
+    asm.emit(Inst::Cross {
+        to: cross,
+        left,
+        right,
+    });
+    asm.emit(Inst::Dot {
+        to: cosine,
+        left,
+        right,
+    });
+    let (left, right) = (along, cross);
+    asm.emit(Inst::Dot {
+        to: sine,
+        left,
+        right,
+    });
+    let (left, right) = (sine, cosine);
+    asm.emit(Inst::Atan2Real { to, left, right });
+    asm.bind(end);
+}

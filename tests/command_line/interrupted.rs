@@ -1,0 +1,51 @@
+//! Scripts that would not end are stopped by Ctrl-C, and leave nothing behind.
+
+#![cfg(unix)]
+
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+
+use crate::bench::{Bench, SQUARE};
+
+/// Runs a command until it prints a line, interrupts it, and gives its code and what it
+/// complained of.
+fn interrupted(bench: &Bench, arguments: &[&str]) -> (Option<i32>, String) {
+    let mut command = bench.command(arguments);
+    let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    assert_eq!(line, "begun\n");
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &id]).status().unwrap();
+    assert!(sent.success());
+    let said = child.wait_with_output().unwrap();
+    let err = String::from_utf8(said.stderr).unwrap();
+    (said.status.code(), err)
+}
+
+#[test]
+fn an_endless_script_leaves_no_file() {
+    let loops = [
+        "var n = 0 while true { n = n + 1 }",
+        "var n = 0 while true { n = n + count(boundary(e) for e in edges) }",
+    ];
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    let mut count = 0;
+    for endless in loops {
+        let script = format!("script s() {{ print \"begun\" {endless} }}");
+        bench.write("s.hedge", script);
+        bench.write("old.obj", "old");
+        for to in ["new.obj", "old.obj", "new.halfedges"] {
+            let (code, err) = interrupted(&bench, &["run", "s.hedge", "m.obj", "-o", to]);
+            assert_eq!(code, Some(130), "{err}");
+            assert!(err.contains("error[interrupted]"), "{err}");
+            count += 1;
+        }
+        assert_eq!(bench.read("old.obj"), "old");
+        assert_eq!(bench.files(), ["m.obj", "old.obj", "s.hedge"]);
+    }
+    assert_eq!(count, 6);
+}
