@@ -1,8 +1,9 @@
 //! What a proof establishes besides validity: the change of the counts, and the cost.
 
+use super::cost::grows_with;
 use super::families::Sizes;
 use super::guard::Obligation;
-use super::matching::{Claim, Step};
+use super::matching::Step;
 use super::properties::{SizeChange, degree_changes, evenly, kept, kept_by_families, size_changes};
 use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
 
@@ -117,58 +118,6 @@ impl Facts {
             sizes: evenly(sizes, size_changes),
         }
     }
-}
-
-fn grows_with(drawing: &Drawing, matching: &[Step], guard: &[Obligation]) -> Vec<String> {
-    let rule = drawing.rule;
-    let mut grows = Vec::new();
-    let attempts = matching.iter().filter_map(|step| match step {
-        Step::Attempt {
-            element,
-            tries: None,
-            ..
-        } => Some(*element),
-        Step::Walk { orbit, .. } => Some(*orbit),
-        _ => None,
-    });
-    for element in attempts {
-        match rule.kind(element) {
-            Kind::Vertex => grows.push(format!("the degree of {}", rule.quoted(element))),
-            Kind::Face => grows.push(format!("the size of {}", rule.quoted(element))),
-            _ => {}
-        }
-    }
-    for step in matching {
-        if let Step::Test(Claim::InOrder {
-            along_loop,
-            halfedges,
-        }) = step
-        {
-            let orbit = if *along_loop {
-                let face = drawing.before.face(halfedges[0]);
-                face.map(|face| format!("the size of {}", rule.quoted(face)))
-            } else {
-                let vertex = drawing.origin_before(halfedges[0]);
-                vertex.map(|vertex| format!("the degree of {}", rule.quoted(vertex)))
-            };
-            grows.extend(orbit);
-        }
-    }
-    let first = |run: &NameId| rule.is_first(*run);
-    let paths = moved_paths(drawing).filter(first);
-    grows.extend(paths.map(|path| format!("the length of {}", rule.quoted(path))));
-    let fans = moved_fans(drawing).filter(first);
-    grows.extend(fans.map(|fan| format!("the size of {}", rule.quoted(fan))));
-    let tests = guard.iter().filter(|obligation| obligation.is_test());
-    grows.extend(tests.filter_map(|test| test.statement.grows_with(rule)));
-    let mut seen = Vec::new();
-    grows.retain(|item| {
-        !seen.contains(item) && {
-            seen.push(item.clone());
-            true
-        }
-    });
-    grows
 }
 
 /// Paths whose loop changes, so that `face` is rewritten along them.

@@ -17,7 +17,7 @@ use super::matching::Step;
 use super::problem::Problem;
 use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, stop_at};
 use super::witness::{self, Outcome};
-use super::{mend, properties, reach, voltage};
+use super::{mend, reach, voltage};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, Level, Loop, LoopKind, Naming, Op, Rule, Spoke, Unrolled};
 
@@ -83,14 +83,14 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Rejected> {
     let sizes = Sizes::new(rule);
     match laws(op, &sizes) {
         Ok(proof) => Ok(proof),
-        Err(broken) => Err(reject(op, rule, &sizes, broken)),
+        Err(broken) => Err(reject(op, &sizes, broken)),
     }
 }
 
 fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
     let large = &sizes.large.rule;
     let drawing = Drawing::new(large);
-    let rings = laws_at_large(op, large)?;
+    let rings = laws_at_large(large)?;
     for short in sizes.small.iter().take(3) {
         statements(&Drawing::new(&short.rule))?;
     }
@@ -102,24 +102,18 @@ fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
         None => Vec::new(),
     };
     let facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
-    stop_at(properties::broken_claims(
-        op,
-        &drawing,
-        &facts.keeps,
-        facts.change,
-        &facts.grows_with,
-    ))?;
-    Ok(Proof {
+    let proof = Proof {
         matching,
         guard,
         facts,
         rings,
         unrolled: Some(Box::new(large.clone())),
-    })
+    };
+    proof.bears_out(op, &drawing)
 }
 
 /// The laws for a rule that is unrolled far enough.
-fn laws_at_large(_op: &Op, large: &Rule) -> Result<super::vertices_are_orbits::Rings, Broken> {
+fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Broken> {
     let drawing = Drawing::new(large);
     statements(&drawing)?;
     voltage::test(&drawing)
@@ -144,7 +138,7 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
 }
 
 /// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
-fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
+fn reject(op: &Op, sizes: &Sizes, broken: Broken) -> Rejected {
     let mut problems = broken.problems;
     let mut outcome = Outcome::NotTried;
     for short in &sizes.small {
@@ -169,11 +163,10 @@ fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
         outcome = found;
         break;
     }
-    let at_large = |mended: &Rule| match laws_at_large(op, mended) {
+    let at_large = |mended: &Rule| match laws_at_large(mended) {
         Ok(_) => Vec::new(),
         Err(broken) => broken.problems,
     };
-    let _ = rule;
     let mut diagnostics = mend::add_fixes(&sizes.large.rule, problems, at_large);
     let mut seen = Vec::new();
     diagnostics.retain(|diagnostic| {

@@ -34,6 +34,7 @@ mod arrangement;
 mod case;
 mod chain;
 mod claims;
+mod cost;
 mod ends_agree;
 mod facts;
 mod families;

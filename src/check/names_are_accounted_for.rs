@@ -12,7 +12,7 @@ use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
 use super::stale::Stale;
 use super::unknown_names::Unknown;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Edge, Kind, NameId, Ref};
+use crate::diagram::{Drawing, Edge, Kind, Loop, NameId, Ref};
 use crate::source::Span;
 
 /// Tests the laws.
@@ -23,6 +23,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     let mut law = Law {
         drawing,
         explained: unknown.meant,
+        placed: Vec::new(),
         problems,
     };
     law.erased_and_drawn();
@@ -46,6 +47,8 @@ struct Law<'a> {
     drawing: &'a Drawing<'a>,
     /// Names about which enough has been said.
     explained: Vec<NameId>,
+    /// New halfedges about whose loop enough has been said.
+    placed: Vec<NameId>,
     problems: Vec<Problem>,
 }
 
@@ -88,64 +91,124 @@ impl Law<'_> {
         self.drawing.survives(name) && !self.explained.contains(&name)
     }
 
-    /// Halfedges and paths that stand in a loop before, and in none after.
+    /// Halfedges and paths that stand in a loop before, and in none after. If just one loop has
+    /// no statement after, they belong there, wherever they come from: so they are told together.
     fn loops(&mut self) {
         let drawing = self.drawing;
-        let rule = drawing.rule;
-        for orbit in &rule.before.loops {
-            let missing: Vec<_> = orbit
-                .items
-                .iter()
-                .map(|item| item.item)
-                .filter(|item| self.is_open(item.name))
-                .filter(|item| drawing.after.loop_of_item(item.name).is_none())
-                .collect();
-            if missing.is_empty() {
+        let missing = |orbit: &Loop| -> Vec<Ref> {
+            let items = orbit.items.iter().map(|item| item.item);
+            let open = items.filter(|item| self.is_open(item.name));
+            open.filter(|item| drawing.after.loop_of_item(item.name).is_none())
+                .collect()
+        };
+        let orbits = drawing.rule.before.loops.iter();
+        let orbits: Vec<_> = orbits
+            .map(|orbit| (orbit, missing(orbit)))
+            .filter(|(_, missing)| !missing.is_empty())
+            .collect();
+        let lost = drawing.rule.before.loops.iter().map(|orbit| orbit.face);
+        let lost = lost.filter(|face| drawing.survives(face.name));
+        let lost: Vec<_> = lost
+            .filter(|face| drawing.after.loop_of_face(face.name).is_none())
+            .collect();
+        match lost.as_slice() {
+            [_] if !orbits.is_empty() && drawing.rule.cycle.is_none() => {
+                self.loop_is_missing(&orbits);
+                self.would_stand_there(&orbits);
+            }
+            _ => {
+                for orbit in &orbits {
+                    self.loop_is_missing(std::slice::from_ref(orbit));
+                }
+            }
+        }
+    }
+
+    /// Takes what the loop that is missing would draw, besides its items before, as explained.
+    fn would_stand_there(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
+        let drawing = self.drawing;
+        for item in orbits.iter().flat_map(|(_, missing)| missing) {
+            let ends = [
+                drawing.before.loop_origin(item.name),
+                drawing.target_before(item.name),
+            ];
+            let undrawn = |vertex: &NameId| drawing.after.mention(*vertex).is_none();
+            self.explained
+                .extend(ends.into_iter().flatten().filter(undrawn));
+        }
+        for created in &drawing.rule.created {
+            let is_halfedge = drawing.rule.kind(created.name) == Kind::Halfedge;
+            if !is_halfedge || drawing.after.loop_of_item(created.name).is_some() {
                 continue;
             }
-            let names: Vec<_> = missing.iter().map(|item| item.name).collect();
-            let face = orbit.face.name;
-            let list = enumerate(rule, &names);
-            let message = if names.len() == 1 && drawing.after.mention(names[0]).is_none() {
-                format!("{list} is neither reassigned nor erased")
-            } else {
-                format!(
-                    "{list} {} not reassigned: no loop of `after` holds {}",
-                    is_or_are(names.len()),
-                    if names.len() == 1 { "it" } else { "them" }
-                )
-            };
-            let mut diagnostic =
-                Diagnostic::error("missing-reassignment", message, missing[0].span)
-                    .saying(format!("drawn in the loop of {} here", rule.quoted(face)));
-            for item in &missing[1..] {
+            self.placed.push(created.name);
+            if let Some(told) = self.problems.pop() {
+                let text = drawing.rule.quoted(created.name);
+                let text = format!("no loop of `after` holds {text}, either");
+                let diagnostic = told.diagnostic.label(created.span, text);
+                self.problems.push(Problem { diagnostic, ..told });
+            }
+        }
+    }
+
+    /// Tells that what stood in some loops of `before` stands in none after.
+    fn loop_is_missing(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        let missing = || orbits.iter().flat_map(|(_, missing)| missing);
+        let names: Vec<_> = missing().map(|item| item.name).collect();
+        let list = enumerate(rule, &names);
+        let message = if names.len() == 1 && drawing.after.mention(names[0]).is_none() {
+            format!("{list} is neither reassigned nor erased")
+        } else {
+            format!(
+                "{list} {} not reassigned: no loop of `after` holds {}",
+                is_or_are(names.len()),
+                if names.len() == 1 { "it" } else { "them" }
+            )
+        };
+        let place =
+            |orbit: &Loop| format!("drawn in the loop of {} here", rule.quoted(orbit.face.name));
+        let (first, items) = &orbits[0];
+        let mut diagnostic =
+            Diagnostic::error("missing-reassignment", message, items[0].span).saying(place(first));
+        for item in &items[1..] {
+            diagnostic = diagnostic.label(item.span, "");
+        }
+        for (orbit, items) in &orbits[1..] {
+            diagnostic = diagnostic.label(items[0].span, place(orbit));
+            for item in &items[1..] {
                 diagnostic = diagnostic.label(item.span, "");
             }
-            diagnostic = match drawing.erased(face) {
-                Some(span) => {
-                    diagnostic.label(span, format!("{} is erased here", rule.quoted(face)))
-                }
-                None => {
-                    diagnostic.label(after_keyword(drawing), format!("no loop here holds {list}"))
-                }
-            };
-            let stale = Stale::of_loop(drawing, &names);
-            diagnostic = diagnostic.note(stale.sentence());
-            let mut remedies = vec![Remedy::Erase(names.clone()), Remedy::Keep(face)];
+        }
+        let face = first.face.name;
+        diagnostic = match drawing.erased(face) {
+            Some(span) if orbits.len() == 1 => {
+                diagnostic.label(span, format!("{} is erased here", rule.quoted(face)))
+            }
+            _ => diagnostic.label(after_keyword(drawing), format!("no loop here holds {list}")),
+        };
+        diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
+        let mut remedies = vec![Remedy::Erase(names.clone())];
+        if orbits.len() == 1 {
+            remedies.push(Remedy::Keep(face));
+        }
+        for (orbit, _) in orbits {
+            let face = orbit.face.name;
             if drawing.after.mention(face).is_none() && drawing.erased(face).is_none() {
                 remedies.push(Remedy::Erase(names.iter().copied().chain([face]).collect()));
                 self.explained.push(face);
             }
-            self.explained.extend(
-                names
-                    .iter()
-                    .filter(|&&name| drawing.after.pairing(name).is_none()),
-            );
-            self.problems.push(Problem {
-                diagnostic,
-                remedies,
-            });
         }
+        self.explained.extend(
+            names
+                .iter()
+                .filter(|&&name| drawing.after.pairing(name).is_none()),
+        );
+        self.problems.push(Problem {
+            diagnostic,
+            remedies,
+        });
     }
 
     /// Halfedges that are paired before, and not after.
@@ -336,7 +399,7 @@ impl Law<'_> {
                 Diagnostic::error("missing-reassignment", message, created.span)
                     .saying(format!("{pointers} would be unset"))
             };
-            if drawing.after.loop_of_item(name).is_none() {
+            if drawing.after.loop_of_item(name).is_none() && !self.placed.contains(&name) {
                 let pointers = format!("`{word}.next`, `{word}.vertex` and `{word}.face`");
                 self.problems
                     .push(lacks("loop of `after`", pointers).into());

@@ -4,7 +4,7 @@
 //! read off the drawing: that every face stays a triangle, given that all were, is a count of
 //! halfedges, in which the length of a path follows from the loop it comes from.
 
-use super::facts::Change;
+use super::facts::{Change, Facts};
 use super::families::Sizes;
 use super::guard::Obligation;
 use super::keeps;
@@ -126,17 +126,11 @@ fn family_of(rule: &Rule, word: &str) -> Option<NameId> {
 }
 
 /// What `keeps` declares and the rule does not keep.
-pub(super) fn broken_claims(
-    op: &Op,
-    drawing: &Drawing,
-    kept: &[Property],
-    change: Change,
-    grows_with: &[String],
-) -> Vec<Problem> {
+pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Problem> {
     let broken = op
         .keeps
         .iter()
-        .filter(|(property, _)| !kept.contains(property));
+        .filter(|(property, _)| !facts.keeps.contains(property));
     broken
         .map(|&(property, span)| {
             let word = property.word();
@@ -153,13 +147,13 @@ pub(super) fn broken_claims(
                 }
                 Property::Triangles => wrong_size(drawing, 3),
                 Property::Quads => wrong_size(drawing, 4),
-                Property::Euler => Some(format!("V - E + F changes by {:+}", change.euler())),
+                Property::Euler => Some(euler_changes(facts)),
                 Property::Boundary => {
                     Some("a hole may lose or gain vertices, or come or go".into())
                 }
                 Property::ConstantTime => Some(format!(
                     "its time grows with {}",
-                    join(grows_with.iter().cloned())
+                    join(facts.grows_with.iter().cloned())
                 )),
             };
             match why {
@@ -168,6 +162,17 @@ pub(super) fn broken_claims(
             }
         })
         .collect()
+}
+
+/// By how much V - E + F changes, in words.
+fn euler_changes(facts: &Facts) -> String {
+    let constant = facts.change.euler();
+    let per_index = facts.per_index.map_or(0, Change::euler);
+    match (constant, per_index) {
+        (_, 0) => format!("V - E + F changes by {constant:+}"),
+        (0, _) => format!("V - E + F changes by {per_index:+} for each index"),
+        _ => format!("V - E + F changes by {constant:+}, and by {per_index:+} for each index"),
+    }
 }
 
 /// The number of halfedges of a loop of `after`, if it follows from all faces before having

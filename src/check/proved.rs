@@ -69,6 +69,12 @@ impl Proof {
         &self.facts
     }
 
+    /// The proof, if it bears out all that the op claims to keep.
+    pub(super) fn bears_out(self, op: &Op, drawing: &Drawing) -> Result<Self, Broken> {
+        stop_at(properties::broken_claims(op, drawing, &self.facts))?;
+        Ok(self)
+    }
+
     /// The argument in words, law by law. The rule is the one that was proved.
     pub fn argument(&self, rule: &Rule) -> Vec<Argument> {
         argument::argument(self.drawn(rule), &self.rings)
@@ -174,22 +180,14 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let cases = rings.cases + aliased.cases();
     let mut facts = Facts::of(&drawing, &matching, &guard, cases);
     aliased.keeps_no_more(&mut facts);
-    let Facts {
-        keeps,
-        change,
-        grows_with,
-        ..
-    } = &facts;
-    stop_at(properties::broken_claims(
-        op, &drawing, keeps, *change, grows_with,
-    ))?;
-    Ok(Proof {
+    let proof = Proof {
         matching,
         guard,
         facts,
         rings,
         unrolled: None,
-    })
+    };
+    proof.bears_out(op, &drawing)
 }
 
 /// The laws that read the statements: all but law 7.

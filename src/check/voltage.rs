@@ -26,7 +26,7 @@
 use std::borrow::Cow;
 
 use super::arrangement::{Arc, Arrangement, Lies, agreeing, arrangements};
-use super::case::Case;
+use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::Problem;
@@ -104,10 +104,8 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             return Err(problems.into());
         }
         if shown.len() < MOST_SHOWN {
-            let rings = case.labels().into_iter().zip(case.cycles.clone());
-            let first = |steps: &[super::case::Step]| matches!(steps.first(), Some(super::case::Step::Port(port)) if rule.is_first(port.item()));
             shown.push(RingCase {
-                rings: rings.filter(|(_, steps)| first(steps)).collect(),
+                rings: at_index_0(rule, &case),
             });
         }
     }
@@ -119,6 +117,13 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         cases,
         shown,
     })
+}
+
+/// Of the rings of each family the one at index 0, and those of single vertices.
+fn at_index_0(rule: &Rule, case: &Case) -> Vec<(Option<NameId>, Vec<Step>)> {
+    let rings = case.labels().into_iter().zip(case.cycles.clone());
+    let first = |label: Option<NameId>| label.is_none_or(|vertex| rule.is_first(vertex));
+    rings.filter(|(label, _)| first(*label)).collect()
 }
 
 /// The ways of one vertex.

@@ -7,7 +7,7 @@ fn check_tells_what_was_proved() {
     let bench = Bench::new();
     let told = bench.succeeds(&["check", &example("flip.hedge"), &example("split.hedge")]);
     assert!(
-        told.contains("proved  flip      1 case  V ±0  E ±0  F ±0  constant time"),
+        told.contains("proved  flip      1 case  V ±0  E ±0  F ±0  grows with the degree of `v2`"),
         "{told}"
     );
     assert!(
