@@ -109,9 +109,7 @@ impl Printer<'_> {
                     doc = doc.append(match value {
                         Shown::Value(value) => self.value(value, width),
                         // It ends on the line on which it begins.
-                        Shown::Text(_, span) => {
-                            text(self.verbatim(span.start as usize, span.end as usize))
-                        }
+                        Shown::Text(_, span) => self.as_written(*span),
                     });
                 }
                 doc.nest(HANG).group()
