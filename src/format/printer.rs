@@ -132,23 +132,21 @@ impl<'t> Printer<'t> {
                     | TokenKind::Dot
             )
         );
-        let gap = if tight { "  " } else { "" };
-        self.comments_above(gap).append(text(self.word()))
-    }
-
-    /// Takes what a span holds as it is written, below the comments before it.
-    pub fn as_written(&mut self, span: Span) -> Doc {
-        let comments = self.comments_above("");
-        comments.append(text(self.verbatim(span.start as usize, span.end as usize)))
-    }
-
-    /// Takes all comments before the next token, each on a line of its own.
-    fn comments_above(&mut self, gap: &str) -> Doc {
         let mut doc = nil();
         for comment in self.comments_before_next() {
+            let gap = if tight { "  " } else { "" };
             doc = doc.append(text(format!("{gap}{comment}"))).append(hard());
         }
-        doc
+        doc.append(text(self.word()))
+    }
+
+    /// Takes all tokens up to the end of a span as they are, behind the comments before them.
+    pub fn uncut(&mut self, span: Span) -> Doc {
+        let comments = self.comments_before_next().into_iter();
+        let doc = comments.fold(nil(), |doc, comment| {
+            doc.append(text(comment)).append(hard())
+        });
+        doc.append(text(self.verbatim(span.start as usize, span.end as usize)))
     }
 
     /// Takes all comments before the next token.
