@@ -6,8 +6,10 @@ mod drain;
 mod expressions;
 mod failures;
 mod functions;
+mod literal;
 mod loops;
 mod matrices;
+mod random;
 mod remesh;
 
 use hedgerow::analysis::Analysis;
