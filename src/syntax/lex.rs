@@ -47,14 +47,18 @@ impl Comment {
 }
 
 /// What a text is made of.
-pub(super) struct Lexed {
+#[derive(Clone, Debug)]
+pub struct Lexed {
+    /// Every token, in order.
     pub tokens: Vec<Token>,
+    /// Every comment, in order.
     pub comments: Vec<Comment>,
+    /// What is no token, and what is wrong with one.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// Reads all tokens and comments of a text.
-pub(super) fn lex(file: FileId, text: &str) -> Lexed {
+pub fn lex(file: FileId, text: &str) -> Lexed {
     let mut lexed = Lexed {
         tokens: Vec::with_capacity(text.len() / 4),
         comments: Vec::new(),
