@@ -208,7 +208,10 @@ fn report_unknown(text: &str, unknown: &[Span], diagnostics: &mut Vec<Diagnostic
         let found = Diagnostic::error("unknown-character", message, span);
         diagnostics.push(match usual(first) {
             Some(usual) => found.note(format!("here it is written `{usual}`")),
-            None => found,
+            None => match other_habit(first) {
+                Some(note) => found.note(note),
+                None => found,
+            },
         });
     }
     if let [_, ..] = unknown.get(MOST_UNKNOWN..).unwrap_or_default() {
@@ -242,6 +245,18 @@ fn usual(character: char) -> Option<&'static str> {
         '&' => "and",
         '!' => "not",
         '%' => "mod",
+        _ => return None,
+    })
+}
+
+/// How to say here what a character says in other languages.
+fn other_habit(character: char) -> Option<&'static str> {
+    Some(match character {
+        ';' => "a statement ends where the next one begins",
+        '#' => "a comment begins with `//`",
+        '^' => "a power is `pow(x, y)`",
+        '?' => "a choice is `if c { x } else { y }`",
+        '\'' => "a text stands in double quotes",
         _ => return None,
     })
 }
