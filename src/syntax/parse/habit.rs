@@ -9,6 +9,8 @@ use crate::syntax::token::{Token, TokenKind as T};
 /// How far the beginning of a condition is looked for, in tokens.
 const FARTHEST: usize = 64;
 
+const COMMENT: &str = "a comment begins with `//` and ends with its line";
+
 /// Tells how something is written here, if it is written so elsewhere.
 pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) -> Diagnostic {
     let tokens = around.item;
@@ -32,9 +34,8 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::Vertex if last == Some(T::In) => written(told, here.span, "vertices"),
         T::Face if last == Some(T::In) => written(told, here.span, "faces"),
         T::Hole if last == Some(T::In) => written(told, here.span, "holes"),
-        T::Slash if after.first().is_some_and(|next| next.kind == T::Star) => {
-            told.note("a comment begins with `//` and ends with its line")
-        }
+        T::Slash if after.first().is_some_and(|next| next.kind == T::Star) => told.note(COMMENT),
+        T::Star if last == Some(T::Slash) => told.note(COMMENT),
         T::LeftBracket => told.note("there are no lists; a vector is `vec3(x, y, z)`"),
         T::Comma if in_bare_parentheses(before) => told.note("a vector is `vec3(x, y, z)`"),
         T::Dot if last == Some(T::Dot) => {
@@ -49,7 +50,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
 }
 
 fn written(told: Diagnostic, span: Span, word: &str) -> Diagnostic {
-    told.note(format!("here it is written `{word}`"))
+    told.saying(format!("here it is written `{word}`"))
         .fix(format!("write `{word}`"), span, word)
 }
 
