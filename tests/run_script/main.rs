@@ -11,6 +11,7 @@ mod loops;
 mod matrices;
 mod random;
 mod remesh;
+mod spelled;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::mesh::{Mesh, validate};

@@ -177,7 +177,7 @@ fn loops_over_changing_meshes_mean_what_they_say() {
             kinds: Vec::new(),
         };
         let program = writer.outside(2);
-        let text = format!("{OPS}{DECLARATIONS}{}", super::literal::text(&program));
+        let text = format!("{OPS}{DECLARATIONS}{}", super::spelled::text(&program));
         let (_, analysis) = analyse(&text);
         let number = analysis.script("main").unwrap();
         let prepared = prepare(&analysis.program, number, &analysis.plans).unwrap();

@@ -67,10 +67,7 @@ fn loop_statement<'t>() -> Rule<'t, Loop> {
     let items = || loop_item().repeated().at_least(1).collect::<Vec<_>>();
     let period = each(items()).map(|(variable, items)| (Some(variable), items, None));
     let vertex = name().labelled(Phrase::Vertex);
-    // A loop that goes on is not read up to here, as if it ended open.
-    let goes_on = one_of([T::Minus, T::Equals, T::FatArrow]);
-    let run = vertex.then(followed_vertices().then_ignore(goes_on.not()));
-    let run = run.map(|(first, rest)| {
+    let run = vertex.then(followed_vertices()).map(|(first, rest)| {
         let (items, end) = chain(first, rest);
         (None, items, Some(end))
     });
