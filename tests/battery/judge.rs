@@ -108,7 +108,7 @@ pub fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
                 Meshes::Lied
             } else if experience.unwritable > 0 {
                 Meshes::Unwritable
-            } else if experience.matches == 0 {
+            } else if experience.matches == 0 || contradicts(&sizes, pool, random) {
                 Meshes::NeverMatched
             } else {
                 Meshes::Survived
@@ -134,6 +134,14 @@ fn sizes(op: &Op, text: &str, most: usize) -> Vec<Op> {
     written
         .filter_map(|text| Some(read_back(&text)?.1))
         .collect()
+}
+
+/// Whether a rule with families matches on cycles of 1 and 2 alone: there `h[i+1]` and `h[i-1]`
+/// may be one, on all longer cycles the drawing contradicts itself.
+fn contradicts(sizes: &[Op], pool: &Pool, random: &mut Random) -> bool {
+    let longer = sizes.get(2..).unwrap_or_default();
+    let rules: Vec<_> = longer.iter().map(|op| &op.rules[0]).collect();
+    !longer.is_empty() && experience(&rules, None, pool.trials(longer, random)).matches == 0
 }
 
 fn accepted(

@@ -16,6 +16,9 @@ pub fn mutate_family(rule: &mut Rule, random: &mut Random) -> Option<()> {
     };
     let mut places = refs(side);
     let count = places.len();
+    if count == 0 {
+        return None;
+    }
     let families: Vec<_> = (0..count)
         .filter(|&at| role(places[at].name) == Role::Family)
         .collect();
