@@ -158,6 +158,45 @@ script main() {
 }
 
 #[test]
+fn a_require_among_the_steps_refuses_all_of_them() {
+    let analysis = sound(
+        "use \"std/polygon.hedge\"
+/// Leaves a face with twice as many sides, if none of its edges is longer than that.
+op halve(f: face, longest: real) {
+  guard surface
+  require degree(f) > 2 else \"never\"
+  steps {
+    drain e in f.edges by -length(e) while length(e) > 0.5 {
+      require length(e) <= longest else \"an edge is too long\"
+      must bisect(e)
+    }
+    for e in f.edges { require length(e) > 0.1 }
+  }
+}
+script main() {
+  for f in faces { halve(f, 0.9) halve(f, 1) print degree(f) break }
+  let short = vec3(0.25)
+  update v in vertices { v.position = v.position * short }
+  for f in faces where degree(f) == 4 { halve(f, 1)  print degree(f)  break }
+  assert degree(faces_first()) > 2
+}
+fn faces_first() -> face { argmin(1 for f in faces) }",
+    );
+    let mut mesh = shape::single_polygon(4);
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    for (v, [x, y]) in mesh.clone().vertices().zip(corners) {
+        mesh.set_position(v, [x, y, 0.0].into());
+    }
+    let (report, lines) = run_main(&mut mesh, &analysis);
+    assert_eq!(lines, ["8"]);
+    let [halve] = report.ops.as_slice() else {
+        panic!("{report:?}");
+    };
+    assert_eq!(halve.applied, 1);
+    assert_eq!(halve.refused, [("an edge is too long".to_owned(), 1)]);
+}
+
+#[test]
 fn what_steps_may_not_be() {
     let around = "op a(e: edge) { steps { must b(e) } } op b(e: edge) { steps { must a(e) } }";
     assert_eq!(codes(around), ["cyclic-steps"; 2]);

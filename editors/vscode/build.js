@@ -1,5 +1,5 @@
 // Bundles the extension, once for the desktop and once for the browser, and takes the grammar
-// from where it is kept.
+// and the licences from where they are kept.
 
 const esbuild = require("esbuild");
 const fs = require("fs");
@@ -8,6 +8,7 @@ const shared = { bundle: true, external: ["vscode"], format: "cjs", minify: true
 
 fs.mkdirSync("dist", { recursive: true });
 fs.copyFileSync("../../grammar/hedgerow.tmLanguage.json", "dist/hedgerow.tmLanguage.json");
+for (const name of ["LICENSE-APACHE", "LICENSE-MIT"]) fs.copyFileSync(`../../${name}`, `dist/${name}`);
 Promise.all([
   esbuild.build({
     ...shared, entryPoints: ["src/desktop.js"], outfile: "dist/extension.js", platform: "node",

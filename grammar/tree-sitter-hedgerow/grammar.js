@@ -194,7 +194,7 @@ module.exports = grammar({
 
     _action: ($) => choice(
       $.binding, $.assignment, $.if, $.repeat, $.while, $.for, $.update, $.drain,
-      $.print, $.assert, $.return, $.break, $.continue, $.block, $._value_at_start,
+      $.print, $.assert, $.require, $.return, $.break, $.continue, $.block, $._value_at_start,
     ),
 
     binding: ($) => seq(

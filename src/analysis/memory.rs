@@ -15,32 +15,42 @@ const MOST_REMEMBERED: usize = 1024;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Memory {
     pub(super) readings: Readings,
-    /// By the name of the op.
-    pub(super) readable: BTreeMap<String, Rc<diagram::Op>>,
+    /// The last diagrams of ops that cannot be read any more, by name.
+    pub(super) lost: BTreeMap<String, Rc<diagram::Op>>,
     /// By the text of the op.
     proofs: HashMap<String, Remembered>,
 }
 
 #[derive(Clone, Debug)]
 struct Remembered {
-    surroundings: u64,
+    meaning: u64,
     at: Span,
     examined: Rc<Examined>,
 }
 
-/// A part of a text, and what else its meaning depends on.
+/// A part of a text, and what its words mean outside of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage<'t> {
     pub(super) text: &'t str,
     pub(super) span: Span,
-    pub(super) surroundings: u64,
+    pub(super) meaning: u64,
 }
 
 impl Memory {
     /// What came of an op that is written like this, wherever it stood then.
     pub(super) fn recall(&self, op: Passage) -> Option<Rc<Examined>> {
         let known = self.proofs.get(op.text)?;
-        (known.surroundings == op.surroundings).then(|| moved(&known.examined, known.at, op.span))
+        (known.meaning == op.meaning).then(|| moved(&known.examined, known.at, op.span))
+    }
+
+    /// Keeps the last diagrams of ops, as far as `text` still says their names.
+    pub(super) fn lost(
+        &mut self,
+        diagrams: impl Iterator<Item = (String, Rc<diagram::Op>)>,
+        text: &str,
+    ) {
+        self.lost.extend(diagrams);
+        self.lost.retain(|name, _| text.contains(name.as_str()));
     }
 
     /// Keeps what came of an op. If it gets too much, what is not in `text` goes.
@@ -49,7 +59,7 @@ impl Memory {
             self.proofs.retain(|known, _| text.contains(known.as_str()));
         }
         let remembered = Remembered {
-            surroundings: op.surroundings,
+            meaning: op.meaning,
             at: op.span,
             examined: Rc::clone(examined),
         };

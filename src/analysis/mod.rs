@@ -17,6 +17,7 @@ mod hover;
 mod invert;
 mod lenses;
 mod links;
+mod meaning;
 mod memory;
 pub mod names;
 mod occurrences;

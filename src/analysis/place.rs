@@ -187,6 +187,8 @@ fn within(tokens: &[Token]) -> Place {
             T::RightParen => {
                 open.pop_if(|(bracket, _)| *bracket == T::LeftParen);
             }
+            // A step.
+            T::Require if opener == T::Steps => {}
             T::Before | T::After | T::Rule | T::Steps | T::Require | T::Guard | T::Each => {
                 opener = token.kind;
             }

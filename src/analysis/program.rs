@@ -85,6 +85,10 @@ impl Analysis {
             let Span { file, start, .. } = diagnostic.span();
             (file, start)
         });
+        // What is wrong with a declaration is told once, not for each op that it concerns.
+        diagnostics.dedup_by(|next, last| {
+            (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
+        });
         Self {
             file,
             seen,

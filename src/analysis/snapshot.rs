@@ -6,11 +6,11 @@
 //! op that could be read, for what is shown while somebody types in the middle of it.
 
 use std::cell::{OnceCell, RefCell};
-use std::collections::BTreeSet;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::rc::Rc;
 
 use super::files::{Parts, Reader, fetch, name_of};
+use super::meaning::{Meanings, Read};
 use super::memory::{Memory, Passage};
 use super::names::Names;
 use super::{Examined, StepsVerdict, Verdict, files};
@@ -34,8 +34,9 @@ pub struct Snapshot {
     program: Program,
     functions: Functions,
     told: Vec<Diagnostic>,
-    names: Names,
-    surroundings: u64,
+    names: OnceCell<Names>,
+    /// For each op what its words mean.
+    meanings: OnceCell<Vec<u64>>,
     /// The ops that have to be proved: its own, and what the steps of those call.
     due: BTreeSet<usize>,
     examined: Vec<OnceCell<Rc<Examined>>>,
@@ -52,7 +53,19 @@ impl Snapshot {
     /// Reads the next text of the same document.
     pub fn next(&self, text: &str, reader: &mut dyn Reader) -> Self {
         let name = self.sources.get(self.file).name();
-        Self::read(name, text, reader, Rc::clone(&self.memory))
+        let next = Self::read(name, text, reader, Rc::clone(&self.memory));
+        let readable: HashSet<&str> = next.diagrams().map(|(name, _)| name).collect();
+        let lost = self.diagrams().filter(|(name, _)| !readable.contains(name));
+        let lost = lost.map(|(name, diagram)| (name.to_owned(), Rc::new(diagram.clone())));
+        self.memory.borrow_mut().lost(lost, text);
+        next
+    }
+
+    /// The diagrams of the ops of the text, by name.
+    fn diagrams(&self) -> impl Iterator<Item = (&str, &diagram::Op)> {
+        let ops = self.program.ops.iter();
+        let own = ops.filter(|op| op.span.file == self.file);
+        own.filter_map(|op| Some((op.name.as_str(), op.diagram.as_ref()?)))
     }
 
     fn read(name: &str, text: &str, reader: &mut dyn Reader, memory: Rc<RefCell<Memory>>) -> Self {
@@ -84,18 +97,9 @@ impl Snapshot {
                 .into_iter()
                 .filter(|told| told.span().file == file),
         );
-        for op in program.ops.iter().filter(|op| op.span.file == file) {
-            if let Some(diagram) = &op.diagram {
-                let readable = Rc::new(diagram.clone());
-                memory
-                    .borrow_mut()
-                    .readable
-                    .insert(op.name.clone(), readable);
-            }
-        }
         Self {
-            names: Names::of(&own.parsed.tree),
-            surroundings: surroundings(&own.parsed.tree, &sources, file),
+            names: OnceCell::new(),
+            meanings: OnceCell::new(),
             examined: vec![OnceCell::new(); program.ops.len()],
             sources,
             file,
@@ -177,7 +181,7 @@ impl Snapshot {
 
     /// Its names.
     pub fn names(&self) -> &Names {
-        &self.names
+        self.names.get_or_init(|| Names::of(&self.parsed.tree))
     }
 
     /// What it declares.
@@ -193,7 +197,12 @@ impl Snapshot {
 
     /// The diagram of an op: of this text, or else of the last one in which it could be read.
     pub fn readable(&self, op: &tree::Op) -> Option<Rc<diagram::Op>> {
-        self.memory.borrow().readable.get(&op.name.text).cloned()
+        let name = &op.name.text;
+        let mut here = self.diagrams();
+        match here.find(|(of, _)| of == name) {
+            Some((_, diagram)) => Some(Rc::new(diagram.clone())),
+            None => self.memory.borrow().lost.get(name).cloned(),
+        }
     }
 
     /// Whether the diagram of an op can be read in this text.
@@ -264,12 +273,13 @@ impl Snapshot {
     }
 
     fn examine(&self, op: usize) -> Rc<Examined> {
+        let meaning = self.meanings()[op];
         let op = &self.program.ops[op];
         let span = op.diagram.as_ref().map_or(op.span, |diagram| diagram.span);
         let passage = Passage {
             text: self.sources.slice(span),
             span,
-            surroundings: self.surroundings,
+            meaning,
         };
         let known = self.memory.borrow().recall(passage);
         if let Some(known) = known.filter(|_| op.diagram.is_some()) {
@@ -291,6 +301,24 @@ impl Snapshot {
             memory.keep(passage, &examined, self.text());
         }
         examined
+    }
+
+    /// For each op what its words mean outside of it, as a number.
+    fn meanings(&self) -> &[u64] {
+        self.meanings.get_or_init(|| {
+            let used = self.used.iter().map(|(file, parsed)| (*file, &**parsed));
+            let files = [(self.file, &*self.parsed)].into_iter().chain(used);
+            let files: BTreeMap<FileId, Read> = files
+                .map(|(file, parsed)| (file, Read::of(&self.sources, file, parsed)))
+                .collect();
+            let meanings = Meanings::of(&self.program, files.values().copied());
+            let ops = self.program.ops.iter().map(|op| {
+                let place = op.diagram.as_ref().map(|diagram| diagram.span);
+                let read = place.and_then(|place| Some((*files.get(&place.file)?, place)));
+                read.map_or(0, |(file, place)| meanings.fingerprint(file, place))
+            });
+            ops.collect()
+        })
     }
 
     /// Everything that is wrong, in the order of the text.
@@ -349,18 +377,4 @@ fn due(program: &Program, functions: &Functions, file: FileId) -> BTreeSet<usize
         }
     }
     due
-}
-
-/// What a proof may depend on besides the op: attributes, functions, and what is used.
-fn surroundings(tree: &tree::File, sources: &Sources, file: FileId) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    for item in &tree.items {
-        if matches!(item, Item::Use(_) | Item::Attr(_) | Item::Fn(_)) {
-            sources.slice(item.span()).hash(&mut hasher);
-        }
-    }
-    for other in sources.ids().filter(|other| *other != file) {
-        sources.get(other).text().hash(&mut hasher);
-    }
-    hasher.finish()
 }

@@ -5,7 +5,7 @@
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Access, Drawing, Kind, Ref, Rule, Type};
+use crate::diagram::{Access, Attribute, Drawing, Kind, Ref, Rule, Type};
 
 /// Tests the law.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
@@ -44,6 +44,12 @@ fn without_default(rule: &Rule, kind: Kind) -> Vec<Access> {
 fn missing(rule: &Rule, created: &Ref, access: Access) -> Diagnostic {
     let (name, attribute) = (rule.name(created.name), rule.attribute(access));
     let (word, kind) = (&name.text, name.kind.word());
+    if let Access::Declared(number) = access
+        && let Some(declared) = rule.attributes.get(number as usize)
+        && declared.span.file < created.span.file
+    {
+        return missing_elsewhere(created, kind, declared);
+    }
     let message = match access {
         Access::Position => format!("the new vertex `{word}` has no position"),
         Access::Declared(_) => {
@@ -63,4 +69,20 @@ fn missing(rule: &Rule, created: &Ref, access: Access) -> Diagnostic {
                 .note("or give the attribute a default where it is declared")
         }
     }
+}
+
+/// The op stands in a used file, which knows nothing of the attribute: it is the declaration
+/// that has to change. Of every such op the same is told.
+fn missing_elsewhere(created: &Ref, kind: &str, declared: &Attribute) -> Diagnostic {
+    let Attribute { name, ty, .. } = declared;
+    let message = format!("`{name}` has no default, and a used file creates a {kind} without it");
+    let zero = match ty {
+        Type::Bool => "false".to_owned(),
+        Type::Int | Type::Real => "0".to_owned(),
+        wide => format!("{}(0)", wide.word()),
+    };
+    let declaration = format!("attr {name}: {kind} {} = {zero}", ty.word());
+    Diagnostic::error("missing-attribute", message, declared.span)
+        .label(created.span, "created here")
+        .note(format!("give it a default: `{declaration}`"))
 }

@@ -136,10 +136,11 @@ fn called(family: &super::Name, subscript: String) -> String {
 const DRAWN: u32 = 4;
 
 impl Rule {
-    /// The rule as pictures show it: a family as a few members.
+    /// The rule as pictures show it: a family as a few members, called by how far they are from
+    /// the index.
     pub fn to_draw(&self) -> Cow<'_, Rule> {
         match self.has_families() {
-            true => Cow::Owned(Unrolled::new(self, DRAWN, Naming::Numbers).rule),
+            true => Cow::Owned(Unrolled::new(self, DRAWN, Naming::Relative).rule),
             false => Cow::Borrowed(self),
         }
     }

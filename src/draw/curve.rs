@@ -146,21 +146,6 @@ impl Curve {
             self.points[at] + left((before + behind).normalize_or_zero()) * distance
         }))
     }
-
-    /// The curve as a wave around itself, which begins and ends on it.
-    pub fn waved(&self, height: f64, wavelength: f64) -> Self {
-        let length = self.length();
-        let waves = (length / wavelength).round().max(1.0);
-        let steps = (length / 1.6).clamp(8.0, 1200.0) as usize;
-        Self::through((0..=steps).map(|step| {
-            let t = step as f64 / steps as f64;
-            let (point, direction) = self.at(t * length);
-            // The first and the last half wave are lower, so that it leaves its ends smoothly.
-            let ends = (t.min(1.0 - t) * waves * 2.0).min(1.0);
-            let wave = (t * waves * std::f64::consts::TAU).sin();
-            point + left(direction) * (height * ends * wave)
-        }))
-    }
 }
 
 /// To the left of a direction.

@@ -5,6 +5,8 @@ use std::f64::consts::TAU;
 use super::curve::turn;
 use crate::diagram::{NameId, Spoke, Star};
 
+/// How far a fan reaches.
+pub(super) const FAN: f64 = 34.0;
 /// How much is left free beside a spoke, and how wide a fan spreads at most.
 const FREE: f64 = 0.4;
 const WIDEST: f64 = 2.0;

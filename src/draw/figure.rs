@@ -141,9 +141,9 @@ impl<'a> Figure<'a> {
             figure.vertex[name.index()] = Some(figure.nodes.len());
             figure.nodes.push(Node::Vertex(name));
         }
-        let mut before = figure.read(false);
+        let mut before = figure.read(None);
         figure.bend(&mut before, None);
-        let mut after = figure.read(true);
+        let mut after = figure.read(Some(&before));
         figure.bend(&mut after, Some(&before));
         figure.before = before;
         figure.after = after;
@@ -167,8 +167,9 @@ impl<'a> Figure<'a> {
         self.nodes.len() - 1
     }
 
-    fn read(&mut self, is_after: bool) -> Side {
+    fn read(&mut self, earlier: Option<&Side>) -> Side {
         let drawing = self.drawing.clone();
+        let is_after = earlier.is_some();
         let view = if is_after {
             &drawing.after
         } else {
@@ -213,7 +214,7 @@ impl<'a> Figure<'a> {
                 self.put(&mut side, None, [Some(item), None], [from, to]);
             }
         }
-        self.put_stubs(&mut side, view);
+        self.put_stubs(&mut side, view, earlier);
         for orbit in &view.side().loops {
             let darts = orbit.items.iter();
             side.loops.push(Orbit {
@@ -237,14 +238,20 @@ impl<'a> Figure<'a> {
     }
 
     /// Halfedges that only a vertex statement lists.
-    fn put_stubs(&mut self, side: &mut Side, view: &View) {
+    fn put_stubs(&mut self, side: &mut Side, view: &View, earlier: Option<&Side>) {
         for star in &view.side().stars {
             for spoke in &star.spokes {
                 let crate::diagram::Spoke::Halfedge(spoke) = spoke else {
                     continue;
                 };
                 if side.darts[spoke.name.index()].is_none() {
-                    let ends = [self.node(Some(star.vertex.name)), self.node(None)];
+                    let known = earlier.and_then(|earlier| {
+                        let dart = earlier.darts[spoke.name.index()]?;
+                        let end = *earlier.nodes(dart).last()?;
+                        (self.nodes[end] == Node::Loose).then_some(end)
+                    });
+                    let end = known.unwrap_or_else(|| self.add(Node::Loose));
+                    let ends = [self.node(Some(star.vertex.name)), end];
                     self.put(side, None, [Some(spoke.name), None], ends);
                 }
             }

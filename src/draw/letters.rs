@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 use super::shape::Path;
 
 /// The style of a text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Style {
     Italic,
     Upright,
@@ -65,17 +65,49 @@ fn outline(text: &str) -> Vec<(char, Vec<f64>)> {
         .collect()
 }
 
+/// A letter that has been set: which, where its line begins, and how large it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Glyph {
+    pub style: Style,
+    pub code: char,
+    pub at: DVec2,
+    pub size: f64,
+}
+
+/// The outline of a letter that is a thousand units large, y down.
+pub(super) fn letter(style: Style, code: char) -> Path {
+    let mut setting = Setting::default();
+    setting.add(code.encode_utf8(&mut [0; 4]), style, 1000.0, 0.0);
+    setting.path
+}
+
 /// A text that has been set: its outline with the middle of its box at zero.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
     /// The outline.
     pub path: Path,
+    /// The same letter by letter.
+    pub glyphs: Vec<Glyph>,
     /// Half its width and half its height.
     pub half: DVec2,
 }
 
-/// Sets a name: letters in italics, digits behind them as a subscript, primes raised.
+/// The same letters elsewhere.
+pub(super) fn moved(glyphs: &[Glyph], by: DVec2) -> Vec<Glyph> {
+    let glyphs = glyphs.iter().map(|&glyph| Glyph {
+        at: glyph.at + by,
+        ..glyph
+    });
+    glyphs.collect()
+}
+
+/// Sets a name: letters in italics, digits behind them and what stands in brackets as a
+/// subscript, primes raised.
 pub(super) fn name(text: &str, size: f64) -> Label {
+    let (text, index) = match text.split_once('[') {
+        Some((text, index)) => (text, index.trim_end_matches(']')),
+        None => (text, ""),
+    };
     let stem = text.trim_end_matches('\'');
     let primes = text.len() - stem.len();
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -87,7 +119,19 @@ pub(super) fn name(text: &str, size: f64) -> Label {
     let mut setting = Setting::default();
     setting.add(letters, Style::Italic, size, 0.0);
     let top = setting.x;
-    setting.add(digits, Style::Upright, size * SUBSCRIPT, DROP * size);
+    let (small, drop) = (size * SUBSCRIPT, DROP * size);
+    setting.add(digits, Style::Upright, small, drop);
+    if !digits.is_empty() && !index.is_empty() {
+        setting.add(",", Style::Upright, small, drop);
+    }
+    for part in index.chars() {
+        let (style, part) = match part {
+            '-' => (Style::Upright, '\u{2212}'),
+            part if part.is_ascii_alphabetic() => (Style::Italic, part),
+            part => (Style::Upright, part),
+        };
+        setting.add(part.encode_utf8(&mut [0; 4]), style, small, drop);
+    }
     let behind = setting.x;
     if primes > 0 {
         setting.x = top;
@@ -107,6 +151,7 @@ pub(super) fn words(text: &str, style: Style, size: f64) -> Label {
 #[derive(Default)]
 struct Setting {
     path: Path,
+    glyphs: Vec<Glyph>,
     x: f64,
 }
 
@@ -119,6 +164,12 @@ impl Setting {
         let scale = size / 1000.0;
         for code in text.chars() {
             let x = self.x;
+            self.glyphs.push(Glyph {
+                style,
+                code,
+                at: DVec2::new(x, drop),
+                size,
+            });
             let place = |p: &[f64]| DVec2::new(x + p[0] * scale, drop - p[1] * scale);
             let Some(letter) = letters.iter().find(|letter| letter.code == code) else {
                 let corners = [[60., 0.], [60., 600.], [440., 600.], [440., 0.]];
@@ -144,6 +195,7 @@ impl Setting {
         let middle = DVec2::new(half.x, -(ASCENT - DESCENT) / 2.0 * size);
         Label {
             path: self.path.moved(-middle),
+            glyphs: moved(&self.glyphs, -middle),
             half,
         }
     }

@@ -12,16 +12,25 @@ mod assigned;
 mod figure;
 mod outer;
 mod place;
+mod sector;
 mod status;
 
 // How it is drawn.
 mod curve;
 mod fan;
+mod fit;
 mod hatch;
 mod letters;
-mod panel;
+mod pen;
 mod room;
 mod shape;
+mod spots;
+
+mod faces;
+mod panel;
+mod stars;
+mod strands;
+
 mod sheet;
 
 mod view;
@@ -30,8 +39,10 @@ mod view;
 mod compact;
 mod page;
 mod png;
+mod steps;
 mod svg;
 mod text;
+mod words;
 
 pub use page::{Section, page};
 pub use png::TooLarge;

@@ -14,6 +14,8 @@ use super::assigned::assigned;
 use super::curve::{direction, left};
 use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
+use super::sector::sector;
+use crate::diagram::NameId;
 
 /// How often the middles are taken.
 const SWEEPS: usize = 600;
@@ -21,7 +23,9 @@ const SWEEPS: usize = 600;
 const PATH_WEIGHT: f64 = 2.0;
 /// How long and how wide the petal of a path is that closes.
 const PETAL: f64 = 1.35;
-const SPREAD: f64 = 1.15;
+const SPREAD: f64 = 0.9;
+/// How long a spur is.
+const SPUR: f64 = 0.62;
 /// Nodes nearer to each other than this look like one.
 const NEAR: f64 = 0.12;
 
@@ -31,8 +35,7 @@ pub(super) fn places(figure: &Figure) -> Vec<DVec2> {
     let parts = parts(figure, &figure.before);
     let mut x = 0.0;
     for part in parts {
-        let among = |node: usize| part.contains(&node);
-        place_part(figure, &part, &outside(&figure.before, &among), &mut places);
+        place_blocks(figure, &part, &mut places);
         let xs = part
             .iter()
             .filter_map(|&node| places[node])
@@ -45,8 +48,44 @@ pub(super) fn places(figure: &Figure) -> Vec<DVec2> {
         }
         x += (high - low).max(0.0) + 0.9;
     }
+    turn_sector(figure, &mut places);
     place_new(figure, &mut places);
     places.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// Turns a figure with families so that the sector that stands out lies at the bottom.
+fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
+    let rule = figure.drawing.rule;
+    if rule.size().is_none() {
+        return;
+    }
+    let strong = sector(rule);
+    let middle = |is_meant: &dyn Fn(NameId) -> bool| {
+        let (mut sum, mut count) = (DVec2::ZERO, 0.0);
+        for (node, place) in figure.nodes.iter().zip(&*places) {
+            if let (Node::Vertex(name), Some(place)) = (node, place)
+                && rule.is_member(*name)
+                && is_meant(*name)
+            {
+                sum += *place;
+                count += 1.0;
+            }
+        }
+        (count > 0.0).then(|| sum / count)
+    };
+    let [Some(center), Some(there)] = [
+        middle(&|_| true),
+        middle(&|name: NameId| strong[name.index()]),
+    ] else {
+        return;
+    };
+    let way = there - center;
+    if way.length() > NEAR {
+        let turn = DVec2::from_angle(way.angle_to(DVec2::Y));
+        for place in places.iter_mut().flatten() {
+            *place = center + turn.rotate(*place - center);
+        }
+    }
 }
 
 /// The nodes of a side that hang together.
@@ -92,8 +131,87 @@ fn main_dart(figure: &Figure) -> Option<Dart> {
     named.or_else(|| figure.before.loops.first()?.darts.first().copied())
 }
 
-fn place_part(figure: &Figure, part: &[usize], walk: &[Dart], places: &mut [Option<DVec2>]) {
-    let side = &figure.before;
+/// Places what hangs together: the loops that hang together along edges one after the other,
+/// each on the far side of the vertex that it shares with those before.
+fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
+    let among = |node: usize| part.contains(&node);
+    let mut blocks = blocks(&figure.before, part).into_iter();
+    let Some((first, nodes)) = blocks.next() else {
+        return place_part(figure, &figure.before, part, &[], places);
+    };
+    let others: Vec<_> = blocks.collect();
+    let mut rest = others.iter().flat_map(|(_, nodes)| nodes);
+    match rest.next() {
+        None => return place_part(figure, &first, part, &outside(&first, &among), places),
+        Some(_) => place_part(figure, &first, &nodes, &outside(&first, &among), places),
+    }
+    for (side, nodes) in others {
+        let mut here = vec![None; places.len()];
+        place_part(figure, &side, &nodes, &outside(&side, &among), &mut here);
+        let joint = nodes.iter().find(|&&node| places[node].is_some());
+        let Some((joint, at, from)) =
+            joint.and_then(|&joint| Some((joint, places[joint]?, here[joint]?)))
+        else {
+            continue;
+        };
+        let placed: Vec<_> = part.iter().filter_map(|&node| places[node]).collect();
+        let center = placed.iter().copied().sum::<DVec2>() / placed.len().max(1) as f64;
+        let away = (at - center).normalize_or(DVec2::X);
+        let turn = DVec2::from_angle((-from).normalize_or(DVec2::X).angle_to(away));
+        for node in nodes.into_iter().filter(|&node| node != joint) {
+            let place = here[node].map(|place| at + turn.rotate(place - from));
+            places[node] = places[node].or(place);
+        }
+    }
+}
+
+/// The loops that hang together along strands, each with the nodes around them.
+fn blocks(side: &Side, part: &[usize]) -> Vec<(Side, Vec<usize>)> {
+    let mut blocks: Vec<Vec<usize>> = Vec::new();
+    for (at, orbit) in side.loops.iter().enumerate() {
+        let inside = orbit
+            .darts
+            .first()
+            .is_some_and(|&dart| part.contains(&side.nodes(dart)[0]));
+        if !inside {
+            continue;
+        }
+        let touches = |other: &usize| {
+            let mut darts = side.loops[*other].darts.iter();
+            darts.any(|dart| orbit.darts.iter().any(|here| here.strand == dart.strand))
+        };
+        let (joined, apart): (Vec<_>, Vec<_>) = blocks
+            .into_iter()
+            .partition(|block| block.iter().any(touches));
+        blocks = apart;
+        blocks.push(joined.into_iter().flatten().chain([at]).collect());
+    }
+    blocks.sort_by_key(|block| block.iter().min().copied());
+    let side_of = |block: Vec<usize>| {
+        let mut nodes: Vec<_> = block
+            .iter()
+            .flat_map(|&at| side.around(&side.loops[at].darts))
+            .collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let loops = side.loops.iter().enumerate();
+        let loops = loops.filter(|(at, _)| block.contains(at));
+        let side = Side {
+            loops: loops.map(|(_, orbit)| orbit.clone()).collect(),
+            ..side.clone()
+        };
+        (side, nodes)
+    };
+    blocks.into_iter().map(side_of).collect()
+}
+
+fn place_part(
+    figure: &Figure,
+    side: &Side,
+    part: &[usize],
+    walk: &[Dart],
+    places: &mut [Option<DVec2>],
+) {
     // Counterclockwise.
     let outside: Vec<Dart> = walk
         .iter()
@@ -107,13 +225,22 @@ fn place_part(figure: &Figure, part: &[usize], walk: &[Dart], places: &mut [Opti
     let mut pulls = pulls(side);
     let mut all: Vec<Option<DVec2>> = places.to_vec();
     if ring.is_empty() {
+        if let Some(center) = center_of_star(side, part) {
+            let around = part.iter().filter(|&&node| node != center);
+            let step = TAU / (part.len() - 1) as f64;
+            places[center] = Some(DVec2::ZERO);
+            for (at, &node) in around.enumerate() {
+                places[node] = Some(direction(step * at as f64));
+            }
+            return;
+        }
         let angle = |at: usize| PI - TAU * at as f64 / part.len() as f64;
         for (at, &node) in part.iter().enumerate() {
             places[node] = Some(direction(angle(at)));
         }
         return;
     }
-    let angles = angles(figure, &outside, &ring);
+    let angles = angles(figure, side, &outside, &ring);
     let mut once = ring.clone();
     once.sort_unstable();
     once.dedup();
@@ -129,14 +256,68 @@ fn place_part(figure: &Figure, part: &[usize], walk: &[Dart], places: &mut [Opti
         }
     }
     settle(side, &mut all, &pulls);
+    stretch(side, &mut all, &|node| ring.contains(&node));
     for &node in part {
         places[node] = all[node];
     }
 }
 
+/// The node that all strands of a part begin or end at, if there are several.
+fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
+    let strands = side.strands.iter();
+    let strands: Vec<_> = strands
+        .filter(|strand| part.contains(&strand.nodes[0]))
+        .collect();
+    let is_center = |node: &&usize| strands.iter().all(|strand| strand.ends().contains(node));
+    (part.len() > 2 && !strands.is_empty())
+        .then(|| part.iter().find(is_center).copied())
+        .flatten()
+}
+
+/// Makes spurs, and edges from a vertex to itself, so long that they can be read.
+fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
+    let degree = |node: usize| {
+        let ends = side.strands.iter().flat_map(|strand| strand.ends());
+        ends.filter(|&end| end == node).count()
+    };
+    let loops = side.loop_of();
+    let sides = |dart: usize| loops[dart].map(|at| side.loops[at].darts.len());
+    for (at, strand) in side.strands.iter().enumerate() {
+        let [from, to] = strand.ends();
+        let bends = &strand.nodes[1..strand.nodes.len() - 1];
+        let (root, ends, angles): (usize, Vec<usize>, &[f64]) = match bends {
+            _ if strand.is_path && from != to => continue,
+            [] if degree(to) == 1 => (from, vec![to], &[0.0]),
+            [] if degree(from) == 1 => (to, vec![from], &[0.0]),
+            [_, _] if from == to => (from, bends.to_vec(), &[0.5, -0.5]),
+            [_, _, _] if from == to => (from, bends.to_vec(), &[0.6, 0.0, -0.6]),
+            _ => continue,
+        };
+        let known: Option<Vec<_>> = ends.iter().map(|&end| places[end]).collect();
+        let (Some(root), Some(known)) = (places[root], known) else {
+            continue;
+        };
+        if ends.iter().any(|&end| is_fixed(end)) {
+            continue;
+        }
+        let middle = known.iter().copied().sum::<DVec2>() / known.len() as f64;
+        let away = middle - root;
+        if away.length() < SPUR {
+            let away = away.normalize_or(DVec2::X) * SPUR;
+            // A loop that consists of it lies inside; another one goes on outside of it.
+            let sign = match [sides(2 * at), sides(2 * at + 1)] {
+                [Some(1), _] | [None, _] => 1.0,
+                [Some(_), _] => -1.0,
+            };
+            for (&end, &angle) in ends.iter().zip(angles) {
+                places[end] = Some(root + away.rotate(DVec2::from_angle(sign * angle)));
+            }
+        }
+    }
+}
+
 /// For each node of the outside its angle.
-fn angles(figure: &Figure, outside: &[Dart], ring: &[usize]) -> Vec<f64> {
-    let side = &figure.before;
+fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec<f64> {
     let mut weights = Vec::new();
     for dart in outside {
         let strand = &side.strands[dart.strand];
@@ -247,6 +428,7 @@ fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
     let side = &figure.after;
     let mut all = places.to_vec();
     settle(side, &mut all, &pulls(side));
+    stretch(side, &mut all, &|node| places[node].is_some());
     for (place, at) in places.iter_mut().zip(&all) {
         *place = place.or(*at);
     }
@@ -286,7 +468,7 @@ fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
             .collect();
         let middle = olds.iter().copied().sum::<DVec2>() / olds.len().max(1) as f64;
         // Also away from the middle of the figure, which leaves room between two petals.
-        let away = (middle - a).normalize_or(DVec2::X) + middle.normalize_or_zero() * 0.7;
+        let away = (middle - a).normalize_or(DVec2::X) + middle.normalize_or_zero();
         let away = away.normalize_or(DVec2::X);
         for (at, &old_place) in inner.zip(&olds) {
             let t = at as f64 / (count - 1) as f64;

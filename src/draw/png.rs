@@ -4,7 +4,7 @@ use std::fmt::{self, Display};
 
 use tiny_skia::{Color, FillRule, LineCap, LineJoin, PathBuilder, Pixmap, StrokeDash, Transform};
 
-use super::shape::{Ink, Paint, Path, Picture, Step};
+use super::shape::{FADED, Ink, Paint, Path, Picture, Step};
 
 /// The largest side of an image.
 const MOST_PIXELS: f64 = 16_384.0;
@@ -45,13 +45,17 @@ impl Picture {
         let mut pixmap = pixmap.ok_or_else(|| too_large.clone())?;
         pixmap.fill(colour(Ink::Paper, 1.0));
         let transform = Transform::from_scale(scale as f32, scale as f32);
-        for shape in self.groups.iter().flat_map(|group| &group.shapes) {
+        let shapes = self.groups.iter().flat_map(|group| {
+            let opacity = if group.is_faded { FADED } else { 1.0 };
+            group.shapes.iter().map(move |shape| (shape, opacity))
+        });
+        for (shape, opacity) in shapes {
             let Some(path) = path(&shape.path) else {
                 continue;
             };
             match shape.paint {
                 Paint::Fill(ink) => {
-                    let paint = paint(ink, 1.0);
+                    let paint = paint(ink, opacity);
                     pixmap.fill_path(&path, &paint, FillRule::Winding, transform, None);
                 }
                 Paint::Stroke(stroke) => {
@@ -65,7 +69,7 @@ impl Picture {
                         dash: dash.and_then(|dash| StrokeDash::new(dash, 0.0)),
                         ..tiny_skia::Stroke::default()
                     };
-                    let paint = paint(stroke.ink, stroke.opacity);
+                    let paint = paint(stroke.ink, stroke.opacity * opacity);
                     pixmap.stroke_path(&path, &paint, &lines, transform, None);
                 }
             }

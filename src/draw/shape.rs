@@ -4,7 +4,9 @@
 
 use glam::DVec2;
 
-use super::curve::Curve;
+use super::curve::{Curve, left};
+use super::fit::follow;
+use super::letters::{Glyph, Label, moved};
 use super::status::Status;
 
 /// A step of a path.
@@ -59,14 +61,53 @@ impl Path {
     /// The path along a curve.
     pub fn along(curve: &Curve) -> Self {
         let mut path = Self::default();
-        path.polyline(curve.points().iter().copied());
+        path.move_to(curve.points()[0]);
+        follow(&mut path, curve.points());
+        path
+    }
+
+    /// The path of a wave around a curve, which begins and ends on it.
+    pub fn waved(curve: &Curve, height: f64, wavelength: f64) -> Self {
+        let mut path = Self::default();
+        let length = curve.length();
+        let halves = 2.0 * (length / wavelength).round().max(1.0);
+        path.move_to(curve.at(0.0).0);
+        for half in 0..halves as usize {
+            // The first and the last are lower, so that it leaves its ends smoothly.
+            let is_last = half == 0 || half + 1 == halves as usize;
+            let high = if is_last { height } else { 2.0 * height };
+            let sign = if half % 2 == 0 { 1.0 } else { -1.0 };
+            let (middle, way) = curve.at((half as f64 + 0.5) / halves * length);
+            let (end, _) = curve.at((half as f64 + 1.0) / halves * length);
+            path.curve_to(middle + left(way) * (sign * high), end);
+        }
         path
     }
 
     /// The path around a polygon.
     pub fn around(corners: &[DVec2]) -> Self {
         let mut path = Self::default();
-        path.polygon(corners.iter().copied());
+        if let Some(&first) = corners.first() {
+            path.move_to(first);
+            follow(&mut path, corners);
+            path.close();
+        }
+        path
+    }
+
+    /// A box with cut corners.
+    pub fn plate(center: DVec2, half: DVec2, cut: f64) -> Self {
+        let mut path = Self::default();
+        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+        path.polygon(corners.into_iter().flat_map(|(x, y)| {
+            let corner = center + half * DVec2::new(x, y);
+            let [across, down] = [DVec2::new(x * cut, 0.0), DVec2::new(0.0, y * cut)];
+            // Each corner from the side that the way around comes from.
+            match x == y {
+                true => [corner - down, corner - across],
+                false => [corner - across, corner - down],
+            }
+        }));
         path
     }
 
@@ -167,6 +208,9 @@ pub(super) enum Paint {
     Stroke(Stroke),
 }
 
+/// How much of what stands back is seen.
+pub(super) const FADED: f64 = 0.28;
+
 /// A line: its ink, width, dashes and opacity. Its ends are round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stroke {
@@ -194,6 +238,8 @@ impl Stroke {
 pub(super) struct Shape {
     pub path: Path,
     pub paint: Paint,
+    /// Of a text, the letters that the path is the outline of.
+    pub glyphs: Vec<Glyph>,
 }
 
 /// Shapes that belong to one element.
@@ -204,6 +250,8 @@ pub(super) struct Group {
     /// What a viewer shows of it: "halfedge a, reassigned".
     pub title: String,
     pub shapes: Vec<Shape>,
+    /// Whether it stands back behind the others.
+    pub is_faded: bool,
 }
 
 impl Group {
@@ -212,24 +260,44 @@ impl Group {
         Self {
             id,
             title,
-            shapes: Vec::new(),
+            ..Self::default()
         }
     }
 
     pub fn fill(&mut self, path: Path, ink: Ink) {
-        let paint = Paint::Fill(ink);
-        self.shapes.push(Shape { path, paint });
+        self.push(path, Paint::Fill(ink));
     }
 
+    /// A text, its middle at a place.
+    pub fn write(&mut self, label: &Label, at: DVec2, ink: Ink) {
+        self.shapes.push(Shape {
+            path: label.path.moved(at),
+            paint: Paint::Fill(ink),
+            glyphs: moved(&label.glyphs, at),
+        });
+    }
+
+    /// A line; lines that are drawn alike, one after the other, are one path.
     pub fn stroke(&mut self, path: Path, stroke: Stroke) {
-        let paint = Paint::Stroke(stroke);
-        self.shapes.push(Shape { path, paint });
+        match self.shapes.last_mut() {
+            Some(last) if last.paint == Paint::Stroke(stroke) => last.path.steps.extend(path.steps),
+            _ => self.push(path, Paint::Stroke(stroke)),
+        }
+    }
+
+    fn push(&mut self, path: Path, paint: Paint) {
+        self.shapes.push(Shape {
+            path,
+            paint,
+            glyphs: Vec::new(),
+        });
     }
 
     /// The same group elsewhere.
     pub fn moved(mut self, by: DVec2) -> Self {
         for shape in &mut self.shapes {
             shape.path = shape.path.moved(by);
+            shape.glyphs = moved(&shape.glyphs, by);
         }
         self
     }

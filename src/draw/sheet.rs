@@ -8,10 +8,12 @@ use glam::DVec2;
 use super::curve::{Curve, direction};
 use super::figure::{Figure, Node};
 use super::letters::{Label, Style, name, words};
-use super::panel::{LETTERS, Panel, beyond_dot, harpoon, widest_circle, widest_gap};
+use super::panel::{LETTERS, Panel};
+use super::pen::harpoon;
 use super::place::places;
 use super::room::{Room, Spot};
 use super::shape::{Group, Ink, Path, Picture, Step, Stroke, TextBox};
+use super::spots::{beyond_dot, widest_circle, widest_gap};
 use super::status::Status;
 use crate::diagram::{Drawing, NameId, Op, Rule};
 
@@ -145,7 +147,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DV
     for (node, of) in figure.nodes.iter().enumerate() {
         let Node::Vertex(vertex) = *of else { continue };
         let shown = [0, 1].map(|side| panels[side].shown().contains(&vertex));
-        if shown == [false, false] {
+        if shown == [false, false] || !panels[0].stands_out(vertex) {
             continue;
         }
         let directions: Vec<_> = panels
@@ -202,7 +204,11 @@ fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
             );
         }
     }
-    scale.min(320.0)
+    // Of families a sector has names; the others may be narrow.
+    match figure.drawing.rule.size() {
+        Some(_) => scale.min(250.0),
+        None => scale.min(320.0),
+    }
 }
 
 fn bounds((low, high): (DVec2, DVec2), (groups, room): &(Vec<Group>, Room)) -> (DVec2, DVec2) {
@@ -298,7 +304,7 @@ impl Sheet {
             label = words(text, style, size * most / label.half.x);
         }
         let mut group = Group::default();
-        group.fill(label.path.moved(at), ink);
+        group.write(&label, at, ink);
         self.picture.groups.push(group);
         self.picture.texts.push(TextBox {
             text: text.to_string(),

@@ -8,6 +8,7 @@ use glam::DVec2;
 use super::curve::{Curve, left};
 use super::figure::{Dart, Figure, Side};
 use super::place::places;
+use super::sector::sector;
 use super::status::Status;
 use crate::diagram::{Drawing, NameId, Op, Rule};
 
@@ -74,6 +75,8 @@ fn text_rule(rule: &Rule) -> String {
     }
     for (word, status) in [("new", Status::New), ("erase", Status::Erased)] {
         let of = (0..rule.names.len() as u32).map(NameId);
+        // Of a family the first.
+        let of = of.filter(|&name| rule.is_first(name));
         let of = of.filter(|&name| Status::of(&figure.drawing, name) == status);
         let names: Vec<_> = of.map(|name| rule.name(name).text.as_str()).collect();
         if !names.is_empty() {
@@ -106,6 +109,8 @@ impl Canvas {
     fn side(&mut self, figure: &Figure, side: &Side, places: &[DVec2]) {
         let rule = figure.drawing.rule;
         let word = |name: NameId| rule.name(name);
+        let strong = sector(rule);
+        let is_written = |name: &NameId| word(*name).named && strong[name.index()];
         let curves: Vec<_> = side
             .strands
             .iter()
@@ -119,12 +124,16 @@ impl Canvas {
         }
         for &vertex in &side.shown {
             if let Some(node) = figure.vertex(vertex) {
-                self.write(&word(vertex).text, places[node], 0);
+                let text = match strong[vertex.index()] {
+                    true => &word(vertex).text,
+                    false => "•",
+                };
+                self.write(text, places[node], 0);
             }
         }
         for (at, (strand, curve)) in side.strands.iter().zip(&curves).enumerate() {
             for (item, forward) in strand.items.into_iter().zip([true, false]) {
-                let Some(item) = item.filter(|&item| word(item).named) else {
+                let Some(item) = item.filter(is_written) else {
                     continue;
                 };
                 let dart = Dart {
@@ -142,12 +151,12 @@ impl Canvas {
                 let text = format!("{}{}", word(item).text, arrow(way));
                 self.write(&text, middle + by, 6);
             }
-            if let Some(edge) = strand.edge.filter(|&edge| word(edge).named) {
+            if let Some(edge) = strand.edge.filter(is_written) {
                 let middle = curve.at(curve.length() / 2.0).0;
                 self.write(&word(edge).text, middle, 3);
             }
         }
-        for orbit in &side.loops {
+        for orbit in side.loops.iter().filter(|orbit| is_written(&orbit.face)) {
             let nodes = side.around(&orbit.darts);
             let middle = nodes.iter().map(|&node| places[node]).sum::<DVec2>();
             let middle = middle / nodes.len().max(1) as f64;

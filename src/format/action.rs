@@ -109,14 +109,13 @@ impl Printer<'_> {
                     doc = doc.append(match value {
                         Shown::Value(value) => self.value(value, width),
                         // It ends on the line on which it begins.
-                        Shown::Text(_, span) => {
-                            text(self.verbatim(span.start as usize, span.end as usize))
-                        }
+                        Shown::Text(_, span) => self.uncut(*span),
                     });
                 }
                 doc.nest(HANG).group()
             }
-            ActionKind::Assert { condition, reason } => {
+            ActionKind::Assert { condition, reason }
+            | ActionKind::Require { condition, reason } => {
                 self.demanded(condition, reason.is_some(), width)
             }
             ActionKind::Return(Some(value)) => {

@@ -140,6 +140,15 @@ impl<'t> Printer<'t> {
         doc.append(text(self.word()))
     }
 
+    /// Takes all tokens up to the end of a span as they are, behind the comments before them.
+    pub fn uncut(&mut self, span: Span) -> Doc {
+        let comments = self.comments_before_next().into_iter();
+        let doc = comments.fold(nil(), |doc, comment| {
+            doc.append(text(comment)).append(hard())
+        });
+        doc.append(text(self.verbatim(span.start as usize, span.end as usize)))
+    }
+
     /// Takes all comments before the next token.
     pub fn comments_before_next(&mut self) -> Lines {
         let taken = std::iter::from_fn(|| self.pending_comment());

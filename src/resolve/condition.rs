@@ -29,7 +29,7 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
                 let typed = typing.whole_as(condition, Type::Bool, "`require`");
                 let reason = match reason {
                     Some((text, _)) => text.clone(),
-                    None => format!("the require of `{op}` does not hold"),
+                    None => not_held(op),
                 };
                 requires.extend(typed.map(|condition| Require {
                     condition,
@@ -42,6 +42,11 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
         }
     }
     requires
+}
+
+/// The reason of a `require` that gives none.
+pub(super) fn not_held(op: &str) -> String {
+    format!("the require of `{op}` does not hold")
 }
 
 /// The level that a rule guards, and where it says so.

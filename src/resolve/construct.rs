@@ -1,7 +1,7 @@
 //! Vectors and matrices from their parts: `vec3(x, y, z)`, `vec4(p, 1)`, `mat4(0)`.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Builtin, Expr, ExprKind, Type};
+use crate::diagram::{Binary, Builtin, Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
@@ -17,9 +17,9 @@ pub(super) fn constructed(word: &str) -> Option<Type> {
 /// The ways to make a value of a type, to show.
 fn ways(ty: Type) -> &'static [&'static str] {
     match ty {
-        Type::Vec2 => &["vec2(x, y)", "vec2(v)"],
-        Type::Vec3 => &["vec3(x, y, z)", "vec3(v, z)", "vec3(w)"],
-        Type::Vec4 => &["vec4(x, y, z, w)", "vec4(v, w)"],
+        Type::Vec2 => &["vec2(x, y)", "vec2(d)", "vec2(v)"],
+        Type::Vec3 => &["vec3(x, y, z)", "vec3(d)", "vec3(v, z)", "vec3(w)"],
+        Type::Vec4 => &["vec4(x, y, z, w)", "vec4(d)", "vec4(v, w)"],
         Type::Mat3 => &["mat3(d)", "mat3(x, y, z)", "mat3(m)"],
         _ => &["mat4(d)", "mat4(x, y, z, w)"],
     }
@@ -45,6 +45,7 @@ impl Typing<'_> {
             | (Type::Mat4, [Type::Vec4, Type::Vec4, Type::Vec4, Type::Vec4]) => {
                 ExprKind::Vector(values)
             }
+            (ty, [Type::Real]) if ty.is_vector() => all_alike(ty, values, span),
             // The first components.
             (Type::Vec2, [Type::Vec3 | Type::Vec4]) | (Type::Vec3, [Type::Vec4]) => {
                 let mut values = values;
@@ -83,6 +84,28 @@ impl Typing<'_> {
             .note(format!("it is made by {}", quoted(ways(ty))));
         self.report.add(error);
     }
+}
+
+/// The vector with this real in every component.
+fn all_alike(ty: Type, mut real: Vec<Expr>, span: Span) -> ExprKind {
+    let size = usize::from(ty.size());
+    if let [
+        Expr {
+            kind: ExprKind::Real(_),
+            ..
+        },
+    ] = real[..]
+    {
+        return ExprKind::Vector(vec![real.remove(0); size]);
+    }
+    // What is not constant is computed once.
+    let one = typed(Type::Real, ExprKind::Real(1.0), span);
+    let ones = typed(ty, ExprKind::Vector(vec![one; size]), span);
+    ExprKind::Binary(
+        Binary::ScaleVector,
+        Box::new(ones),
+        Box::new(real.remove(0)),
+    )
 }
 
 /// Whether reals and shorter vectors, one after the other, are as long as a vector.

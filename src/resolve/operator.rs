@@ -65,6 +65,9 @@ impl Typing<'_> {
             let written = [(left_written, &left), (right_written, &right)];
             self.report.add(match op {
                 BinaryOp::Equal | BinaryOp::NotEqual => error,
+                BinaryOp::Add if types.contains(&Type::Text) => error.note(
+                    "texts are not joined; what is printed holds values: `print \"{x} of {y}\"`",
+                ),
                 _ => place_note(error, &written),
             });
             return None;

@@ -228,6 +228,8 @@ pub enum StatementKind {
     Print(Vec<Print>),
     /// `assert c else "…"`
     Assert { condition: Expr, reason: String },
+    /// `require c else "…"`, in the steps of an op: it refuses unless the condition holds
+    Require { condition: Expr, reason: String },
     /// The op called last has refused, and must not: the script stops with its reason
     Refused { op: usize },
     /// `let start = mesh`, in tests

@@ -235,7 +235,9 @@ pub(super) fn ends(block: &[Statement]) -> bool {
     block.last().is_some_and(|last| match &last.kind {
         StatementKind::Return(_) => true,
         StatementKind::Refused { .. } => true,
-        StatementKind::Assert { condition, .. } => condition.kind == ExprKind::Bool(false),
+        StatementKind::Assert { condition, .. } | StatementKind::Require { condition, .. } => {
+            condition.kind == ExprKind::Bool(false)
+        }
         StatementKind::While { condition, body } => {
             condition.kind == ExprKind::Bool(true) && !breaks(body)
         }

@@ -80,7 +80,7 @@ pub(super) fn resolve_function(
     declared: &Declared,
     report: &mut Report,
 ) -> (Value, Function) {
-    let written = (&[][..], &function.body);
+    let written = (None, &function.body);
     let (value, _, body) = resolve_body(written, signature, ops, cycles, declared, report);
     let resolved = Function {
         name: signature.name.clone(),
@@ -96,9 +96,9 @@ pub(super) fn resolve_function(
     (value, resolved)
 }
 
-/// Resolves the statements of a function, or of what is like one, and what is asked before.
+/// Resolves the statements of a function, or the steps of an op and what it asks before.
 pub(super) fn resolve_body(
-    (asked, written): (&[tree::Condition], &tree::Block),
+    (asked, written): (Option<&[tree::Condition]>, &tree::Block),
     signature: &FunctionSignature,
     ops: &[Signature],
     cycles: bool,
@@ -110,6 +110,8 @@ pub(super) fn resolve_body(
     }
     let mut scripting = Scripting::beginning(&signature.params, ops, declared, report);
     scripting.returns = Returns::of_function(signature, cycles);
+    scripting.steps_of = asked.map(|_| signature.name.as_str());
+    let asked = asked.unwrap_or_default();
     let requires = requires(asked, &signature.name, &mut scripting.typing);
     let block = scripting.body(written);
     let value = scripting.returns.value();

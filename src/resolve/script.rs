@@ -1,8 +1,11 @@
 //! A script: its parameters, its variables, its blocks and loops.
 
+use crate::diagnostic::Diagnostic;
 use crate::diagram::{Collection, Expr, Type};
+use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Ident};
 
+use super::condition::not_held;
 use super::declared::Declared;
 use super::depth::shallow_block;
 use super::op::Signature;
@@ -25,6 +28,8 @@ pub(super) struct Scripting<'a> {
     pub(super) updating: bool,
     /// What `return` gives.
     pub(super) returns: Returns,
+    /// The name of the op whose steps these are, if they are.
+    pub(super) steps_of: Option<&'a str>,
     /// The meshes of the test, if this is one.
     pub(super) testing: Option<Meshes>,
 }
@@ -100,6 +105,7 @@ impl<'a> Scripting<'a> {
             loops: 0,
             updating: false,
             returns: Returns::nothing(),
+            steps_of: None,
             testing: None,
         }
     }
@@ -192,6 +198,10 @@ impl Scripting<'_> {
                 let reason = reason.as_ref().map(|(text, _)| text.as_str());
                 self.demand(condition, reason)
             }
+            ActionKind::Require { condition, reason } => {
+                let reason = reason.as_ref().map(|(text, _)| text.as_str());
+                self.require(condition, reason, action.span)
+            }
             ActionKind::Return(value) => self.exit(value.as_ref(), action.span),
             ActionKind::Break => self.of_a_loop("break", StatementKind::Break, action.span),
             ActionKind::Continue => {
@@ -257,6 +267,29 @@ impl Scripting<'_> {
         let condition = typing.expression_as(condition, Type::Bool, "`assert`")?;
         let reason = reason.unwrap_or("the assertion does not hold").to_owned();
         Some(StatementKind::Assert { condition, reason })
+    }
+
+    /// `require c else "…"`
+    fn require(
+        &mut self,
+        condition: &tree::Expr,
+        reason: Option<&str>,
+        span: Span,
+    ) -> Option<StatementKind> {
+        let typed = self
+            .typing
+            .expression_as(condition, Type::Bool, "`require`");
+        let Some(op) = self.steps_of else {
+            let message =
+                "`require` stands where an op can refuse: in its steps, or beside its drawings";
+            let error = Diagnostic::error("misplaced-part", message, span)
+                .note("here `assert` stops what runs");
+            self.typing.report.add(error);
+            return None;
+        };
+        let reason = reason.map_or_else(|| not_held(op), str::to_owned);
+        let condition = typed?;
+        Some(StatementKind::Require { condition, reason })
     }
 
     /// The body of a loop.

@@ -91,7 +91,7 @@ pub(super) fn resolve_steps(
         },
         effects: Effects::default(),
     });
-    let written = (&steps.conditions[..], &steps.body);
+    let written = (Some(&steps.conditions[..]), &steps.body);
     let (_, requires, body) = resolve_body(written, &as_function, ops, false, declared, report);
     Some(program::Steps {
         docs: op.docs.clone(),

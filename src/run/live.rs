@@ -152,7 +152,7 @@ impl Liveness<'_> {
                 });
                 self.reading(values, exits.next.clone())
             }
-            StatementKind::Assert { condition, .. } => {
+            StatementKind::Assert { condition, .. } | StatementKind::Require { condition, .. } => {
                 self.reading([condition], exits.next.clone())
             }
             StatementKind::KeepMesh { .. } | StatementKind::AssertMesh { .. } => exits.next.clone(),
@@ -250,6 +250,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
         StatementKind::Write { .. }
         | StatementKind::Print(_)
         | StatementKind::Assert { .. }
+        | StatementKind::Require { .. }
         | StatementKind::KeepMesh { .. }
         | StatementKind::Refused { .. }
         | StatementKind::AssertMesh { .. }

@@ -5,7 +5,7 @@ use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
 use crate::resolve::{Digits, Print, Statement, StatementKind, Variable};
-use crate::rewrite::{Assembler, Inst, Label, RealDigits, Reg};
+use crate::rewrite::{Assembler, Inst, Label, Phase, RealDigits, Refusal, Reg};
 use crate::source::Span;
 
 /// Writes the code of a script.
@@ -25,6 +25,10 @@ pub(super) struct Lowering<'p> {
     pub(super) functions: Vec<usize>,
     /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
+    /// Why an operation in steps may refuse by itself.
+    pub(super) refusals: Vec<Refusal>,
+    /// Where it does.
+    refuses: Label,
     ending: Ending,
 }
 
@@ -121,9 +125,32 @@ impl<'p> Lowering<'p> {
         lowering
     }
 
+    /// The operation in steps refuses unless the condition holds.
+    pub(super) fn require(&mut self, condition: Reg, reason: &str) {
+        self.asm.emit(Inst::Expect {
+            condition,
+            refusal: self.refusals.len() as u16,
+            otherwise: self.refuses,
+        });
+        self.refusals.push(Refusal {
+            reason: reason.to_owned(),
+            phase: Phase::Require,
+        });
+    }
+
+    /// The end of the steps that is come to without a `return`, and where they refuse.
+    pub(super) fn end_of_steps(&mut self) {
+        self.asm.emit(Inst::Return { result: None });
+        self.asm.bind(self.refuses);
+        self.asm.emit(Inst::Refuse);
+    }
+
     fn with_parameters(routine: Routine<'p>, texts: &[String]) -> Self {
+        let mut asm = Assembler::knowing(texts);
         let mut lowering = Self {
-            asm: Assembler::knowing(texts),
+            refusals: Vec::new(),
+            refuses: asm.label(),
+            asm,
             names: Names::default(),
             liveness: Liveness {
                 variables: routine.variables,
@@ -252,6 +279,10 @@ impl<'p> Lowering<'p> {
             }
             StatementKind::Print(pieces) => self.print(pieces),
             StatementKind::Assert { condition, reason } => self.assert(condition, reason, span),
+            StatementKind::Require { condition, reason } => {
+                let condition = self.value(condition);
+                self.require(condition, reason);
+            }
             StatementKind::Refused { op } => self.stop_refused(*op, span),
             StatementKind::KeepMesh { mesh } => {
                 self.trap_at(span, Inst::MeshKeep { mesh: *mesh });

@@ -13,7 +13,7 @@ use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp, Steps};
-use crate::rewrite::{self, BELOW, Code, Inst, Phase, Plan, Refusal, TooLarge};
+use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 
 /// Makes plans of the operations in steps of a program, among the plans of the others. One
 /// that calls an operation without a plan gets none.
@@ -106,34 +106,22 @@ fn lowered<'p>(op: &'p ResolvedOp, steps: &'p Steps, functions: &Functions) -> L
         block: &steps.body.block,
     };
     let mut lowering = Lowering::of_steps(routine, functions.texts());
-    let mut refusals = Vec::new();
-    let refuses = lowering.asm.label();
     for require in &steps.requires {
         let mark = lowering.asm.mark();
         let condition = lowering.value(&require.condition);
-        lowering.asm.emit(Inst::Expect {
-            condition,
-            refusal: refusals.len() as u16,
-            otherwise: refuses,
-        });
+        lowering.require(condition, &require.reason);
         lowering.asm.release(mark);
-        refusals.push(Refusal {
-            reason: require.reason.clone(),
-            phase: Phase::Require,
-        });
     }
     lowering.block(&steps.body.block, Some(&Exits::default()));
-    lowering.asm.emit(Inst::Return { result: None });
-    lowering.asm.bind(refuses);
-    lowering.asm.emit(Inst::Refuse);
+    lowering.end_of_steps();
     let mut calls: BTreeSet<usize> = lowering.called.iter().map(|&(op, _)| op).collect();
     for function in functions.reached(&lowering.functions) {
         calls.extend(functions.applies[function].iter().map(|&(op, _)| op));
     }
     Lowered {
-        lowering: Some(lowering),
         calls,
-        refusals,
+        refusals: std::mem::take(&mut lowering.refusals),
+        lowering: Some(lowering),
         level: steps.level,
     }
 }

@@ -114,7 +114,9 @@ impl Action {
                 let values = values.iter().flat_map(Shown::values);
                 values.for_each(|value| look(Part::Expr(value)));
             }
-            ActionKind::Assert { condition, .. } => look(Part::Expr(condition)),
+            ActionKind::Assert { condition, .. } | ActionKind::Require { condition, .. } => {
+                look(Part::Expr(condition));
+            }
             ActionKind::Return(value) => value.iter().for_each(|value| look(Part::Expr(value))),
             ActionKind::Block(block) => look(Part::Block(block)),
             ActionKind::Break | ActionKind::Continue | ActionKind::Broken => {}

@@ -265,7 +265,8 @@ impl Shift for ActionKind {
                 otherwise.shift(by);
             }
             ActionKind::Print(values) => values.shift(by),
-            ActionKind::Assert { condition, reason } => {
+            ActionKind::Assert { condition, reason }
+            | ActionKind::Require { condition, reason } => {
                 condition.shift(by);
                 reason.shift(by);
             }

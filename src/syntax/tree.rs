@@ -420,6 +420,11 @@ pub enum ActionKind {
         condition: Expr,
         reason: Option<(String, Span)>,
     },
+    /// `require c else "…"`, in the steps of an op
+    Require {
+        condition: Expr,
+        reason: Option<(String, Span)>,
+    },
     /// `return`, `return x`
     Return(Option<Expr>),
     /// `break`

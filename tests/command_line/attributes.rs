@@ -127,3 +127,23 @@ fn places_in_tables_are_ids() {
     let words = "this is no valid mesh";
     bench.fails(2, &["view", "broken.halfedges", "-o", "x.svg"], words);
 }
+
+#[test]
+fn a_default_that_used_files_need_is_asked_for_once() {
+    let bench = Bench::new();
+    let program = "use \"std/polygon.hedge\"\nattr w: vertex vec3\nscript s() { }\n";
+    bench.write("s.hedge", program);
+    let said = bench.run(&["check", "s.hedge"]);
+    assert_eq!(
+        (said.code, said.err.matches("error[").count()),
+        (1, 1),
+        "{said:?}"
+    );
+    let way_out = "give it a default: `attr w: vertex vec3 = vec3(0)`";
+    assert!(said.err.contains(way_out), "{}", said.err);
+    bench.write(
+        "s.hedge",
+        program.replace("attr w: vertex vec3", "attr w: vertex vec3 = vec3(0)"),
+    );
+    bench.succeeds(&["check", "s.hedge"]);
+}

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 
-use hedgerow::draw::{draw_op, text_op};
+use hedgerow::draw::{TextBox, draw_op, text_op};
 
-use super::{example_ops, folder};
+use super::{example_ops, folder, shipped_ops};
 
 #[test]
 fn pictures_are_as_committed() {
@@ -46,7 +47,8 @@ fn every_named_element_has_an_id_and_a_title() {
             let rule = rule.to_draw();
             let label = rule.label.as_ref().map(|label| format!("{label}-"));
             for name in rule.names.iter().filter(|name| name.named) {
-                let word = name.text.replace('\'', "-prime");
+                let word = name.text.replace('-', "-minus-").replace('+', "-plus-");
+                let word = word.replace('\'', "-prime");
                 let word = word.replace('[', "-").replace(']', "");
                 let id = |side| {
                     let label = label.as_deref().unwrap_or("");
@@ -108,6 +110,44 @@ fn drawing_twice_is_drawing_once() {
     for (_, op) in example_ops() {
         assert_eq!(draw_op(&op).svg(), draw_op(&op).svg());
     }
+}
+
+/// Patterns whose outside passes a vertex twice: their pictures are large, and their texts
+/// crowd together.
+const PASSED_TWICE: [&str; 2] = ["polygon::split", "subdivide::split"];
+
+#[test]
+fn pictures_of_the_library_can_be_read() {
+    let (mut seen, mut wrong) = (0, Vec::new());
+    for (stem, op) in shipped_ops() {
+        let (picture, name) = (draw_op(&op), format!("{stem}::{}", op.name));
+        if let Some(folder) = std::env::var_os("PICTURES") {
+            let path = Path::new(&folder).join(format!("{stem}-{}", op.name));
+            for (end, svg) in [("svg", picture.svg()), ("small.svg", picture.compact_svg())] {
+                fs::write(path.with_extension(end), svg).expect("a folder");
+            }
+        }
+        seen += 1;
+        if PASSED_TWICE.contains(&&*name) {
+            continue;
+        }
+        let texts = picture.texts();
+        for (at, a) in texts.iter().enumerate() {
+            let covers = |b: &&TextBox| {
+                (0..2).all(|axis| a.to[axis] > b.from[axis] && b.to[axis] > a.from[axis])
+            };
+            if let Some(b) = texts[..at].iter().find(covers) {
+                wrong.push(format!("{name}: `{}` covers `{}`", a.text, b.text));
+            }
+        }
+        // An editor shows base64 in a hover, and no more than 70,000 letters of it.
+        let letters = picture.compact_svg().len() * 4 / 3;
+        if letters > 80_000 {
+            wrong.push(format!("{name}: {letters} letters"));
+        }
+    }
+    assert!(seen > 30, "only {seen} operations");
+    assert_eq!(wrong, Vec::<String>::new());
 }
 
 #[test]

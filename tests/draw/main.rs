@@ -19,7 +19,18 @@ fn folder(name: &str) -> PathBuf {
 
 /// The operations of the examples, each with the stem of its file, in order.
 fn example_ops() -> Vec<(String, Op)> {
-    let entries = fs::read_dir(folder("examples")).expect("the examples");
+    let ops = ops_in("examples");
+    assert!(ops.len() > 8, "only {} operations", ops.len());
+    ops
+}
+
+/// Those of the standard library too.
+fn shipped_ops() -> Vec<(String, Op)> {
+    [example_ops(), ops_in("src/library/std")].concat()
+}
+
+fn ops_in(name: &str) -> Vec<(String, Op)> {
+    let entries = fs::read_dir(folder(name)).expect("a folder");
     let mut paths: Vec<_> = entries
         .map(|entry| entry.expect("a readable entry").path())
         .filter(|path| path.extension().is_some_and(|end| end == "hedge"))
@@ -31,7 +42,6 @@ fn example_ops() -> Vec<(String, Op)> {
         let text = fs::read_to_string(&path).expect("an example");
         ops.extend(ops_of(&text).into_iter().map(|op| (stem.to_string(), op)));
     }
-    assert!(ops.len() > 8, "only {} operations", ops.len());
     ops
 }
 

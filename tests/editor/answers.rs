@@ -18,6 +18,7 @@ fn answer(case: &Case) -> String {
     let (before, after) = case.input.split_once('‸').unwrap_or(("", case.input));
     let text = format!("{before}{after}");
     let mut client = Client::able("utf-8");
+    let legend = client.hello["capabilities"]["semanticTokensProvider"]["legend"].clone();
     client.open(&text);
     let at = position(&text, before.len());
     let here = json!({ "textDocument": document(), "position": at });
@@ -77,7 +78,7 @@ fn answer(case: &Case) -> String {
             "semanticTokens/full",
             &json!({ "textDocument": document() }),
         )
-        .map(|answer| tokens(&text, &answer["data"])),
+        .map(|answer| tokens(&text, &legend, &answer["data"])),
         "hints" => {
             let end = position(&text, text.len());
             let start = json!({ "line": 0, "character": 0 });
@@ -206,37 +207,11 @@ fn symbols(text: &str, answer: &Value, depth: usize) -> String {
     entries.collect()
 }
 
-/// The words with their types and modifiers, a line of the text on a line.
-fn tokens(text: &str, data: &Value) -> String {
-    let types = [
-        "keyword",
-        "type",
-        "class",
-        "function",
-        "property",
-        "enumMember",
-        "variable",
-        "parameter",
-        "typeParameter",
-        "number",
-        "string",
-        "comment",
-        "operator",
-    ];
-    let modifiers = [
-        "declaration",
-        "defaultLibrary",
-        "documentation",
-        "new",
-        "erased",
-        "outer",
-        "vertex",
-        "halfedge",
-        "edge",
-        "face",
-        "path",
-        "fan",
-    ];
+/// The words with their types and modifiers by the server's legend, a line of the text on a line.
+fn tokens(text: &str, legend: &Value, data: &Value) -> String {
+    let names = |what: &str| legend[what].as_array().unwrap().iter();
+    let types: Vec<&str> = names("tokenTypes").flat_map(Value::as_str).collect();
+    let modifiers: Vec<&str> = names("tokenModifiers").flat_map(Value::as_str).collect();
     let numbers: Vec<usize> = data
         .as_array()
         .unwrap()

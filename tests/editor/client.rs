@@ -11,6 +11,8 @@ pub const URI: &str = "file:///work/test.hedge";
 pub struct Client {
     pub server: Server,
     next_id: i32,
+    /// What the server has said of itself.
+    pub hello: Value,
     /// What the server has let the client know, in order.
     pub told: Vec<Notification>,
     /// What the server has asked the client, in order.
@@ -20,10 +22,7 @@ pub struct Client {
 impl Client {
     /// A client that has said hello, with these capabilities.
     pub fn new(params: Value) -> Self {
-        let mut client = Self::silent();
-        client.request("initialize", params).unwrap();
-        client.notify("initialized", json!({}));
-        client
+        Self::over(Box::new(Nowhere), params)
     }
 
     /// One of a server that reads its files here.
@@ -32,7 +31,7 @@ impl Client {
             server: Server::new(reader),
             ..Self::silent()
         };
-        client.request("initialize", params).unwrap();
+        client.hello = client.request("initialize", params).unwrap();
         client.notify("initialized", json!({}));
         client
     }
@@ -42,6 +41,7 @@ impl Client {
         Self {
             server: Server::new(Box::new(Nowhere)),
             next_id: 0,
+            hello: Value::Null,
             told: Vec::new(),
             asked: Vec::new(),
         }

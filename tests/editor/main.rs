@@ -8,6 +8,8 @@ mod client;
 mod commands;
 mod conversation;
 mod edits;
+mod extension;
 mod latency;
+mod proofs;
 mod shown;
 mod workspace;

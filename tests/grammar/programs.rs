@@ -48,7 +48,7 @@ pub fn of_pages() -> Vec<String> {
 
 /// What the grammar is known to read otherwise. A keyword that touches a star: tree-sitter takes
 /// it for the name of a fan. And a word that begins items where any word may stand, as a field or a
-/// type: if it looks like the start of an item, hedgerow takes it for that, so that a file which
+/// type or, as `private`, a name: if it looks like the start of an item, hedgerow takes it for that, so that a file which
 /// someone is in the middle of typing falls apart into the right items.
 pub fn is_known_to_differ(text: &str) -> bool {
     use TokenKind as T;
@@ -64,7 +64,8 @@ pub fn is_known_to_differ(text: &str) -> bool {
     ];
     let before = |at: usize, back: usize| at.checked_sub(back).map(|at| tokens[at]);
     let leads = |token: Option<Token>| {
-        token.is_some_and(|token| matches!(token.kind, T::Dot | T::Colon | T::Arrow))
+        let leads = |kind| matches!(kind, T::Dot | T::Colon | T::Arrow | T::Equals);
+        token.is_some_and(|token| leads(token.kind))
     };
     tokens.iter().enumerate().any(|(at, token)| {
         let touches = before(at, 1)

@@ -209,6 +209,11 @@ impl Page {
                 let reason = optional(" else ", reason);
                 self.line(format!("assert {}{reason}", value(condition)));
             }
+            ActionKind::Require { condition, reason } => {
+                let reason = reason.as_ref().map(|(text, _)| format!("{text:?}"));
+                let reason = optional(" else ", reason);
+                self.line(format!("require {}{reason}", value(condition)));
+            }
             ActionKind::Return(back) => {
                 let back = optional(" ", back.as_ref().map(value));
                 self.line(format!("return{back}"));

@@ -4,7 +4,7 @@ use super::drawing::mark;
 use super::expression::{broken_value, expression};
 use super::failure::Phrase;
 use super::input::{Rule, Scene};
-use super::name::{ident, text, type_word};
+use super::name::{ident, plain_text, type_word};
 use super::recover;
 use super::text::text_with_values;
 use crate::syntax::token::TokenKind as T;
@@ -72,7 +72,7 @@ fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
         )),
         conditional(code),
         print,
-        assertion(expression),
+        demand(expression),
         back,
         jump,
         block.clone().map(ActionKind::Block),
@@ -219,12 +219,16 @@ fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     .boxed()
 }
 
-/// `assert c else "…"`
-fn assertion<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
-    just(T::Assert)
-        .ignore_then(expression.clone())
-        .then(just(T::Else).ignore_then(text()).or_not())
-        .map(|(condition, reason)| ActionKind::Assert { condition, reason })
+/// `assert c else "…"`, `require c else "…"`
+fn demand<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
+    let requires = select! { T::Assert => false, T::Require => true };
+    requires
+        .then(expression.clone())
+        .then(just(T::Else).ignore_then(plain_text()).or_not())
+        .map(|((requires, condition), reason)| match requires {
+            true => ActionKind::Require { condition, reason },
+            false => ActionKind::Assert { condition, reason },
+        })
         .boxed()
 }
 

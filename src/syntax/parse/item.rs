@@ -4,7 +4,7 @@ use super::action::{Code, code};
 use super::drawing::{mark, side};
 use super::failure::{Failure, Mistake, Phrase};
 use super::input::{Rule, Scene};
-use super::name::{ident, name, text, type_word};
+use super::name::{ident, name, plain_text, text, type_word};
 use super::recover;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
@@ -294,7 +294,7 @@ fn parts<'t>(part: Rule<'t, Part>, end: Rule<'t, T>) -> Rule<'t, Vec<Part>> {
 fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
     let require = just(T::Require)
         .ignore_then(expression.clone())
-        .then(just(T::Else).ignore_then(text()).or_not())
+        .then(just(T::Else).ignore_then(plain_text()).or_not())
         .map_with(
             |(condition, reason), scene: &mut Scene<'t, '_>| Condition::Require {
                 condition,

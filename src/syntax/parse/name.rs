@@ -1,6 +1,6 @@
 //! Names, subscripts, types and texts.
 
-use super::failure::Phrase;
+use super::failure::{Failure, Mistake, Phrase};
 use super::input::{Rule, Scene, slice};
 use crate::source::Span;
 use crate::syntax::text::read_text;
@@ -101,4 +101,18 @@ pub(super) fn text<'t>() -> Rule<'t, (String, Span)> {
         .map_with(|(), scene| (read_text(slice(scene)).value, scene.span()))
         .labelled(Phrase::Text)
         .boxed()
+}
+
+/// A text where none with values in it is understood.
+pub(super) fn plain_text<'t>() -> Rule<'t, (String, Span)> {
+    let inside = any().and_is(just(T::TextTail).not()).repeated();
+    let with_values = just(T::TextHead)
+        .ignore_then(inside)
+        .ignore_then(just(T::TextTail))
+        .validate(|_, scene, emitter| {
+            let span = scene.span();
+            emitter.emit(Failure::mistake(Mistake::ValuesInText, span));
+            (String::new(), span)
+        });
+    text().or(with_values).boxed()
 }

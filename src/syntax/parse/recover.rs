@@ -40,6 +40,7 @@ fn begins_action(kind: T) -> bool {
             | T::Update
             | T::Print
             | T::Assert
+            | T::Require
             | T::Return
             | T::Break
             | T::Continue

@@ -1,0 +1,137 @@
+//! The steps of a path as SVG writes them, in as few letters as may be.
+
+use glam::DVec2;
+
+use super::shape::{Path, Step};
+
+/// How a path is written.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Grain {
+    /// Into how many parts a unit is divided; places are rounded to parts.
+    pub parts: f64,
+    /// How many parts a number counts as one.
+    pub measure: f64,
+    /// How many parts a curve may bend elsewhere than it should, to be written as one that goes
+    /// on smoothly.
+    pub slack: i64,
+}
+
+/// The steps of a path, each but the first relative to the one before. The places are rounded,
+/// not the steps, so that nothing adds up.
+pub(super) fn data(path: &Path, grain: Grain) -> String {
+    let mut data = Steps {
+        grain,
+        ..Steps::default()
+    };
+    for step in &path.steps {
+        match *step {
+            Step::Move(to) => data.to('m', &[to]),
+            Step::Line(to) => data.to('l', &[to]),
+            Step::Curve(by, to) => data.curve(by, to),
+            Step::Close => data.close(),
+        }
+    }
+    data.text
+}
+
+/// Steps as text.
+#[derive(Default)]
+struct Steps {
+    grain: Grain,
+    text: String,
+    last: Option<char>,
+    at: [i64; 2],
+    /// Where the last polygon began: to close it leads back there.
+    began: [i64; 2],
+    /// Where a curve bends to that goes on smoothly.
+    smooth: Option<[i64; 2]>,
+}
+
+impl Steps {
+    fn rounded(&self, point: DVec2) -> [i64; 2] {
+        [point.x, point.y].map(|value| (value * self.grain.parts).round() as i64)
+    }
+
+    fn curve(&mut self, by: DVec2, to: DVec2) {
+        let wanted = self.rounded(by);
+        let is_near = |smooth: &[i64; 2]| {
+            let mut axes = smooth.iter().zip(wanted);
+            axes.all(|(a, b)| (a - b).abs() <= self.grain.slack)
+        };
+        let by = match self.smooth.filter(is_near) {
+            Some(smooth) => {
+                self.to('t', &[to]);
+                smooth
+            }
+            None => {
+                self.to('q', &[by, to]);
+                wanted
+            }
+        };
+        self.smooth = Some([0, 1].map(|axis| 2 * self.at[axis] - by[axis]));
+    }
+
+    fn to(&mut self, step: char, points: &[DVec2]) {
+        // A step like the last one needs no letter; a second `m` would be read as a line.
+        let is_new = self.last != Some(step) || step == 'm';
+        if is_new {
+            self.text.push(step);
+        }
+        let mut last = self.at;
+        for (nth, &point) in points.iter().enumerate() {
+            last = self.rounded(point);
+            for (axis, (to, from)) in last.into_iter().zip(self.at).enumerate() {
+                self.number(to - from, nth == 0 && axis == 0 && is_new);
+            }
+        }
+        (self.at, self.last, self.smooth) = (last, Some(step), None);
+        if step == 'm' {
+            self.began = last;
+        }
+    }
+
+    fn number(&mut self, way: i64, is_first: bool) {
+        // A sign parts two numbers as well as a space does.
+        if !is_first && way >= 0 {
+            self.text.push(' ');
+        }
+        let number = (way as f64 / self.grain.measure).to_string();
+        // The zero before a point says nothing.
+        let is_part = (way.abs() as f64) < self.grain.measure;
+        self.text
+            .push_str(&number.replacen("0.", ".", usize::from(is_part)));
+    }
+
+    fn close(&mut self) {
+        self.text.push('z');
+        (self.at, self.last, self.smooth) = (self.began, Some('z'), None);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_relative_and_close_to_where_they_began() {
+        let mut path = Path::default();
+        path.move_to(DVec2::new(1.0, 2.0));
+        path.line_to(DVec2::new(3.0, 1.5));
+        path.line_to(DVec2::new(3.0, 2.5));
+        path.close();
+        path.move_to(DVec2::new(0.0, 0.0));
+        path.curve_to(DVec2::new(1.0, 0.0), DVec2::new(1.0, 1.0));
+        // Smooth from here: the last bend mirrored at where it ends.
+        path.curve_to(DVec2::new(1.0, 2.0), DVec2::new(2.0, 2.0));
+        let written = |measure| {
+            let grain = Grain {
+                parts: 10.0,
+                measure,
+                slack: 0,
+            };
+            data(&path, grain)
+        };
+        assert_eq!(written(1.0), "m10 20l20-5 0 10zm-10-20q10 0 10 10t10 10");
+        assert_eq!(written(10.0), "m1 2l2-.5 0 1zm-1-2q1 0 1 1t1 1");
+    }
+}

@@ -1,0 +1,119 @@
+//! What an SVG writes once and uses wherever it stands: letters, and the words made of them.
+//!
+//! A name stands on both sides of an operation and in each of its rules, and most of a picture's
+//! words share their letters. Both SVG writers define them alike; where a word is used, only its
+//! place and its colour are said.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+use glam::DVec2;
+
+use super::letters::{Glyph, Style, letter as outline};
+use super::shape::Picture;
+use super::steps::{Grain, data};
+
+/// A letter of a word: which, how far right and down of the first, and its size, in tenths.
+type Set = (Style, char, [i64; 3]);
+
+/// The words of a picture, each with its number.
+pub(super) struct Words<'a> {
+    /// What stands before every id.
+    prefix: &'a str,
+    /// How many steps a unit of the picture has.
+    steps: f64,
+    /// How large letters are defined.
+    em: f64,
+    numbers: BTreeMap<Vec<Set>, usize>,
+}
+
+impl<'a> Words<'a> {
+    /// Collects the words of a picture whose writer counts so many steps a unit, and so many
+    /// in the size of a letter.
+    pub fn of(picture: &Picture, prefix: &'a str, steps: f64, em: f64) -> Self {
+        let mut numbers = BTreeMap::new();
+        for shape in picture.groups.iter().flat_map(|group| &group.shapes) {
+            if !shape.glyphs.is_empty() {
+                let number = numbers.len();
+                numbers.entry(set(&shape.glyphs)).or_insert(number);
+            }
+        }
+        Self {
+            prefix,
+            steps,
+            em,
+            numbers,
+        }
+    }
+
+    /// The definitions of letters and words; `link` is the attribute that names an original.
+    pub fn definitions(&self, link: &str) -> String {
+        let Self {
+            prefix, steps, em, ..
+        } = self;
+        let letters = self.numbers.keys().flatten();
+        let letters: BTreeSet<_> = letters.map(|&(style, code, _)| (style, code)).collect();
+        // Without a colour: they take that of the place where they are used.
+        let mut text = String::from("<defs>\n");
+        for (style, code) in letters {
+            let grain = Grain {
+                parts: em / 1000.0,
+                measure: 1.0,
+                slack: 1,
+            };
+            let outline = data(&outline(style, code), grain);
+            let id = letter_id(style, code);
+            let _ = writeln!(text, "<path id=\"{prefix}{id}\" d=\"{outline}\"/>");
+        }
+        for (word, number) in &self.numbers {
+            let _ = write!(text, "<g id=\"{prefix}w{number}\">");
+            for &(style, code, [x, y, size]) in word {
+                let [x, y] = [x, y].map(|tenths| tenths as f64 * steps / 10.0);
+                let place = match (x, y) {
+                    (0.0, 0.0) => String::new(),
+                    _ => format!("translate({x} {y})"),
+                };
+                let scale = (size as f64 * steps / em * 1000.0).round() / 10_000.0;
+                let id = letter_id(style, code);
+                let _ = write!(
+                    text,
+                    "<use {link}=\"#{prefix}{id}\" transform=\"{place}scale({scale})\"/>"
+                );
+            }
+            text.push_str("</g>\n");
+        }
+        text.push_str("</defs>\n");
+        text
+    }
+
+    /// The id of the word that some letters make, and where it begins, in steps.
+    pub fn used(&self, glyphs: &[Glyph]) -> (String, [f64; 2]) {
+        let number = self.numbers.get(&set(glyphs)).copied().unwrap_or(0);
+        let at = glyphs.first().map_or(DVec2::ZERO, |first| first.at);
+        let at = at.to_array().map(|length| {
+            // In tenths, as everything; adding zero makes an end of `-0`.
+            (length * 10.0).round() * self.steps / 10.0 + 0.0
+        });
+        (format!("{}w{number}", self.prefix), at)
+    }
+}
+
+/// Letters as places from the first.
+fn set(glyphs: &[Glyph]) -> Vec<Set> {
+    let tenths = |length: f64| (length * 10.0).round() as i64;
+    let first = glyphs.first().map_or(DVec2::ZERO, |first| first.at);
+    let glyphs = glyphs.iter().map(|glyph| {
+        let by = glyph.at - first;
+        let numbers = [tenths(by.x), tenths(by.y), tenths(glyph.size)];
+        (glyph.style, glyph.code, numbers)
+    });
+    glyphs.collect()
+}
+
+fn letter_id(style: Style, code: char) -> String {
+    let style = match style {
+        Style::Italic => 'i',
+        Style::Upright => 'u',
+    };
+    format!("{style}{:x}", u32::from(code))
+}
