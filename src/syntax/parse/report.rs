@@ -1,6 +1,7 @@
 //! From failures of the grammar to diagnostics: the one place with the words.
 
 use super::failure::{Failure, Mistake, Phrase};
+use super::habit::told_here;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -137,10 +138,11 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     } else {
         told
     };
-    match around.open_at(failure.span) {
+    let told = match around.open_at(failure.span) {
         Some(open) if closes => told.label(open.span, "this `{` is not closed"),
         _ => told,
-    }
+    };
+    told_here(told, &failure, around)
 }
 
 /// Whether a statement of a drawing stands among the parts of an op.
