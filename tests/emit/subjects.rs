@@ -11,11 +11,9 @@ use hedgerow::source::Sources;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 4] = [
+const NOT_EMITTED: [&str; 2] = [
     "families_dissolve_vertex: a guard of families",
-    "polygon_weld: a guard that follows the paths of `f` to several faces",
     "more_fill: a guard of families",
-    "simple_part_vertex: a guard that follows the spokes of `v` to several vertices",
 ];
 
 /// An operation: its proof, from which code is emitted, and its plan, which the machine runs.
