@@ -11,9 +11,10 @@ use hedgerow::source::Sources;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 2] = [
+const NOT_EMITTED: [&str; 3] = [
     "families_dissolve_vertex: a guard of families",
     "more_fill: a guard of families",
+    "simple_part_vertex: a guard that compares faces at the new `w` with others",
 ];
 
 /// An operation: its proof, from which code is emitted, and its plan, which the machine runs.

@@ -130,8 +130,11 @@ impl<'d> Outcome<'d> {
             drawing,
             parted: Vec::new(),
         };
-        let moves = outcome.moves().into_iter().chain(outcome.homes());
-        let runs: Vec<_> = moves.filter_map(|one| one.run).collect();
+        let mut moves = outcome.moves();
+        moves.extend(outcome.homes());
+        // Those that hardly anything asks for come last, so that names have no gaps.
+        moves.sort_by_key(|one| one.from == one.to);
+        let runs: Vec<_> = moves.iter().filter_map(|one| one.run).collect();
         for which in runs {
             let wanted = match which {
                 Run::Spokes(..) => "leaving",
