@@ -74,6 +74,8 @@ const passed = await workbench({ width: 1280, height: 800 }, async (drive) => {
     return (await Promise.all(inner)).some((count) => count > 0);
   };
   await holds("the panel shows the diagram", drawn);
+  await holds("the lens says that it is proved", async () =>
+    /^proved/.test(await view.locator(".codelens-decoration").first().innerText()));
   await view.waitForTimeout(1000);
   await shot("5-panel");
 });

@@ -58,12 +58,35 @@ impl Reach<'_> {
         }
     }
 
-    /// How many halfedges of an orbit with `each` are tried as the beginning of a family:
-    /// those of one period.
+    /// How many halfedges of a face or vertex are tried as the one to begin with, if not all:
+    /// with `each` those of one period, and as many as are drawn where all are.
     pub fn tries(&self, element: NameId) -> Option<u16> {
         let mut orbits = self.orbits().into_iter();
-        let around = orbits.find(|around| around.orbit == element)?;
-        u16::try_from(around.period).ok()
+        let around = orbits.find(|around| around.orbit == element);
+        let tries = match around {
+            Some(around) => around.period,
+            None => self.whole_orbit(element)?,
+        };
+        u16::try_from(tries).ok()
+    }
+
+    /// How many halfedges a loop or a star has that is drawn without runs.
+    fn whole_orbit(&self, element: NameId) -> Option<usize> {
+        let (rule, before) = (self.drawing.rule, &self.drawing.before);
+        match rule.kind(element) {
+            Kind::Face => {
+                let items = &before.loop_of_face(element)?.items;
+                let mut kinds = items.iter().map(|item| rule.kind(item.item.name));
+                let whole = kinds.all(|kind| kind == Kind::Halfedge);
+                whole.then_some(items.len())
+            }
+            Kind::Vertex => {
+                let spokes = &before.star(element)?.spokes;
+                let is_one = |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(_));
+                spokes.iter().all(is_one).then_some(spokes.len())
+            }
+            _ => None,
+        }
     }
 
     fn orbits(&self) -> Vec<Around> {

@@ -1,6 +1,7 @@
 //! The white space that formatting exchanges, gap by gap, as editors want it.
 
-use super::safe::{Refusal, kept, places};
+use super::safe::{Refusal, kept};
+use super::words::Words;
 use crate::source::{FileId, LineTable, Span};
 use crate::syntax::Parsed;
 use std::ops::Range;
@@ -23,7 +24,10 @@ pub struct Edit {
 /// somebody waits; [`format`](super::format) looks.)
 pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, Refusal> {
     let (formatted, again) = kept(file, source, parsed)?;
-    let (old, new) = (gaps(source, parsed), gaps(&formatted, &again));
+    let (old, new) = (
+        gaps(source, Words::of(source, parsed)),
+        gaps(&formatted, Words::lexed(&formatted, &again)),
+    );
     let pairs = old.into_iter().zip(new);
     let edits = pairs.filter_map(|(old, new)| {
         let new = formatted.get(new)?;
@@ -57,10 +61,11 @@ pub fn edits_of_lines(
 }
 
 /// What stands before each token and comment, and behind the last.
-fn gaps(text: &str, parsed: &Parsed) -> Vec<Range<usize>> {
+fn gaps(text: &str, words: Words) -> Vec<Range<usize>> {
     let end = Span::new(FileId(0), text.len(), text.len());
     let mut at = 0;
-    places(text, parsed)
+    words
+        .places()
         .chain([end])
         .map(|span| {
             let from = std::mem::replace(&mut at, span.end as usize);

@@ -2,7 +2,7 @@
 
 use super::printer::{Lines, Printer, WIDTH};
 use super::remark;
-use super::safe::leftovers;
+use super::words::Words;
 use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
 
@@ -68,7 +68,10 @@ impl Stays {
             .flat_map(|span| [span.start as usize, span.end as usize])
             .collect();
         told.sort_unstable();
-        let left = leftovers(source, parsed).map(|(at, _)| at).collect();
+        let left = Words::of(source, parsed)
+            .leftovers()
+            .map(|(at, _)| at)
+            .collect();
         Self { told, left }
     }
 

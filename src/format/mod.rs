@@ -4,8 +4,8 @@
 //! indented by braces and broken where a line would be longer than [`WIDTH`]. What the author
 //! decides stays: blank lines (one at most), edges that share a line, and blocks of one
 //! statement that stand on one line. Only white space changes: every token and every comment
-//! comes out as it went in, and formatting twice changes nothing. Both are tested each time,
-//! before anything is answered.
+//! comes out as it went in, which is looked at each time before anything is answered, and
+//! formatting twice changes nothing, which [`format`] looks at, too.
 //!
 //! An item with a mistake in it stays as it is, so a file can be formatted while it is typed.
 //!
@@ -25,6 +25,8 @@ mod drawing;
 mod item;
 
 mod remark;
+
+mod words;
 
 mod file;
 

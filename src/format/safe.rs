@@ -1,9 +1,10 @@
 //! The door: nothing is answered that lost a word, or that would look different next time.
 
 use super::file::formatted;
+use super::words::Words;
 use crate::diagnostic::Diagnostic;
-use crate::source::{FileId, Span};
-use crate::syntax::{CommentKind, Parsed, TokenKind, parse, parse_again};
+use crate::source::FileId;
+use crate::syntax::{Lexed, Parsed, lex, parse, parse_again};
 use std::fmt;
 
 /// A text, formatted.
@@ -43,8 +44,8 @@ impl std::error::Error for Refusal {}
 /// differently once more. Both are mistakes of this program; the text should be left as it is.
 pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     let parsed = parse(file, source);
-    let (text, again) = kept(file, source, &parsed)?;
-    let twice = formatted(&text, &again);
+    let (text, _) = kept(file, source, &parsed)?;
+    let twice = formatted(&text, &parse_again(file, &text, source, &parsed));
     if twice != text {
         let same = text.bytes().zip(twice.bytes());
         let place = same.take_while(|(one, other)| one == other).count();
@@ -56,93 +57,36 @@ pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
     })
 }
 
-/// The new text, which has all words of the old one, and what it says.
+/// The new text, which has all words of the old one, and these words in it.
 pub(super) fn kept(
     file: FileId,
     source: &str,
     parsed: &Parsed,
-) -> Result<(String, Parsed), Refusal> {
+) -> Result<(String, Lexed), Refusal> {
     let text = formatted(source, parsed);
-    let again = parse_again(file, &text, source, parsed);
-    if let Some(place) = first_difference(source, parsed, &text, &again) {
-        return Err(Refusal::WouldChange(place));
+    let again = lex(file, &text);
+    let (old, new) = (Words::of(source, parsed), Words::lexed(&text, &again));
+    if let Some(place) = first_difference(old, new) {
+        return Err(Refusal::WouldChange(place.unwrap_or(source.len())));
     }
     Ok((text, again))
 }
 
-/// Where two texts differ in more than white space: a place in the first.
-fn first_difference(one: &str, old: &Parsed, other: &str, new: &Parsed) -> Option<usize> {
-    let mut olds = words(one, old);
-    let mut news = words(other, new);
+/// Where two texts differ in more than white space: a place in the first, or behind its end.
+fn first_difference(old: Words, new: Words) -> Option<Option<usize>> {
+    let (mut olds, mut news) = (old.all(), new.all());
     loop {
         match (olds.next(), news.next()) {
             (None, None) => break,
             (Some((_, old)), Some((_, new))) if old == new => {}
-            (Some((span, _)), _) => return Some(span.start as usize),
-            (None, Some(_)) => return Some(one.len()),
+            (Some((span, _)), _) => return Some(Some(span.start as usize)),
+            (None, Some(_)) => return Some(None),
         }
     }
-    let mut lost = leftovers(other, new).map(|(_, what)| what);
-    let differing = leftovers(one, old).find(|(_, what)| lost.next() != Some(*what));
-    match differing {
-        Some((place, _)) => Some(place),
-        None => lost.next().map(|_| one.len()),
+    let mut kept = new.leftovers().map(|(_, what)| what);
+    let lost = old.leftovers().find(|(_, what)| kept.next() != Some(*what));
+    match lost {
+        Some((place, _)) => Some(Some(place)),
+        None => kept.next().map(|_| None),
     }
-}
-
-/// What a token or comment is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Word<'t> {
-    Token(TokenKind, &'t str),
-    Comment(CommentKind, &'t str),
-}
-
-/// All tokens and comments, in order.
-fn words<'t>(source: &'t str, parsed: &'t Parsed) -> impl Iterator<Item = (Span, Word<'t>)> {
-    let said = |span: Span| source.get(span.range()).unwrap_or("");
-    let tokens = parsed.tokens.iter();
-    let mut tokens = tokens
-        .map(move |token| (token.span, Word::Token(token.kind, said(token.span))))
-        .peekable();
-    let comments = parsed.comments.iter();
-    let mut comments = comments
-        .map(move |comment| {
-            (
-                comment.span,
-                Word::Comment(comment.kind, said(comment.span)),
-            )
-        })
-        .peekable();
-    std::iter::from_fn(move || match (tokens.peek(), comments.peek()) {
-        (Some((token, _)), Some((comment, _))) if comment.start < token.start => comments.next(),
-        (Some(_), _) => tokens.next(),
-        (None, _) => comments.next(),
-    })
-}
-
-/// The places of all tokens and comments, in order.
-pub(super) fn places<'t>(
-    source: &'t str,
-    parsed: &'t Parsed,
-) -> impl Iterator<Item = Span> + use<'t> {
-    words(source, parsed).map(|(span, _)| span)
-}
-
-/// The characters that belong to no token, no comment and no white space, and their places.
-pub(super) fn leftovers<'t>(
-    source: &'t str,
-    parsed: &'t Parsed,
-) -> impl Iterator<Item = (usize, char)> + use<'t> {
-    let mut at = 0;
-    let end = Span::new(FileId(0), source.len(), source.len());
-    let gaps = places(source, parsed).chain([end]).map(move |span| {
-        let from = std::mem::replace(&mut at, span.end as usize);
-        (from, source.get(from..span.start as usize).unwrap_or(""))
-    });
-    let is_space = |c: char| c.is_ascii_whitespace() || c == '\u{FEFF}';
-    gaps.flat_map(move |(from, gap)| {
-        gap.char_indices()
-            .filter(move |&(_, c)| !is_space(c))
-            .map(move |(at, c)| (from + at, c))
-    })
 }

@@ -174,6 +174,27 @@ fn rule_names(rules: &[tree::Rule], report: &mut Report) {
     }
 }
 
+/// An op that is drawn returns one of its names, not just something of a kind.
+fn kind_returned(kind: Kind, word: &Ident, rules: &[Names]) -> Diagnostic {
+    let message = format!(
+        "`{}` is a kind, and an op that is drawn returns one of its names",
+        word.text
+    );
+    let error = Diagnostic::error("unknown-result", message, word.span);
+    let is_one = |names: &Names, name: &str| {
+        let id = names.find(name);
+        id.is_some_and(|id| names.get(id).kind == kind)
+    };
+    let mut drawn = rules.iter().flat_map(|names| {
+        let words = names.words();
+        words.filter(move |name| is_one(names, name))
+    });
+    match drawn.next() {
+        Some(name) => error.note(format!("write the name, for example `-> {name}`")),
+        None => error.note(format!("draw {} and write its name here", kind.a_word())),
+    }
+}
+
 /// The type of what an op returns: that of its name in the rules.
 fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Type> {
     let word = &name.text;
@@ -183,6 +204,11 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         kinds.extend(kind);
     }
     let Some(first) = kinds.first().copied() else {
+        let elements = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
+        if let Some(kind) = elements.into_iter().find(|kind| kind.word() == word) {
+            report.add(kind_returned(kind, name, rules));
+            return None;
+        }
         let message = format!("`{word}` is returned, but it is drawn nowhere");
         let error = Diagnostic::error("unknown-result", message, name.span);
         let drawn = rules.iter().flat_map(Names::words);

@@ -47,14 +47,18 @@ impl Comment {
 }
 
 /// What a text is made of.
-pub(super) struct Lexed {
+#[derive(Clone, Debug)]
+pub struct Lexed {
+    /// Every token, in order.
     pub tokens: Vec<Token>,
+    /// Every comment, in order.
     pub comments: Vec<Comment>,
+    /// What is no token, and what is wrong with one.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// Reads all tokens and comments of a text.
-pub(super) fn lex(file: FileId, text: &str) -> Lexed {
+pub fn lex(file: FileId, text: &str) -> Lexed {
     let mut lexed = Lexed {
         tokens: Vec::with_capacity(text.len() / 4),
         comments: Vec::new(),
@@ -204,7 +208,10 @@ fn report_unknown(text: &str, unknown: &[Span], diagnostics: &mut Vec<Diagnostic
         let found = Diagnostic::error("unknown-character", message, span);
         diagnostics.push(match usual(first) {
             Some(usual) => found.note(format!("here it is written `{usual}`")),
-            None => found,
+            None => match other_habit(first) {
+                Some(note) => found.note(note),
+                None => found,
+            },
         });
     }
     if let [_, ..] = unknown.get(MOST_UNKNOWN..).unwrap_or_default() {
@@ -238,6 +245,18 @@ fn usual(character: char) -> Option<&'static str> {
         '&' => "and",
         '!' => "not",
         '%' => "mod",
+        _ => return None,
+    })
+}
+
+/// How to say here what a character says in other languages.
+fn other_habit(character: char) -> Option<&'static str> {
+    Some(match character {
+        ';' => "a statement ends where the next one begins",
+        '#' => "a comment begins with `//`",
+        '^' => "a power is `pow(x, y)`",
+        '?' => "a choice is `if c { x } else { y }`",
+        '\'' => "a text stands in double quotes",
         _ => return None,
     })
 }

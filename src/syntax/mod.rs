@@ -18,7 +18,7 @@ mod place;
 
 mod parse;
 
-pub use lex::{Comment, CommentKind};
+pub use lex::{Comment, CommentKind, Lexed, lex};
 pub use parse::{Parsed, parse, parse_again};
 pub use parts::Part;
 pub use token::{Token, TokenKind};

@@ -29,6 +29,8 @@ mod failure;
 
 mod report;
 
+mod habit;
+
 mod input;
 
 pub use again::parse_again;

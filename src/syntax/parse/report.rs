@@ -1,6 +1,7 @@
 //! From failures of the grammar to diagnostics: the one place with the words.
 
 use super::failure::{Failure, Mistake, Phrase};
+use super::habit::told_here;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -130,10 +131,31 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     } else {
         told.saying(format!("expected {wanted}"))
     };
-    match around.open_at(failure.span) {
+    let told = if is_of_a_drawing(&failure) {
+        told.note(
+            "what is drawn, kept, new, erased or set stands in `before { … }` or `after { … }`",
+        )
+    } else {
+        told
+    };
+    let told = match around.open_at(failure.span) {
         Some(open) if closes => told.label(open.span, "this `{` is not closed"),
         _ => told,
-    }
+    };
+    told_here(told, &failure, around)
+}
+
+/// Whether a statement of a drawing stands among the parts of an op.
+fn is_of_a_drawing(failure: &Failure) -> bool {
+    let begins_one = matches!(
+        failure.found,
+        Some(T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::Keep | T::New | T::Erase)
+    );
+    begins_one
+        && failure
+            .wanted
+            .phrases()
+            .any(|phrase| phrase == Phrase::Part)
 }
 
 /// Whether something whole could have begun here, so that nothing is missing before.
