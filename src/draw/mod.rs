@@ -34,6 +34,7 @@ mod strands;
 
 mod sheet;
 
+// A mesh.
 mod raster;
 mod view;
 mod viridis;

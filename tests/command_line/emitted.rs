@@ -169,7 +169,8 @@ fn view_writes_pictures() {
 fn pictures_show_attributes() {
     let bench = Bench::with_square();
     let program = "attr height: vertex real = 0\nattr height: face int = 2\n\
-        script s() { for v in vertices { v.height = v.position.x } }\n";
+        script s() { for v in vertices { v.height = v.position.x } \
+        for f in faces { f.height = 3 } }\n";
     bench.write("s.hedge", program);
     let run = ["run", "s.hedge", "square.obj", "-o", "s.halfedges"];
     let picture = ["--picture", "s.png", "--attribute"];

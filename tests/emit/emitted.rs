@@ -3002,36 +3002,36 @@ fn polygon_weld_one_hole(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeI
             if y1 == y2 {
                 continue; // `y1` and `y2` are one vertex
             }
-            let mut along_2: Vec<HalfedgeId> = Vec::new();
+            let mut along: Vec<HalfedgeId> = Vec::new();
             let mut h = Q_first;
             while h != a {
-                along_2.push(h);
+                along.push(h);
                 h = mesh.next(h);
             }
             let mut faces: Vec<FaceId> = Vec::new();
             let mut count = 1;
-            if !along_2.contains(&b_) {
+            if !along.contains(&b_) {
                 faces.push(mesh.face(b_));
             }
-            if along_2.contains(&b_) {
+            if along.contains(&b_) {
                 count += 1;
             }
             for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
                 if h != a {
-                    if !along_2.contains(&h) {
+                    if !along.contains(&h) {
                         faces.push(mesh.face(h));
                     }
-                    if along_2.contains(&h) {
+                    if along.contains(&h) {
                         count += 1;
                     }
                 }
             }
             for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
                 if h != r && h != b_ {
-                    if !along_2.contains(&h) {
+                    if !along.contains(&h) {
                         faces.push(mesh.face(h));
                     }
-                    if along_2.contains(&h) {
+                    if along.contains(&h) {
                         count += 1;
                     }
                 }
@@ -3041,28 +3041,28 @@ fn polygon_weld_one_hole(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeI
             }
             let mut faces_2: Vec<FaceId> = vec![f];
             let mut count_2 = 0;
-            if !along_2.contains(&a_) {
+            if !along.contains(&a_) {
                 faces_2.push(mesh.face(a_));
             }
-            if along_2.contains(&a_) {
+            if along.contains(&a_) {
                 count_2 += 1;
             }
             for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
                 if h != p && h != a_ {
-                    if !along_2.contains(&h) {
+                    if !along.contains(&h) {
                         faces_2.push(mesh.face(h));
                     }
-                    if along_2.contains(&h) {
+                    if along.contains(&h) {
                         count_2 += 1;
                     }
                 }
             }
             for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
                 if h != b {
-                    if !along_2.contains(&h) {
+                    if !along.contains(&h) {
                         faces_2.push(mesh.face(h));
                     }
-                    if along_2.contains(&h) {
+                    if along.contains(&h) {
                         count_2 += 1;
                     }
                 }
