@@ -18,6 +18,8 @@ const GRAIN: Grain = Grain {
     measure: 1.0,
     slack: 2,
 };
+/// How wide it is shown, in units: hovers are small, and more than that they cut.
+const WIDEST: f64 = 460.0;
 /// How many the size of a letter has.
 const EM: f64 = 250.0;
 
@@ -25,10 +27,13 @@ impl Picture {
     /// The picture as a small SVG.
     pub fn compact_svg(&self) -> String {
         let [width, height] = self.size().map(f64::ceil);
+        let shown = (WIDEST / width).min(1.0);
         let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" \
              viewBox=\"0 0 {} {}\"><title>{}</title><style>path{{stroke-linecap:round;\
              stroke-linejoin:round}}",
+            (width * shown).round(),
+            (height * shown).round(),
             width * STEPS,
             height * STEPS,
             escaped(&self.title)
