@@ -44,7 +44,7 @@ impl Memory {
     }
 
     /// Keeps the last diagrams of ops, as far as `text` still says their names.
-    pub(super) fn lost(
+    pub(super) fn lose(
         &mut self,
         diagrams: impl Iterator<Item = (String, Rc<diagram::Op>)>,
         text: &str,

@@ -57,7 +57,7 @@ impl Snapshot {
         let readable: HashSet<&str> = next.diagrams().map(|(name, _)| name).collect();
         let lost = self.diagrams().filter(|(name, _)| !readable.contains(name));
         let lost = lost.map(|(name, diagram)| (name.to_owned(), Rc::new(diagram.clone())));
-        self.memory.borrow_mut().lost(lost, text);
+        self.memory.borrow_mut().lose(lost, text);
         next
     }
 

@@ -67,26 +67,26 @@ pub(super) fn kept(
     let again = lex(file, &text);
     let (old, new) = (Words::of(source, parsed), Words::lexed(&text, &again));
     if let Some(place) = first_difference(old, new) {
-        return Err(Refusal::WouldChange(place.unwrap_or(source.len())));
+        return Err(Refusal::WouldChange(place));
     }
     Ok((text, again))
 }
 
 /// Where two texts differ in more than white space: a place in the first, or behind its end.
-fn first_difference(old: Words, new: Words) -> Option<Option<usize>> {
+fn first_difference(old: Words, new: Words) -> Option<usize> {
     let (mut olds, mut news) = (old.all(), new.all());
     loop {
         match (olds.next(), news.next()) {
             (None, None) => break,
             (Some((_, old)), Some((_, new))) if old == new => {}
-            (Some((span, _)), _) => return Some(Some(span.start as usize)),
-            (None, Some(_)) => return Some(None),
+            (Some((span, _)), _) => return Some(span.start as usize),
+            (None, Some(_)) => return Some(old.end()),
         }
     }
     let mut kept = new.leftovers().map(|(_, what)| what);
     let lost = old.leftovers().find(|(_, what)| kept.next() != Some(*what));
     match lost {
-        Some((place, _)) => Some(Some(place)),
-        None => kept.next().map(|_| None),
+        Some((place, _)) => Some(place),
+        None => kept.next().map(|_| old.end()),
     }
 }

@@ -37,6 +37,11 @@ impl<'t> Words<'t> {
         }
     }
 
+    /// Where the text ends.
+    pub(super) fn end(self) -> usize {
+        self.source.len()
+    }
+
     /// All tokens and comments, in order.
     pub(super) fn all(self) -> impl Iterator<Item = (Span, Word<'t>)> {
         let said = move |span: Span| self.source.get(span.range()).unwrap_or("");

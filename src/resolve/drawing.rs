@@ -174,7 +174,7 @@ impl<'a> Drawing<'a> {
             (None, None) => return None,
         };
         if (end.name, end.shift) != (first.name, first.shift) {
-            self.open_loop(word, first, end);
+            self.open_loop(word, &l.items[0].from, l.end.as_ref()?);
         }
         self.side.loops.push(Loop {
             kind: match l.keyword {
@@ -191,8 +191,8 @@ impl<'a> Drawing<'a> {
         Some(())
     }
 
-    fn open_loop(&mut self, face: &str, first: Ref, end: Ref) {
-        let [begins, ends] = [first, end].map(|r| self.names.get(r.name).text.as_str());
+    fn open_loop(&mut self, face: &str, first: &tree::Name, end: &tree::Name) {
+        let [begins, ends] = [first, end].map(ToString::to_string);
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
             .label(first.span, "it begins here")

@@ -145,7 +145,7 @@ impl Lowered<'_> {
                 return Ok(None);
             };
             calls.push((number(called)?, number(refusals.len())?));
-            refusals.extend(plan.refusals.iter().cloned());
+            refusals.extend(plan.refusals.iter().map(|refusal| within(plan, refusal)));
         }
         let below = number(refusals.len())?;
         refusals.extend(BELOW.map(|reason| Refusal {
@@ -172,6 +172,20 @@ impl Lowered<'_> {
             stages: Vec::new(),
             steps: Some(rewrite::Steps { calls, below }),
         }))
+    }
+}
+
+/// The refusal of a step as one of the whole. What it says of its own drawing is understood
+/// only beside that drawing, so it says whose it is.
+fn within(step: &Plan, refusal: &Refusal) -> Refusal {
+    let Refusal { reason, phase } = refusal;
+    let is_drawn = *phase == Phase::Match && step.steps.is_none();
+    Refusal {
+        reason: match is_drawn {
+            true => format!("in `{}`, {reason}", step.name),
+            false => reason.clone(),
+        },
+        phase: *phase,
     }
 }
 

@@ -4,6 +4,7 @@
 //! one mistake never hides what follows.
 
 use crate::source::Span;
+use std::fmt;
 
 /// A word with its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -230,6 +231,24 @@ pub struct Name {
     pub index: Option<Index>,
     /// Word and subscript.
     pub span: Span,
+}
+
+/// As it is written: `v`, `v[i+1]`.
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.ident.text)?;
+        let Some(Index {
+            variable, offset, ..
+        }) = &self.index
+        else {
+            return Ok(());
+        };
+        match variable {
+            None => write!(f, "[{offset}]"),
+            Some(Ident { text, .. }) if *offset == 0 => write!(f, "[{text}]"),
+            Some(Ident { text, .. }) => write!(f, "[{text}{offset:+}]"),
+        }
+    }
 }
 
 /// A subscript: an index variable plus a constant, or a constant alone.

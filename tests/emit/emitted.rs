@@ -2728,6 +2728,153 @@ fn polygon_collapse_no_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> 
     None
 }
 
+/// Raises a face: a ring of quads comes between its old sides and the face, which is returned.
+///
+/// ```text
+///     v3----------v2          v3----------v2
+///     |            |          | \        / |
+///     |            |          |  w3----w2  |
+///     |     f      |    ->    |  |  f  |   |
+///     |            |          |  w0----w1  |
+///     |            |          | /        \ |
+///     v0----------v1          v0----------v1
+/// ```
+///
+/// The new corners start where the old ones are. `shrink` moves them towards the centroid, all
+/// the way for 1; `distance` along the normal of the face.
+pub fn polygon_extrude(mesh: &mut Mesh, f: FaceId, distance: f64, shrink: f64) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), mesh.centroid(f), shrink) + mesh.normal(f) * distance).collect();
+    if (0..n).any(|i| !w_position[i].is_finite()) {
+        return None; // the new position of `w[i]` is not finite
+    }
+
+    // 2. Allocate what is new.
+    let w: Vec<_> = (0..n).map(|_| mesh.add_vertex()).collect();
+    let s: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let r: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let q: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+    let c: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_face_halfedge(f, s[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], q[i]);
+        mesh.set_next(s[i], s[(i + 1) % n]);
+        mesh.set_twin(s[i], r[i]);
+        mesh.set_vertex(s[i], w[i]);
+        mesh.set_edge(s[i], c[i]);
+        mesh.set_face(s[i], f);
+        mesh.set_prev(s[(i + 1) % n], s[i]);
+        mesh.set_next(r[i], b[i]);
+        mesh.set_prev(r[i], a[i]);
+        mesh.set_twin(r[i], s[i]);
+        mesh.set_vertex(r[i], w[(i + 1) % n]);
+        mesh.set_edge(r[i], c[i]);
+        mesh.set_face(r[i], q[i]);
+        mesh.set_next(a[i], r[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], q[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], r[i]);
+        mesh.set_vertex(b[i], w[i]);
+        mesh.set_face(b[i], q[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_vertex_halfedge(w[i], s[i]);
+        mesh.set_edge_halfedge(c[i], s[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(q[i], h[i]);
+    }
+    for i in 0..n {
+        mesh.set_position(w[i], w_position[i]);
+    }
+    Some(f)
+}
+
+/// Puts a vertex at the centroid of a face, and an edge from each corner to it; returns the
+/// vertex.
+///
+/// ```text
+///     v3--------v2            v3--------v2
+///     |          |            | \      / |
+///     |    f     |     ->     |    v     |
+///     |          |            | /      \ |
+///     v0--------v1            v0--------v1
+/// ```
+pub fn polygon_inset_vertex(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let w: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&w) {
+        return None; // two of `w[i]` are one vertex
+    }
+    let v_position = mesh.centroid(f);
+
+    // 2. Allocate what is new.
+    let v = mesh.add_vertex();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let e: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let g: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_vertex_halfedge(v, b[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], g[i]);
+        mesh.set_next(a[i], b[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], w[(i + 1) % n]);
+        mesh.set_edge(a[i], e[i]);
+        mesh.set_face(a[i], g[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], a[i]);
+        mesh.set_vertex(b[i], v);
+        mesh.set_face(b[i], g[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], e[i]);
+        mesh.set_edge_halfedge(e[i], a[i]);
+        mesh.set_face_halfedge(g[i], h[i]);
+    }
+    mesh.set_position(v, v_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    Some(v)
+}
+
 /// Makes two boundary edges one, and returns it; their ends meet at the midpoints.
 ///
 /// ```text
@@ -7127,6 +7274,8 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("polygon_flip", &[Element(x0)]) => (polygon_flip(mesh, EdgeId(x0)), None),
         ("polygon_split", &[Element(x0)]) => { let r = polygon_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_collapse", &[Element(x0)]) => { let r = polygon_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_extrude", &[Element(x0), Real(x1), Real(x2)]) => { let r = polygon_extrude(mesh, FaceId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_inset_vertex", &[Element(x0)]) => { let r = polygon_inset_vertex(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_weld", &[Element(x0), Element(x1)]) => { let r = polygon_weld(mesh, EdgeId(x0), EdgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },

@@ -6,9 +6,12 @@ mod drain;
 mod expressions;
 mod failures;
 mod functions;
+mod literal;
 mod loops;
 mod matrices;
+mod random;
 mod remesh;
+mod spelled;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::mesh::{Mesh, validate};
