@@ -34,12 +34,8 @@ pub(super) fn read_index(
     for param in params {
         let name = &param.name;
         if let Some(index) = &name.index
-            && (index.variable.is_some() || index.offset != 0)
+            && let Some(message) = wrong_beginning(param, index)
         {
-            let message = format!(
-                "a parameter says where its family begins: write `{}[0]`",
-                name.ident.text
-            );
             report.add(Diagnostic::error("wrong-subscript", message, index.span));
         }
         let form = (name.index.is_some(), name.span);
@@ -57,6 +53,20 @@ pub(super) fn read_index(
         }
     }
     letter.first.map(|(letter, _)| letter)
+}
+
+/// What is wrong with the subscript of a parameter: a halfedge alone says where to begin, since
+/// an edge may be taken in two directions, and around a vertex or face every place is tried.
+fn wrong_beginning(param: &tree::Param, index: &Index) -> Option<String> {
+    let is_first = index.variable.is_none() && index.offset == 0;
+    match param.ty.text.as_str() {
+        "vertex" | "edge" | "face" => Some("only a halfedge says where a family begins".into()),
+        _ if is_first => None,
+        _ => Some(format!(
+            "a parameter says where its family begins: write `{}[0]`",
+            param.name.ident.text
+        )),
+    }
 }
 
 /// Whether a name has a subscript here as it has elsewhere.

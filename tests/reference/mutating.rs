@@ -81,7 +81,7 @@ fn mentioned(side: &Side) -> Vec<NameId> {
 }
 
 /// All mentions on a side, but the ends of loops, which repeat their beginnings.
-fn refs(side: &mut Side) -> Vec<&mut Ref> {
+pub fn refs(side: &mut Side) -> Vec<&mut Ref> {
     let mut refs = Vec::new();
     for orbit in &mut side.loops {
         refs.push(&mut orbit.face);

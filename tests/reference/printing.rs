@@ -2,16 +2,19 @@
 
 use std::fmt::Write;
 
-use hedgerow::diagram::{Kind, LoopKind, NameId, Op, Ref, Rule, Side, Spoke};
+use hedgerow::diagram::{Kind, LoopKind, NameId, Op, Ref, Role, Rule, Side, Spoke};
 use hedgerow::mesh::Mesh;
 
-/// An op of one rule as text. Requirements are left out, and what is placed is placed where
-/// the first vertex of `before` is.
+/// An op of one rule as text, a statement a line. Requirements are left out, and what is placed
+/// is placed where the first vertex of `before` is, or with families at the origin.
 pub fn op_text(op: &Op, rule: &Rule) -> String {
     let mut text = format!("op {}(", op.name);
     for (at, param) in op.params.iter().enumerate() {
         let comma = if at > 0 { ", " } else { "" };
-        write!(text, "{comma}{}: {}", param.name, param.ty.word()).expect("a string");
+        let bound = rule.params.get(at).copied().flatten();
+        let family = bound.is_some_and(|name| rule.name(name).role == Role::Family);
+        let first = if family { "[0]" } else { "" };
+        write!(text, "{comma}{}{first}: {}", param.name, param.ty.word()).expect("a string");
     }
     text.push_str(") {\n  before {\n");
     side(rule, &rule.before, &mut text);
@@ -22,8 +25,12 @@ pub fn op_text(op: &Op, rule: &Rule) -> String {
     let drawn = rule.before.loops.first().map(|orbit| orbit.items[0].from);
     for assignment in &rule.assignments {
         let Some(drawn) = drawn else { continue };
-        let (word, drawn) = (word(rule, assignment.target.name), word(rule, drawn.name));
-        writeln!(text, "    {word}.position = {drawn}.position").expect("a string");
+        let value = match &rule.cycle {
+            Some(_) => "vec3(0, 0, 0)".into(),
+            None => format!("{}.position", word(rule, drawn.name)),
+        };
+        let target = mention(rule, assignment.target);
+        writeln!(text, "    {target}.position = {value}").expect("a string");
     }
     text.push_str("  }\n}\n");
     text
@@ -33,53 +40,65 @@ fn word(rule: &Rule, name: NameId) -> &str {
     &rule.name(name).text
 }
 
+/// A mention: of a family with its subscript.
+fn mention(rule: &Rule, mention: Ref) -> String {
+    let word = word(rule, mention.name);
+    match &rule.cycle {
+        Some(cycle) if rule.name(mention.name).role == Role::Family => match mention.shift {
+            0 => format!("{word}[{}]", cycle.letter),
+            shift => format!("{word}[{}{shift:+}]", cycle.letter),
+        },
+        _ => word.into(),
+    }
+}
+
 fn list(rule: &Rule, keyword: &str, names: &[Ref], text: &mut String) {
     if names.is_empty() {
         return;
     }
-    let words: Vec<_> = names.iter().map(|name| word(rule, name.name)).collect();
+    let words: Vec<_> = names.iter().map(|&name| mention(rule, name)).collect();
     writeln!(text, "    {keyword} {}", words.join(" ")).expect("a string");
 }
 
 fn side(rule: &Rule, side: &Side, text: &mut String) {
+    let mention = |name: Ref| mention(rule, name);
+    let letter = rule.cycle.as_ref().map_or("i", |cycle| &cycle.letter);
     for orbit in &side.loops {
         let keyword = match orbit.kind {
             LoopKind::Face => "face",
             LoopKind::Hole => "hole",
             LoopKind::Any => "loop",
         };
-        write!(text, "    {keyword} {}:", word(rule, orbit.face.name)).expect("a string");
-        for item in &orbit.items {
-            let bar = if rule.kind(item.item.name) == Kind::Path {
-                '='
-            } else {
-                '-'
+        let items = orbit.items.iter().map(|item| {
+            let bar = match rule.kind(item.item.name) {
+                Kind::Path => '=',
+                _ => '-',
             };
-            let (from, name) = (word(rule, item.from.name), word(rule, item.item.name));
-            write!(text, " {from} {bar}{name}{bar}>").expect("a string");
+            format!("{} {bar}{}{bar}> ", mention(item.from), mention(item.item))
+        });
+        let (items, face) = (items.collect::<String>(), mention(orbit.face));
+        match orbit.each {
+            true => writeln!(text, "    {keyword} {face}: each {letter} {{ {items}}}"),
+            false => writeln!(text, "    {keyword} {face}: {items}{}", mention(orbit.end)),
         }
-        writeln!(text, " {}", word(rule, orbit.end.name)).expect("a string");
-    }
-    for edge in &side.edges {
-        let [left, right] = edge.halfedges.map(|half| word(rule, half.name));
-        writeln!(
-            text,
-            "    edge {}: {left} | {right}",
-            word(rule, edge.edge.name)
-        )
         .expect("a string");
     }
+    for edge in &side.edges {
+        let [left, right] = edge.halfedges.map(mention);
+        writeln!(text, "    edge {}: {left} | {right}", mention(edge.edge)).expect("a string");
+    }
     for star in &side.stars {
-        write!(text, "    vertex {}:", word(rule, star.vertex.name)).expect("a string");
-        for spoke in &star.spokes {
-            match spoke {
-                Spoke::Halfedge(half) => write!(text, " {}", word(rule, half.name)),
-                Spoke::Fan(fan) => write!(text, " *{}", word(rule, fan.name)),
-                Spoke::Rest(_) => write!(text, " *"),
-            }
-            .expect("a string");
+        let spokes = star.spokes.iter().map(|spoke| match spoke {
+            Spoke::Halfedge(half) => mention(*half),
+            Spoke::Fan(fan) => format!("*{}", mention(*fan)),
+            Spoke::Rest(_) => "*".into(),
+        });
+        let (spokes, vertex) = (spokes.collect::<Vec<_>>().join(" "), mention(star.vertex));
+        match star.each {
+            true => writeln!(text, "    vertex {vertex}: each {letter} {{ {spokes} }}"),
+            false => writeln!(text, "    vertex {vertex}: {spokes}"),
         }
-        text.push('\n');
+        .expect("a string");
     }
 }
 

@@ -43,6 +43,9 @@ const MOST_ADDED: usize = 4;
 /// How many combinations of arcs are tried in one shape.
 const MOST_COMBINATIONS: usize = 96;
 
+/// How many shapes are looked at, the smallest first.
+const MOST_SHAPES: usize = 10_000;
+
 /// Looks for a place where a rewrite breaks the mesh.
 pub(super) fn search(drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
     Search::new(drawing, drawing).run(drawing, arcs)
@@ -196,10 +199,8 @@ impl Search<'_> {
         if broken.is_some() || self.valid > 0 {
             return broken;
         }
-        let mut joined: Vec<Sized> = Vec::new();
-        for shape in &shapes {
-            joined.extend(self.joined(shape));
-        }
+        let joined = shapes.iter().flat_map(|shape| self.joined(shape));
+        let joined: Vec<Sized> = joined.take(MOST_SHAPES).collect();
         self.sizes(&joined, &combinations)
     }
 
@@ -235,8 +236,9 @@ impl Search<'_> {
                 })
                 .filter(|&(added, _)| added <= MOST_ADDED)
                 .collect();
+            shapes.sort_by_key(|&(added, _)| added);
+            shapes.truncate(MOST_SHAPES);
         }
-        shapes.sort_by_key(|&(added, _)| added);
         shapes
     }
 
@@ -262,11 +264,12 @@ impl Search<'_> {
             pairs.extend(open[at + 1..].iter().map(|&right| [left, right]));
         }
         let mut joined: Vec<_> = pairs.iter().map(|&pair| pair_up(&[pair])).collect();
-        for (at, &one) in pairs.iter().enumerate() {
+        let two_pairs = pairs.iter().enumerate().flat_map(|(at, one)| {
             let apart = |two: &&[usize; 2]| one.iter().all(|half| !two.contains(half));
             let others = pairs[at + 1..].iter().filter(apart);
-            joined.extend(others.map(|&two| pair_up(&[one, two])));
-        }
+            others.map(|&two| pair_up(&[*one, two]))
+        });
+        joined.extend(two_pairs.take(MOST_SHAPES));
         let rule = self.drawing.rule;
         for outer in rule.names_of(Kind::Halfedge) {
             if !self.drawing.is_outer(outer) {

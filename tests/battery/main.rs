@@ -1,0 +1,181 @@
+//! Does the prover tell the truth? Thousands of ops, most of them spoilt, each judged by the
+//! checker and by what really happens to meshes.
+//!
+//! An op that the checker accepts must not break any mesh: not by the literal rewrite of any
+//! match, nor by the machine, whose result must be that of a literal rewrite; and the result
+//! must be what `after` draws. An op that it rejects must break one, or make something that
+//! `after` does not draw, or match nowhere, or be rejected for saying too little or a thing
+//! twice. The meshes are random completions of the drawing before, and random maps.
+//!
+//! `HEDGEROW_MUTANTS=20000 cargo test --release --test battery -- --nocapture` is the full
+//! size; `HEDGEROW_SEED` gives other mutants.
+
+#[path = "../reference/mod.rs"]
+mod reference;
+
+mod bases;
+mod experience;
+mod judge;
+mod table;
+mod trial;
+
+use bases::mutant;
+use hedgerow::diagram::Op;
+use judge::{Judged, Meshes, Verdict, judge};
+use reference::printing::op_text;
+use reference::random::Random;
+use table::report;
+use trial::Pool;
+
+fn number(variable: &str, default: usize) -> usize {
+    let value = std::env::var(variable).ok();
+    value.map_or(default, |value| value.parse().expect("a number"))
+}
+
+#[test]
+fn the_prover_tells_the_truth() {
+    let wanted = number("HEDGEROW_MUTANTS", 2_000);
+    let judged = battery(&bases::plain(), wanted);
+    let unfounded = unfounded(&judged);
+    // A drawing may imply more than the checker sees, but next to none does.
+    assert!(
+        unfounded * 5000 <= judged.len(),
+        "{unfounded} rejections that no mesh bears out"
+    );
+}
+
+/// A tenth as many, since each is written out for cycles of several sizes.
+#[test]
+fn the_prover_tells_the_truth_of_families() {
+    let wanted = number("HEDGEROW_MUTANTS", 2_000) / 10;
+    let judged = battery(&bases::with_families(), wanted);
+    let unfounded = unfounded(&judged);
+    assert!(
+        unfounded * 100 <= judged.len(),
+        "{unfounded} rejections that no mesh bears out"
+    );
+}
+
+/// A person has thought about these: each is unusual in its own way, right or wrong by a little.
+#[test]
+fn unusual_ops_are_told_apart() {
+    let pool = Pool::new(200, 200, 1);
+    let judged = |op: &Op| {
+        let text = op_text(op, &op.rules[0]);
+        judge(text.clone(), &pool, &mut Random::new(1)).unwrap_or_else(|| panic!("{text}"))
+    };
+    let mut untold = Vec::new();
+    let (odd, wrong) = (bases::odd(), bases::wrong());
+    for op in &odd {
+        let judged = judged(op);
+        let is_right = judged.verdict == Verdict::Accepted && judged.complaints.is_empty();
+        if !is_right || judged.applied == 0 {
+            untold.push(judged);
+        }
+    }
+    for op in &wrong {
+        let judged = judged(op);
+        println!("{}: {:?}", op.name, judged.verdict);
+        if !matches!(
+            judged.verdict,
+            Verdict::Rejected(_, Meshes::Broke | Meshes::Lied)
+        ) {
+            untold.push(judged);
+        }
+    }
+    for judged in &untold {
+        println!(
+            "{:?} {}{}",
+            judged.verdict,
+            judged.text,
+            judged.complaints.join("\n")
+        );
+    }
+    assert!(untold.is_empty(), "{} ops are judged wrongly", untold.len());
+    assert!(odd.len() > 18 && wrong.len() > 18);
+}
+
+/// Judges ops and their mutants; what is accepted must be sound.
+fn battery(bases: &[Op], wanted: usize) -> Vec<Judged> {
+    let seed = number("HEDGEROW_SEED", 0) as u64;
+    let pool = Pool::new(120, 60, seed);
+    let mut judged: Vec<Judged> = Vec::new();
+    for base in bases {
+        let mut random = Random::new(seed);
+        let text = op_text(base, &base.rules[0]);
+        judged.push(judge(text.clone(), &pool, &mut random).unwrap_or_else(|| panic!("{text}")));
+    }
+    let sound = judged
+        .iter()
+        .filter(|judged| judged.verdict == Verdict::Accepted)
+        .count();
+    println!("{sound} of {} ops to start from are accepted", judged.len());
+    if std::env::var_os("HEDGEROW_SURVIVORS").is_some() {
+        for judged in judged
+            .iter()
+            .filter(|judged| judged.verdict != Verdict::Accepted)
+        {
+            println!("{:?} {}", judged.verdict, judged.text);
+        }
+    }
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    // Panics are caught and counted; their traces would drown the table.
+    std::panic::set_hook(Box::new(|_| {}));
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads)
+            .map(|worker| {
+                let pool = &pool;
+                scope.spawn(move || {
+                    let numbers = (worker..).step_by(threads);
+                    let judge_one = |number: usize| {
+                        let mut random =
+                            Random::new(seed.wrapping_mul(1 << 32) + number as u64 + 1);
+                        judge(mutant(bases, &mut random)?, pool, &mut random)
+                    };
+                    let share = wanted / threads + usize::from(worker < wanted % threads);
+                    numbers
+                        .filter_map(judge_one)
+                        .take(share)
+                        .collect::<Vec<_>>()
+                })
+            })
+            .collect();
+        judged.extend(
+            workers
+                .into_iter()
+                .flat_map(|worker| worker.join().expect("a worker")),
+        );
+    });
+    let _ = std::panic::take_hook();
+    report(&judged);
+    let complaints: Vec<_> = judged
+        .iter()
+        .filter(|judged| !judged.complaints.is_empty())
+        .map(|judged| format!("{}{}\n", judged.text, judged.complaints.join("\n")))
+        .collect();
+    let shown = complaints
+        .iter()
+        .take(number("HEDGEROW_SHOW", 5))
+        .cloned()
+        .collect::<Vec<_>>();
+    assert!(
+        complaints.is_empty(),
+        "{} complaints:\n{}",
+        complaints.len(),
+        shown.join("\n")
+    );
+    let matches: usize = judged.iter().map(|judged| judged.matches).sum();
+    assert!(
+        matches > 50 * wanted,
+        "only {matches} matches: that proves nothing"
+    );
+    judged
+}
+
+/// How many ops were rejected for breaking meshes that break none; tells each.
+fn unfounded(judged: &[Judged]) -> usize {
+    let unfounded = judged.iter().filter(|judged| judged.is_unfounded());
+    unfounded
+        .inspect(|judged| println!("{:?}, but no mesh breaks:\n{}", judged.verdict, judged.text))
+        .count()
+}
