@@ -96,6 +96,9 @@ pub(super) struct RunArguments {
     /// Where to write a picture of the result (.png or .svg)
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
+    /// What it shows in colour: an attribute, as in view
+    #[arg(long, value_name = "NAME", requires = "picture")]
+    pub attribute: Option<String>,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -254,6 +257,9 @@ pub(super) struct ViewArguments {
     /// Where to look from, as a direction
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
+    /// An attribute to show in colour: NAME, or vertex.NAME
+    #[arg(long, value_name = "NAME")]
+    pub attribute: Option<String>,
 }
 
 #[derive(Debug, Args)]

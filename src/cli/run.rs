@@ -13,6 +13,7 @@ use super::meshes;
 use super::output::{complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
+use super::view::attribute;
 use crate::draw::{View, draw_mesh};
 use crate::run::{self, OpReport, prepare};
 
@@ -60,10 +61,17 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     })?;
     let run = started.elapsed().as_secs_f64();
 
+    // The script may have brought it.
+    let shown = arguments.attribute.as_ref();
+    let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
     meshes::write(&arguments.output, &mut obj)?;
     if let Some(picture) = &arguments.picture {
-        write_picture(&draw_mesh(&obj.mesh, &View::default()), picture, 1.0)?;
+        let view = View {
+            attribute: shown,
+            ..View::default()
+        };
+        write_picture(&draw_mesh(&obj.mesh, &view), picture, 1.0)?;
     }
     let save = started.elapsed().as_secs_f64();
 

@@ -7,10 +7,11 @@ use super::draw::write_picture;
 use super::failure::Failure;
 use super::meshes;
 use crate::draw::{View, draw_mesh};
+use crate::mesh::{ColumnId, Mesh};
 
 /// Makes a picture of a mesh.
 pub(super) fn view(arguments: &ViewArguments) -> Result<(), Failure> {
-    let obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh)?;
     let mut view = View::default();
     if let Some(from) = &arguments.from {
         view.from = direction(from)?;
@@ -18,7 +19,45 @@ pub(super) fn view(arguments: &ViewArguments) -> Result<(), Failure> {
     if let Some(size) = arguments.size {
         view.size = f64::from(size);
     }
+    if let Some(name) = &arguments.attribute {
+        obj.bring_all();
+        view.attribute = Some(attribute(&obj.mesh, name)?);
+    }
     write_picture(&draw_mesh(&obj.mesh, &view), &arguments.output, 1.0)
+}
+
+/// The attribute of a name, or of a kind and a name: `height`, `vertex.height`.
+pub(super) fn attribute(mesh: &Mesh, wanted: &str) -> Result<ColumnId, Failure> {
+    let columns = || mesh.sayable_columns();
+    let full = |id: ColumnId, name: &str| format!("{}.{name}", id.kind.name());
+    let found: Vec<_> = columns()
+        .filter(|(id, column)| [column.name(), &full(*id, column.name())].contains(&wanted))
+        .map(|(id, column)| (id, full(id, column.name())))
+        .collect();
+    let listed = |names: Vec<String>| {
+        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+        names.join(", ")
+    };
+    match &found[..] {
+        [(id, _)] => Ok(*id),
+        [] => {
+            let all = columns().map(|(id, column)| full(id, column.name()));
+            let all = match all.collect::<Vec<_>>() {
+                all if all.is_empty() => "it has none".to_string(),
+                all => format!("it has {}", listed(all)),
+            };
+            Err(Failure::usage(format!(
+                "the mesh has no attribute `{wanted}`: {all}"
+            )))
+        }
+        several => {
+            let names = several.iter().map(|(_, name)| name.clone()).collect();
+            Err(Failure::usage(format!(
+                "`{wanted}` may be several attributes: write one of {}",
+                listed(names)
+            )))
+        }
+    }
 }
 
 fn direction(text: &str) -> Result<DVec3, Failure> {

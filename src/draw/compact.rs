@@ -87,7 +87,7 @@ fn write_group(text: &mut String, group: &Group, words: &Words) {
 fn write_shape(text: &mut String, shape: &Shape, words: &Words) {
     let mut more = String::new();
     let class = match shape.paint {
-        Paint::Fill(ink @ Ink::Shade(_)) => {
+        Paint::Fill(ink @ Ink::Colour(_)) => {
             let _ = write!(more, " style=\"fill:#{:06x}\"", ink.colours()[0]);
             'f'.to_string()
         }

@@ -6,6 +6,7 @@
 //! has one place. Nothing is assumed of the drawing: a name that stands twice is taken where
 //! it stands first, and an end that nothing tells is a loose node.
 
+use super::twice;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, View};
 
 /// What a node is.
@@ -123,7 +124,7 @@ pub(super) struct Figure<'a> {
     pub nodes: Vec<Node>,
     pub before: Side,
     pub after: Side,
-    /// The node of each vertex.
+    /// The first node of each vertex.
     vertex: Vec<Option<usize>>,
 }
 
@@ -142,15 +143,23 @@ impl<'a> Figure<'a> {
             figure.nodes.push(Node::Vertex(name));
         }
         let mut before = figure.read(None);
+        let copies = twice::split(&mut figure, &mut before);
         figure.bend(&mut before, None);
         let mut after = figure.read(Some(&before));
+        twice::follow(&figure, &mut after, &copies);
         figure.bend(&mut after, Some(&before));
         figure.before = before;
         figure.after = after;
         figure
     }
 
-    /// The node of a vertex.
+    /// All nodes of a vertex.
+    pub fn nodes_of(&self, name: NameId) -> impl Iterator<Item = usize> {
+        let nodes = self.nodes.iter().enumerate();
+        nodes.filter_map(move |(at, node)| (*node == Node::Vertex(name)).then_some(at))
+    }
+
+    /// The first node of a vertex.
     pub fn vertex(&self, name: NameId) -> Option<usize> {
         self.vertex[name.index()]
     }

@@ -14,6 +14,7 @@ mod outer;
 mod place;
 mod sector;
 mod status;
+mod twice;
 
 // How it is drawn.
 mod curve;
@@ -33,7 +34,10 @@ mod strands;
 
 mod sheet;
 
+// A mesh.
+mod raster;
 mod view;
+mod viridis;
 
 // What it is written as.
 mod compact;

@@ -102,11 +102,15 @@ impl<'a> Panel<'a> {
         &self.side.shown
     }
 
-    /// The place of a vertex.
-    pub fn place(&self, vertex: NameId) -> DVec2 {
-        self.figure
-            .vertex(vertex)
-            .map_or(DVec2::ZERO, |node| self.places[node])
+    /// The nodes at which a vertex is drawn: where strands end, or its only one.
+    pub fn dots(&self, vertex: NameId) -> Vec<usize> {
+        let ends: Vec<_> = self.side.strands.iter().flat_map(Strand::ends).collect();
+        let dots = self.figure.nodes_of(vertex);
+        let dots: Vec<_> = dots.filter(|node| ends.contains(node)).collect();
+        match dots.is_empty() && self.shown().contains(&vertex) {
+            true => self.figure.vertex(vertex).into_iter().collect(),
+            false => dots,
+        }
     }
 
     /// How many pairs of strands cross.
@@ -137,11 +141,11 @@ impl<'a> Panel<'a> {
     }
 
     /// Puts the texts, the vertices' at their places, and hands out what was drawn.
-    pub fn finish(mut self, vertices: &[(NameId, Label, DVec2)]) -> (Vec<Group>, Room) {
+    pub fn finish(mut self, vertices: &[(usize, Label, DVec2)]) -> (Vec<Group>, Room) {
         for &vertex in &self.side.shown {
             let group = self.vertex(vertex);
-            let label = vertices.iter().find(|(of, ..)| *of == vertex);
-            if let Some((_, label, at)) = label {
+            let dots = self.dots(vertex);
+            for (_, label, at) in vertices.iter().filter(|(node, ..)| dots.contains(node)) {
                 let ink = Ink::Of(self.status(vertex));
                 self.groups[group].write(label, *at, ink);
                 let word = &self.figure.drawing.rule.name(vertex).text;

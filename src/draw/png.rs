@@ -2,8 +2,12 @@
 
 use std::fmt::{self, Display};
 
-use tiny_skia::{Color, FillRule, LineCap, LineJoin, PathBuilder, Pixmap, StrokeDash, Transform};
+use tiny_skia::{
+    Color, FillRule, FilterQuality, IntSize, LineCap, LineJoin, PathBuilder, Pixmap, PixmapPaint,
+    StrokeDash, Transform,
+};
 
+use super::raster::Image;
 use super::shape::{FADED, Ink, Paint, Path, Picture, Step};
 
 /// The largest side of an image.
@@ -45,6 +49,16 @@ impl Picture {
         let mut pixmap = pixmap.ok_or_else(|| too_large.clone())?;
         pixmap.fill(colour(Ink::Paper, 1.0));
         let transform = Transform::from_scale(scale as f32, scale as f32);
+        if let Some(image) = &self.image {
+            let pixels = image.pixmap().ok_or_else(|| too_large.clone())?;
+            let part = (image.size * scale) as f32 / image.side as f32;
+            let smooth = PixmapPaint {
+                quality: FilterQuality::Bilinear,
+                ..PixmapPaint::default()
+            };
+            let place = Transform::from_scale(part, part);
+            pixmap.draw_pixmap(0, 0, pixels.as_ref(), &smooth, place, None);
+        }
         let shapes = self.groups.iter().flat_map(|group| {
             let opacity = if group.is_faded { FADED } else { 1.0 };
             group.shapes.iter().map(move |shape| (shape, opacity))
@@ -75,6 +89,19 @@ impl Picture {
             }
         }
         pixmap.encode_png().map_err(|_| too_large)
+    }
+}
+
+impl Image {
+    /// The image as the crate has it; `None` if it is too large.
+    fn pixmap(&self) -> Option<Pixmap> {
+        let bytes = self.pixels.iter().flatten().copied().collect();
+        Pixmap::from_vec(bytes, IntSize::from_wh(self.side, self.side)?)
+    }
+
+    /// The image as a PNG file.
+    pub fn png(&self) -> Option<Vec<u8>> {
+        self.pixmap()?.encode_png().ok()
     }
 }
 

@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::curve::{Curve, left};
 use super::fit::follow;
 use super::letters::{Glyph, Label, moved};
+use super::raster::Image;
 use super::status::Status;
 
 /// A step of a path.
@@ -151,8 +152,8 @@ pub(super) enum Ink {
     Face,
     /// What is there for orientation only.
     Muted,
-    /// A face of a mesh, from dark to bright; the same by day and by night.
-    Shade(u8),
+    /// A colour that means a number; the same by day and by night.
+    Colour([u8; 3]),
     /// An element, by what becomes of it.
     Of(Status),
 }
@@ -176,10 +177,7 @@ impl Ink {
             Ink::Paper => [0xffffff, 0x15181d],
             Ink::Face => [0xf1f4f9, 0x20252d],
             Ink::Muted => [0x8b939e, 0x7c8591],
-            Ink::Shade(bright) => {
-                let [red, green, blue] = [178, 205, 236].map(|most| most * u32::from(bright) / 255);
-                [red << 16 | green << 8 | blue; 2]
-            }
+            Ink::Colour([red, green, blue]) => [u32::from_be_bytes([0, red, green, blue]); 2],
             Ink::Of(Status::Kept) => [0x3a4048, 0xd3d8df],
             Ink::Of(Status::Reassigned) => [0x0065b3, 0x6db9ff],
             Ink::Of(Status::New) => [0x00794f, 0x43d69c],
@@ -193,7 +191,7 @@ impl Ink {
             Ink::Paper => "paper",
             Ink::Face => "face",
             Ink::Muted => "muted",
-            Ink::Shade(_) => "shade",
+            Ink::Colour(_) => "colour",
             Ink::Of(status) => status.word(),
         }
     }
@@ -319,6 +317,8 @@ pub struct TextBox {
 pub struct Picture {
     pub(super) title: String,
     pub(super) size: DVec2,
+    /// What lies below the groups, in the upper left.
+    pub(super) image: Option<Image>,
     pub(super) groups: Vec<Group>,
     pub(super) texts: Vec<TextBox>,
     pub(super) crossings: usize,

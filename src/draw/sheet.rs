@@ -140,13 +140,13 @@ impl Row {
 }
 
 /// The names of the vertices where neither side is in their way.
-fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DVec2)> {
+fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, DVec2)> {
     let rule = figure.drawing.rule;
     let mut rooms = [panels[0].room.clone(), panels[1].room.clone()];
     let mut labels = Vec::new();
     for (node, of) in figure.nodes.iter().enumerate() {
         let Node::Vertex(vertex) = *of else { continue };
-        let shown = [0, 1].map(|side| panels[side].shown().contains(&vertex));
+        let shown = [0, 1].map(|side| panels[side].dots(vertex).contains(&node));
         if shown == [false, false] || !panels[0].stands_out(vertex) {
             continue;
         }
@@ -157,7 +157,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DV
         let wanted = widest_gap(&directions);
         let word = &rule.name(vertex).text;
         let label = name(word, LETTERS);
-        let center = panels[0].place(vertex);
+        let center = panels[0].places[node];
         let spot = |step: usize, far: f64| {
             let way = direction(wanted + TAU * step as f64 / 48.0);
             let at = center + way * (beyond_dot(&label, way) + far);
@@ -176,7 +176,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(NameId, Label, DV
         for side in (0..2).filter(|&side| shown[side]) {
             rooms[side].put(word, &label, at);
         }
-        labels.push((vertex, label, at));
+        labels.push((node, label, at));
     }
     labels
 }

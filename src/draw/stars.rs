@@ -8,7 +8,7 @@ use super::letters::name;
 use super::panel::{LETTERS, Panel};
 use super::pen::stroke;
 use super::room::{Spot, reach};
-use super::shape::{Ink, Path, Stroke};
+use super::shape::{Group, Ink, Path, Stroke};
 use super::spots::DOT;
 use super::status::Status;
 use crate::diagram::NameId;
@@ -90,30 +90,34 @@ impl Panel<'_> {
         self.groups[group].write(&label, at, ink);
     }
 
-    /// The dot of a vertex; the number of its group.
+    /// The dot of a vertex, or its dots; the number of its group.
     pub(super) fn vertex(&mut self, vertex: NameId) -> usize {
-        let place = self.place(vertex);
         let status = self.status(vertex);
-        let ink = Ink::Of(status);
         let index = self.group(vertex);
-        let group = &mut self.groups[index];
-        match status {
-            Status::Kept | Status::Reassigned => group.fill(Path::circle(place, DOT), ink),
-            Status::New => {
-                let mut halo = Stroke::solid(ink, 8.0);
-                halo.opacity = 0.22;
-                group.stroke(Path::circle(place, DOT), halo);
-                group.fill(Path::circle(place, DOT), ink);
-            }
-            Status::Erased => {
-                group.fill(Path::circle(place, DOT), Ink::Paper);
-                group.stroke(Path::circle(place, DOT), Stroke::solid(ink, 1.8));
-                for way in [DVec2::ONE, DVec2::new(1.0, -1.0)] {
-                    let line = Curve::through([place - way * 3.0, place + way * 3.0]);
-                    group.stroke(Path::along(&line), Stroke::solid(ink, 1.6));
-                }
-            }
+        for node in self.dots(vertex) {
+            dot(&mut self.groups[index], self.places[node], status);
         }
         index
+    }
+}
+
+fn dot(group: &mut Group, place: DVec2, status: Status) {
+    let ink = Ink::Of(status);
+    match status {
+        Status::Kept | Status::Reassigned => group.fill(Path::circle(place, DOT), ink),
+        Status::New => {
+            let mut halo = Stroke::solid(ink, 8.0);
+            halo.opacity = 0.22;
+            group.stroke(Path::circle(place, DOT), halo);
+            group.fill(Path::circle(place, DOT), ink);
+        }
+        Status::Erased => {
+            group.fill(Path::circle(place, DOT), Ink::Paper);
+            group.stroke(Path::circle(place, DOT), Stroke::solid(ink, 1.8));
+            for way in [DVec2::ONE, DVec2::new(1.0, -1.0)] {
+                let line = Curve::through([place - way * 3.0, place + way * 3.0]);
+                group.stroke(Path::along(&line), Stroke::solid(ink, 1.6));
+            }
+        }
     }
 }

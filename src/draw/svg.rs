@@ -5,6 +5,9 @@
 
 use std::fmt::Write;
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+
 use super::shape::{FADED, Group, Ink, Paint, Path, Picture, Shape, Stroke};
 use super::steps::{Grain, data};
 use super::words::Words;
@@ -34,6 +37,13 @@ impl Picture {
             text,
             "<rect class=\"fill-paper\" width=\"{width}\" height=\"{height}\" rx=\"10\" fill=\"#{light:06x}\"/>"
         );
+        if let Some((image, data)) = self.image.as_ref().and_then(|i| Some((i, i.png()?))) {
+            let (side, data) = (image.size, BASE64_STANDARD.encode(data));
+            let _ = writeln!(
+                text,
+                "<image width=\"{side}\" height=\"{side}\" xlink:href=\"data:image/png;base64,{data}\"/>"
+            );
+        }
         let title = escaped(&self.title);
         // Pages hold several pictures, so that ids begin with the title.
         let prefix = format!("{title}-");

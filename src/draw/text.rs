@@ -123,7 +123,7 @@ impl Canvas {
             self.draw(curve, strand.is_path);
         }
         for &vertex in &side.shown {
-            if let Some(node) = figure.vertex(vertex) {
+            for node in figure.nodes_of(vertex) {
                 let text = match strong[vertex.index()] {
                     true => &word(vertex).text,
                     false => "•",

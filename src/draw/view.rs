@@ -1,22 +1,28 @@
-//! A mesh as it is seen from afar: faces shaded by where they look, edges, and its boundary.
+//! A mesh as it is seen from afar: faces shaded by where they look, edges, its boundary, and
+//! an attribute in colour.
 //!
-//! What is farther away is drawn first (the painter's algorithm), so that a picture of a mesh
-//! is made of the same paths as that of a diagram. Faces that pass through each other are
-//! beyond it. What has no place is not drawn.
+//! Surfaces hide each other pixel by pixel (see [`raster`](super::raster)). Each face draws its
+//! half of its edges, so that what hides the face hides them too. What has no place is not
+//! drawn.
 
 use glam::{DVec2, DVec3};
 
-use super::shape::{Group, Ink, Path, Picture, Stroke};
-use super::status::Status;
-use crate::mesh::{FaceId, HalfedgeId, Mesh};
+use super::curve::distance;
+use super::raster::{Place, Raster, sides};
+use super::shape::Picture;
+use super::viridis::Range;
+use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
 
 /// How a mesh is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Where one stands, as a direction from the middle of the mesh.
     pub from: DVec3,
-    /// The width and height of the picture.
+    /// The width and height of the picture, without a legend.
     pub size: f64,
+    /// The attribute that is shown in colour: a number, a vector or matrix by its length, a
+    /// truth value as 0 or 1.
+    pub attribute: Option<ColumnId>,
 }
 
 impl Default for View {
@@ -24,14 +30,26 @@ impl Default for View {
         Self {
             from: DVec3::new(0.5, 0.4, 1.0),
             size: 800.0,
+            attribute: None,
         }
     }
 }
 
 /// The part of a picture that is left free on each side.
 const FREE: f64 = 0.05;
-/// The longest line is drawn as wide as this, short ones thinner.
-const WIDEST: f64 = 1.1;
+/// How wide lines are: of edges at most, and of the boundary, in units of the picture.
+const EDGE: f64 = 1.1;
+const BOUNDARY: f64 = 2.4;
+/// Pictures up to this size have more pixels than units.
+const FINE: f64 = 2048.0;
+/// How wide a legend is.
+const LEGEND: f64 = 110.0;
+
+const FACE: [u8; 3] = [178, 205, 236];
+/// Of faces whose edges have the colours.
+const PALE: [u8; 3] = [226, 230, 236];
+const LINE: [u8; 3] = [22, 30, 40];
+const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
 
 /// Draws a mesh.
 pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
@@ -40,61 +58,121 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     } else {
         View::default().size
     };
-    let eye = Eye::new(view.from);
-    let mut faces: Vec<_> = mesh
-        .faces()
-        .filter_map(|face| Seen::new(mesh, face, &eye))
-        .collect();
-    faces.sort_by(|a, b| a.depth.total_cmp(&b.depth).then(a.face.cmp(&b.face)));
-    let corners = || faces.iter().flat_map(|face| &face.corners);
-    let none = (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN));
-    let (low, high) = corners().fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
+    let colours = view.attribute.and_then(|column| Colours::new(mesh, column));
+    let legend = colours.as_ref().map_or(0.0, |_| LEGEND);
     let mut picture = Picture {
         title: "mesh".into(),
-        size: DVec2::splat(size),
+        // The legend may be higher than the mesh.
+        size: DVec2::new(size + legend, size.max(3.0 * legend)),
         ..Picture::default()
     };
-    let extent = (high - low).max_element();
-    if !(extent > 0.0 && extent.is_finite()) {
-        return picture;
-    }
-    let scale = size * (1.0 - 2.0 * FREE) / extent;
-    let middle = low + (high - low) / 2.0;
-    let place = |at: DVec2| (at - middle) * scale + size / 2.0;
-    let sides = faces
-        .iter()
-        .map(|face| face.corners.len())
-        .sum::<usize>()
-        .max(1);
-    let length = |face: &Seen| face.sides().map(|[a, b]| (b - a).length()).sum::<f64>();
-    let mean = faces.iter().map(length).sum::<f64>() / sides as f64 * scale;
-    let line = (mean * 0.06).min(WIDEST);
-    let mut group = Group::default();
-    for face in &faces {
-        let outline: Vec<_> = face.corners.iter().map(|&at| place(at)).collect();
-        let path = Path::around(&outline);
-        let ink = Ink::Shade(face.shade);
-        group.fill(path.clone(), ink);
-        // Neighbours meet without a seam.
-        group.stroke(path.clone(), Stroke::solid(ink, 0.6));
-        if line > 0.12 {
-            let mut stroke = Stroke::solid(Ink::Shade(20), line);
-            stroke.opacity = 0.75;
-            group.stroke(path, stroke);
+    let eye = Eye::new(view.from);
+    let faces = mesh.faces().filter_map(|face| Seen::new(mesh, face, &eye));
+    let mut faces: Vec<_> = faces.collect();
+    let corners = || faces.iter().flat_map(|face| &face.corners);
+    let none = (DVec3::splat(f64::MAX), DVec3::splat(f64::MIN));
+    let (low, high) = corners().fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
+    let extent = (high - low).truncate().max_element();
+    if extent > 0.0 && extent.is_finite() {
+        let fine = if size <= FINE { 2.0 } else { 1.0 };
+        let mut raster = Raster::new((size * fine).ceil() as u32);
+        let scale = raster.side() * (1.0 - 2.0 * FREE) / extent;
+        let middle = low + (high - low) / 2.0;
+        let center = DVec3::new(raster.side() / 2.0, raster.side() / 2.0, 0.0);
+        let corners = faces.iter_mut().flat_map(|face| &mut face.corners);
+        corners.for_each(|at| *at = (*at - middle) * scale + center);
+        let pen = Pen::new(&faces, raster.side() / size);
+        for face in &faces {
+            face.draw(mesh, colours.as_ref(), &pen, &mut raster);
         }
-        for (side, half) in face.halfedges.iter().enumerate() {
-            if mesh.is_boundary_halfedge(mesh.twin(*half)) {
-                let mut path = Path::default();
-                path.move_to(outline[side]);
-                path.line_to(outline[(side + 1) % outline.len()]);
-                let width = (line * 3.0).clamp(1.2, 2.6);
-                let ink = Ink::Of(Status::Erased);
-                group.stroke(path, Stroke::solid(ink, width));
+        picture.image = Some(raster.image(size));
+    }
+    if let Some(colours) = colours {
+        let at = DVec2::new(size + LEGEND / 2.0, picture.size.y / 2.0);
+        picture
+            .groups
+            .push(colours.range.legend(&colours.title, at));
+    }
+    picture
+}
+
+/// An attribute, and the colours of its values.
+struct Colours {
+    column: ColumnId,
+    kind: ElementKind,
+    title: String,
+    range: Range,
+}
+
+impl Colours {
+    fn new(mesh: &Mesh, column: ColumnId) -> Option<Self> {
+        let kind = column.kind;
+        let slots = 0..mesh.capacity(kind) as u32;
+        let numbers = slots
+            .filter_map(|slot| mesh.value(column, slot))
+            .map(number);
+        Some(Self {
+            column,
+            kind,
+            title: mesh.column(column)?.name().to_string(),
+            range: Range::of(numbers)?,
+        })
+    }
+
+    /// The number of an element; no number if there is none.
+    fn number(&self, mesh: &Mesh, index: u32) -> f64 {
+        mesh.value(self.column, index).map_or(f64::NAN, number)
+    }
+
+    fn colour(&self, number: f64) -> [u8; 3] {
+        match number.is_finite() {
+            true => self.range.colour(number),
+            false => PALE,
+        }
+    }
+}
+
+fn number(value: Value) -> f64 {
+    match value {
+        Value::Bool(holds) => f64::from(u8::from(holds)),
+        Value::Int(count) => count as f64,
+        Value::Real(real) => real,
+        other => other.reals().iter().map(|x| x * x).sum::<f64>().sqrt(),
+    }
+}
+
+/// Half the widths of lines, in pixels.
+struct Pen {
+    edge: f64,
+    /// An edge that has a colour.
+    coloured: f64,
+    boundary: f64,
+}
+
+impl Pen {
+    /// Lines that leave something of small faces: `unit` is how many pixels a unit has.
+    fn new(faces: &[Seen], unit: f64) -> Self {
+        let mut lengths = (0.0, 0.0);
+        for face in faces {
+            let flat: Vec<_> = face.corners.iter().map(|at| at.truncate()).collect();
+            for [a, b] in sides(&flat) {
+                lengths = (lengths.0 + (b - a).length(), lengths.1 + 1.0);
             }
         }
+        let mean = lengths.0 / f64::max(lengths.1, 1.0);
+        // Of very small faces there would be nothing but lines.
+        let edge = if mean < 2.0 * unit {
+            0.0
+        } else {
+            (mean * 0.06).min(EDGE * unit)
+        };
+        Self {
+            edge: edge / 2.0,
+            coloured: (mean * 0.12).clamp(0.6 * unit, 2.0 * unit),
+            // All of it lies in its only face.
+            boundary: (edge * 4.0).clamp(1.2 * unit, BOUNDARY * unit),
+        }
     }
-    picture.groups.push(group);
-    picture
 }
 
 /// The directions of a picture, and that towards the one who looks.
@@ -131,9 +209,10 @@ impl Eye {
 struct Seen {
     face: FaceId,
     halfedges: Vec<HalfedgeId>,
-    corners: Vec<DVec2>,
-    depth: f64,
-    shade: u8,
+    /// To the right, down, and towards the one who looks.
+    corners: Vec<DVec3>,
+    /// How bright it is, up to 1.
+    bright: f64,
 }
 
 impl Seen {
@@ -143,16 +222,17 @@ impl Seen {
         }
         let halfedges: Vec<_> = mesh.face_halfedges(face).collect();
         let mut corners = Vec::new();
-        let mut depth = 0.0;
         for &half in &halfedges {
             let at = mesh.get_position(mesh.get_vertex(half)?)?;
             if !at.is_finite() {
                 return None;
             }
-            corners.push(DVec2::new(at.dot(eye.right), at.dot(eye.down)));
-            depth += at.dot(eye.near);
+            corners.push(DVec3::new(
+                at.dot(eye.right),
+                at.dot(eye.down),
+                at.dot(eye.near),
+            ));
         }
-        depth /= corners.len().max(1) as f64;
         let normal = mesh.normal(face);
         // The inside of a mesh with a boundary is darker.
         let (normal, most) = match normal.dot(eye.near) < 0.0 {
@@ -164,13 +244,80 @@ impl Seen {
             face,
             halfedges,
             corners,
-            depth,
-            shade: (bright * 255.0).clamp(0.0, 255.0) as u8,
+            bright,
         })
     }
 
-    fn sides(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
-        let count = self.corners.len();
-        (0..count).map(move |at| [self.corners[at], self.corners[(at + 1) % count]])
+    fn draw(&self, mesh: &Mesh, colours: Option<&Colours>, pen: &Pen, raster: &mut Raster) {
+        let flat: Vec<_> = self.corners.iter().map(|at| at.truncate()).collect();
+        let lines: Vec<_> = self
+            .halfedges
+            .iter()
+            .zip(sides(&flat))
+            .map(|(&half, side)| (side, self.line(mesh, half, colours, pen)))
+            .collect();
+        let of_vertices = colours.filter(|colours| colours.kind == ElementKind::Vertex);
+        let numbers: Option<Vec<_>> = of_vertices.map(|colours| {
+            let vertices = self.halfedges.iter().map(|&half| mesh.vertex(half));
+            vertices
+                .map(|vertex| colours.number(mesh, vertex.0))
+                .collect()
+        });
+        let ground = match colours {
+            None => self.shaded(FACE, 1.0),
+            Some(colours) if colours.kind == ElementKind::Face => {
+                self.shaded(colours.colour(colours.number(mesh, self.face.0)), 0.5)
+            }
+            Some(_) => self.shaded(PALE, 1.0),
+        };
+        raster.polygon(&self.corners, &|place: &Place| {
+            let near = lines.iter().rev().find_map(|(side, line)| {
+                let (half_width, colour) = (*line)?;
+                (distance(place.at, *side) < half_width).then_some(colour)
+            });
+            match (near, colours, &numbers) {
+                (Some(colour), ..) => colour,
+                (None, Some(colours), Some(numbers)) => {
+                    let parts = numbers.iter().zip(place.weights);
+                    let number = parts.map(|(number, weight)| number * weight).sum();
+                    self.shaded(colours.colour(number), 0.5)
+                }
+                _ => ground,
+            }
+        });
+    }
+
+    /// Half the width and the colour of the line along a halfedge.
+    fn line(
+        &self,
+        mesh: &Mesh,
+        half: HalfedgeId,
+        colours: Option<&Colours>,
+        pen: &Pen,
+    ) -> Option<(f64, [u8; 3])> {
+        let index = colours.and_then(|colours| match colours.kind {
+            ElementKind::Edge => Some((colours, mesh.edge(half).0)),
+            ElementKind::Halfedge => Some((colours, half.0)),
+            _ => None,
+        });
+        if let Some((colours, index)) = index {
+            let colour = colours.colour(colours.number(mesh, index));
+            return Some((pen.coloured, colour));
+        }
+        if mesh.is_boundary_halfedge(mesh.twin(half)) {
+            return Some((pen.boundary, ON_BOUNDARY));
+        }
+        (pen.edge > 0.0).then(|| {
+            let ground = self.shaded(FACE, 1.0);
+            // A quarter of the face shines through.
+            let mixed = [0, 1, 2].map(|at| (3 * u16::from(LINE[at]) + u16::from(ground[at])) / 4);
+            (pen.edge, mixed.map(|part| part as u8))
+        })
+    }
+
+    /// A colour in the light that falls on the face; less of it where colours have a meaning.
+    fn shaded(&self, colour: [u8; 3], strength: f64) -> [u8; 3] {
+        let bright = 1.0 - strength * (1.0 - self.bright);
+        colour.map(|part| (f64::from(part) * bright).round().clamp(0.0, 255.0) as u8)
     }
 }

@@ -164,3 +164,25 @@ fn view_writes_pictures() {
     );
     bench.fails(2, &["view", "nothing.obj", "-o", "w.png"], "nothing.obj");
 }
+
+#[test]
+fn pictures_show_attributes() {
+    let bench = Bench::with_square();
+    let program = "attr height: vertex real = 0\nattr height: face int = 2\n\
+        script s() { for v in vertices { v.height = v.position.x } \
+        for f in faces { f.height = 3 } }\n";
+    bench.write("s.hedge", program);
+    let run = ["run", "s.hedge", "square.obj", "-o", "s.halfedges"];
+    let picture = ["--picture", "s.png", "--attribute"];
+    bench.succeeds(&[&run[..], &picture, &["vertex.height"]].concat());
+    assert!(bench.path("s.png").metadata().unwrap().len() > 100);
+    let view = ["view", "s.halfedges", "--size", "64", "-o", "v.svg"];
+    let shown = |name| [&view[..], &["--attribute", name]].concat();
+    bench.succeeds(&shown("face.height"));
+    let both = "write one of `vertex.height`, `face.height`";
+    bench.fails(2, &shown("height"), both);
+    let none = "no attribute `width`: it has `vertex.height`, `face.height`";
+    bench.fails(2, &shown("width"), none);
+    let plain = ["view", "square.obj", "-o", "v.svg", "--attribute", "x"];
+    bench.fails(2, &plain, "no attribute `x`: it has none");
+}

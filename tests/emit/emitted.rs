@@ -2875,6 +2875,557 @@ pub fn polygon_inset_vertex(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
     Some(v)
 }
 
+/// Makes two boundary edges one, and returns it; their ends meet at the midpoints.
+///
+/// ```text
+///    //v1--P--v2//           //.--P--v1//
+///    //|      |///           //|    /////
+///    //e  f   e2//    ->     //'--e--////
+///    //|      |///           //////    |
+///    //v0--Q--v3//           //v0--Q--'//
+/// ```
+///
+/// The hole between them is parted into two: what bounds it from one edge to the other, and
+/// back. Edges that are neighbours close it like a zip. Edges of two holes make them one.
+/// Refused inside; if a hole of fewer than three edges would be left; and if a face would be
+/// folded onto itself.
+pub fn polygon_weld(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+    polygon_weld_two_holes(mesh, e, e2).or_else(|| polygon_weld_one_hole(mesh, e, e2)).or_else(|| polygon_weld_neighbours(mesh, e, e2)).or_else(|| polygon_weld_other_neighbours(mesh, e, e2))
+}
+
+#[allow(non_snake_case)]
+fn polygon_weld_two_holes(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let a_ = mesh.twin(a);
+        // Both directions of e2 are tried.
+        for b in [mesh.edge_halfedge(e2), mesh.twin(mesh.edge_halfedge(e2))] {
+            let b_ = mesh.twin(b);
+            let f = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(a_);
+            let g = mesh.face(b);
+            let v2 = mesh.vertex(b);
+            let v3 = mesh.vertex(b_);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(b);
+            let Q_last = mesh.prev(b);
+            if !mesh.is_hole(f) {
+                continue; // `f` is not a hole
+            }
+            if !mesh.is_hole(g) {
+                continue; // `g` is not a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if f == g {
+                continue; // `f` and `g` are one face
+            }
+            if (mesh.face_size(f) as i64) + (mesh.face_size(g) as i64) <= 4 {
+                continue; // a hole of two edges would be left
+            }
+            let mut corners: Vec<VertexId> = vec![v1, v0];
+            let mut h = P_first;
+            while h != a {
+                if h != P_first {
+                    corners.push(if mesh.vertex(h) == v3 { v0 } else { if mesh.vertex(h) == v2 { v1 } else { mesh.vertex(h) } });
+                }
+                h = mesh.next(h);
+            }
+            let mut h = Q_first;
+            while h != b {
+                if h != Q_first {
+                    corners.push(if mesh.vertex(h) == v3 { v0 } else { if mesh.vertex(h) == v2 { v1 } else { mesh.vertex(h) } });
+                }
+                h = mesh.next(h);
+            }
+            if !all_differ(&corners) {
+                continue; // `f` would meet a vertex twice
+            }
+            let mut faces: Vec<FaceId> = vec![if mesh.face(b_) == g { f } else { mesh.face(b_) }];
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h != a {
+                    faces.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
+                if h != b_ {
+                    faces.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                }
+            }
+            if !all_differ(&faces) {
+                continue; // a face around both `v0` and `v3` would meet `v0` twice
+            }
+            let mut faces_2: Vec<FaceId> = vec![if mesh.face(a_) == g { f } else { mesh.face(a_) }];
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != a_ {
+                    faces_2.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+                if h != b {
+                    faces_2.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                }
+            }
+            if !all_differ(&faces_2) {
+                continue; // a face around both `v1` and `v2` would meet `v1` twice
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
+            let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
+
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != b {
+                mesh.set_face(h, f);
+                h = mesh.next(h);
+            }
+            let mut h = mesh.next(b_);
+            while h != b {
+                mesh.set_vertex(h, v1);
+                h = mesh.next(mesh.twin(h));
+            }
+            let mut h = mesh.next(b);
+            while h != b_ {
+                mesh.set_vertex(h, v0);
+                h = mesh.next(mesh.twin(h));
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_twin(a_, b_);
+            mesh.set_twin(b_, a_);
+            mesh.set_vertex(b_, v0);
+            mesh.set_edge(b_, e);
+            mesh.set_vertex_halfedge(v0, b_);
+            mesh.set_edge_halfedge(e, a_);
+            mesh.set_face_halfedge(f, P_first);
+            mesh.set_position(v0, v0_position);
+            mesh.set_position(v1, v1_position);
+
+            // 4. Erase what is gone.
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(b);
+            mesh.erase_face(g);
+            mesh.erase_edge(e2);
+            mesh.erase_vertex(v2);
+            mesh.erase_vertex(v3);
+            return Some(e);
+        }
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_weld_one_hole(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let p = mesh.next(a);
+        let q = mesh.next(p);
+        let a_ = mesh.twin(a);
+        // Both directions of e2 are tried.
+        for b in [mesh.edge_halfedge(e2), mesh.twin(mesh.edge_halfedge(e2))] {
+            let r = mesh.next(b);
+            let s = mesh.next(r);
+            let b_ = mesh.twin(b);
+            let f = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(a_);
+            let x1 = mesh.vertex(q);
+            let x2 = mesh.vertex(mesh.next(q));
+            let v2 = mesh.vertex(b);
+            let v3 = mesh.vertex(b_);
+            let y1 = mesh.vertex(s);
+            let y2 = mesh.vertex(mesh.next(s));
+            let P_last = mesh.prev(b);
+            let Q_first = mesh.next(s);
+            let Q_last = mesh.prev(a);
+            if !mesh.is_hole(f) {
+                continue; // `f` is not a hole
+            }
+            if mesh.face(b) != f {
+                continue; // `b` does not lie in `f`
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == x1 {
+                continue; // `v0` and `x1` are one vertex
+            }
+            if v0 == x2 {
+                continue; // `v0` and `x2` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v0 == y1 {
+                continue; // `v0` and `y1` are one vertex
+            }
+            if v0 == y2 {
+                continue; // `v0` and `y2` are one vertex
+            }
+            if v1 == x1 {
+                continue; // `v1` and `x1` are one vertex
+            }
+            if v1 == x2 {
+                continue; // `v1` and `x2` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v1 == y1 {
+                continue; // `v1` and `y1` are one vertex
+            }
+            if v1 == y2 {
+                continue; // `v1` and `y2` are one vertex
+            }
+            if x1 == x2 {
+                continue; // `x1` and `x2` are one vertex
+            }
+            if x1 == v2 {
+                continue; // `x1` and `v2` are one vertex
+            }
+            if x1 == v3 {
+                continue; // `x1` and `v3` are one vertex
+            }
+            if x1 == y1 {
+                continue; // `x1` and `y1` are one vertex
+            }
+            if x1 == y2 {
+                continue; // `x1` and `y2` are one vertex
+            }
+            if x2 == v2 {
+                continue; // `x2` and `v2` are one vertex
+            }
+            if x2 == v3 {
+                continue; // `x2` and `v3` are one vertex
+            }
+            if x2 == y1 {
+                continue; // `x2` and `y1` are one vertex
+            }
+            if x2 == y2 {
+                continue; // `x2` and `y2` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if v2 == y1 {
+                continue; // `v2` and `y1` are one vertex
+            }
+            if v2 == y2 {
+                continue; // `v2` and `y2` are one vertex
+            }
+            if v3 == y1 {
+                continue; // `v3` and `y1` are one vertex
+            }
+            if v3 == y2 {
+                continue; // `v3` and `y2` are one vertex
+            }
+            if y1 == y2 {
+                continue; // `y1` and `y2` are one vertex
+            }
+            let mut along: Vec<HalfedgeId> = Vec::new();
+            let mut h = Q_first;
+            while h != a {
+                along.push(h);
+                h = mesh.next(h);
+            }
+            let mut faces: Vec<FaceId> = Vec::new();
+            let mut count = 1;
+            if !along.contains(&b_) {
+                faces.push(mesh.face(b_));
+            }
+            if along.contains(&b_) {
+                count += 1;
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h != a {
+                    if !along.contains(&h) {
+                        faces.push(mesh.face(h));
+                    }
+                    if along.contains(&h) {
+                        count += 1;
+                    }
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
+                if h != r && h != b_ {
+                    if !along.contains(&h) {
+                        faces.push(mesh.face(h));
+                    }
+                    if along.contains(&h) {
+                        count += 1;
+                    }
+                }
+            }
+            if !all_differ(&faces) || 1 < count {
+                continue; // a face around both `v0` and `v3` would meet `v0` twice
+            }
+            let mut faces_2: Vec<FaceId> = vec![f];
+            let mut count_2 = 0;
+            if !along.contains(&a_) {
+                faces_2.push(mesh.face(a_));
+            }
+            if along.contains(&a_) {
+                count_2 += 1;
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != p && h != a_ {
+                    if !along.contains(&h) {
+                        faces_2.push(mesh.face(h));
+                    }
+                    if along.contains(&h) {
+                        count_2 += 1;
+                    }
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+                if h != b {
+                    if !along.contains(&h) {
+                        faces_2.push(mesh.face(h));
+                    }
+                    if along.contains(&h) {
+                        count_2 += 1;
+                    }
+                }
+            }
+            if !all_differ(&faces_2) || 1 < count_2 {
+                continue; // a face around both `v1` and `v2` would meet `v1` twice
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
+            let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
+
+            // 2. Allocate what is new.
+            let g = mesh.add_face();
+
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != a {
+                mesh.set_face(h, g);
+                h = mesh.next(h);
+            }
+            let mut h = mesh.next(b_);
+            while h != b {
+                mesh.set_vertex(h, v1);
+                h = mesh.next(mesh.twin(h));
+            }
+            let mut h = mesh.next(mesh.twin(r));
+            while h != b_ {
+                mesh.set_vertex(h, v0);
+                h = mesh.next(mesh.twin(h));
+            }
+            mesh.set_prev(p, P_last);
+            mesh.set_next(P_last, p);
+            mesh.set_prev(r, Q_last);
+            mesh.set_vertex(r, v0);
+            mesh.set_face(r, g);
+            mesh.set_face(s, g);
+            mesh.set_next(Q_last, r);
+            mesh.set_twin(a_, b_);
+            mesh.set_twin(b_, a_);
+            mesh.set_vertex(b_, v0);
+            mesh.set_edge(b_, e);
+            mesh.set_vertex_halfedge(v0, b_);
+            mesh.set_edge_halfedge(e, a_);
+            mesh.set_face_halfedge(f, p);
+            mesh.set_face_halfedge(g, r);
+            mesh.set_hole(g, true);
+            mesh.set_position(v0, v0_position);
+            mesh.set_position(v1, v1_position);
+
+            // 4. Erase what is gone.
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(b);
+            mesh.erase_edge(e2);
+            mesh.erase_vertex(v2);
+            mesh.erase_vertex(v3);
+            return Some(e);
+        }
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_weld_neighbours(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let a_ = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let f = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(a_);
+        let v3 = mesh.vertex(b_);
+        let Q_first = mesh.next(b);
+        let Q_last = mesh.prev(a);
+        if mesh.edge(b) != e2 {
+            continue; // `b.edge` is not `e2`
+        }
+        if !mesh.is_hole(f) {
+            continue; // `f` is not a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if (mesh.face_size(f) as i64) <= 4 {
+            continue; // a hole of fewer than three edges would be left
+        }
+        if (mesh.degree(v1) as i64) < 3 {
+            continue; // `v1` would keep a single edge
+        }
+        let mut faces: Vec<FaceId> = vec![mesh.face(b_)];
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+            if h != a {
+                faces.push(mesh.face(h));
+            }
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
+            if h != b_ {
+                faces.push(mesh.face(h));
+            }
+        }
+        if !all_differ(&faces) {
+            continue; // a face around both `v0` and `v3` would meet `v0` twice
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(b);
+        while h != b_ {
+            mesh.set_vertex(h, v0);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_twin(a_, b_);
+        mesh.set_twin(b_, a_);
+        mesh.set_vertex(b_, v0);
+        mesh.set_edge(b_, e);
+        mesh.set_vertex_halfedge(v0, b_);
+        mesh.set_vertex_halfedge(v1, a_);
+        mesh.set_edge_halfedge(e, a_);
+        mesh.set_face_halfedge(f, Q_first);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(b);
+        mesh.erase_edge(e2);
+        mesh.erase_vertex(v3);
+        return Some(e);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn polygon_weld_other_neighbours(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.prev(a);
+        let a_ = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let f = mesh.face(b);
+        let v2 = mesh.vertex(b);
+        let v3 = mesh.vertex(b_);
+        let v1 = mesh.vertex(a_);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(b);
+        if mesh.edge(b) != e2 {
+            continue; // `b.edge` is not `e2`
+        }
+        if !mesh.is_hole(f) {
+            continue; // `f` is not a hole
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+        if v2 == v1 {
+            continue; // `v2` and `v1` are one vertex
+        }
+        if v3 == v1 {
+            continue; // `v3` and `v1` are one vertex
+        }
+        if (mesh.face_size(f) as i64) <= 4 {
+            continue; // a hole of fewer than three edges would be left
+        }
+        if (mesh.degree(v3) as i64) < 3 {
+            continue; // `v3` would keep a single edge
+        }
+        let mut faces: Vec<FaceId> = vec![mesh.face(a_)];
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+            if h != b {
+                faces.push(mesh.face(h));
+            }
+        }
+        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+            if h != a_ {
+                faces.push(mesh.face(h));
+            }
+        }
+        if !all_differ(&faces) {
+            continue; // a face around both `v1` and `v2` would meet `v1` twice
+        }
+        let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(b_);
+        while h != b {
+            mesh.set_vertex(h, v1);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_twin(a_, b_);
+        mesh.set_twin(b_, a_);
+        mesh.set_edge(b_, e);
+        mesh.set_vertex_halfedge(v3, b_);
+        mesh.set_edge_halfedge(e, a_);
+        mesh.set_face_halfedge(f, P_first);
+        mesh.set_position(v1, v1_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(b);
+        mesh.erase_edge(e2);
+        mesh.erase_vertex(v2);
+        return Some(e);
+    }
+    None
+}
+
 /// Flips an edge where it is the longer one, as most remeshers would have it.
 pub fn values_flip_if_longer(mesh: &mut Mesh, e: EdgeId, least: f64) -> Option<EdgeId> {
     // 1. Collect: nothing is written before all of this has passed.
@@ -6725,6 +7276,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("polygon_collapse", &[Element(x0)]) => { let r = polygon_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_extrude", &[Element(x0), Real(x1), Real(x2)]) => { let r = polygon_extrude(mesh, FaceId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_inset_vertex", &[Element(x0)]) => { let r = polygon_inset_vertex(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_weld", &[Element(x0), Element(x1)]) => { let r = polygon_weld(mesh, EdgeId(x0), EdgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
         ("values_lift", &[Element(x0), Vec3(x1)]) => { let r = values_lift(mesh, FaceId(x0), DVec3::from_array(x1)); (r.is_some(), r.map(|r| r.0)) },

@@ -11,11 +11,10 @@ use hedgerow::source::Sources;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 4] = [
+const NOT_EMITTED: [&str; 3] = [
     "families_dissolve_vertex: a guard of families",
-    "polygon_weld: a guard that follows the paths of `f` to several faces",
     "more_fill: a guard of families",
-    "simple_part_vertex: a guard that follows the spokes of `v` to several vertices",
+    "simple_part_vertex: a guard that compares faces at the new `w` with others",
 ];
 
 /// An operation: its proof, from which code is emitted, and its plan, which the machine runs.

@@ -54,7 +54,7 @@ impl Tests<'_, '_> {
         for &path in &paths {
             let list = list.clone();
             let walk = self.inside(path, |tests, h| {
-                let item = tests.result.origin(tests.names, h)?;
+                let item = tests.result.known_origin(tests.names, h)?;
                 Ok(vec![Statement::Push { list, item }])
             })?;
             self.body.extend(walk);
@@ -103,9 +103,8 @@ impl Tests<'_, '_> {
                 false => {}
             }
         }
-        if self.result.is_new(vertex) {
-            // No undrawn spoke goes there, or it cannot be told.
-            self.result.moves()?;
+        if self.result.is_new(vertex) && self.result.pieces(vertex).is_empty() {
+            // No undrawn spoke goes there.
             paths.clear();
         }
         if sure == 1 && later.is_empty() {
@@ -138,9 +137,9 @@ impl Tests<'_, '_> {
     ) -> Result<(), NotEmitted> {
         for &path in paths {
             let walk = self.inside(path, |tests, h| {
-                let origin = tests.result.origin(tests.names, h)?;
+                let origin = tests.result.origin(tests.names, h);
                 Ok(vec![Statement::When {
-                    condition: origin.is(tests.term(vertex)),
+                    condition: origin.is(vertex, tests.old_term(vertex)),
                     body: vec![then.clone()],
                 }])
             })?;
@@ -300,7 +299,9 @@ impl Tests<'_, '_> {
             corners: self.names.fresh("corners"),
         };
         let halfedge = self.names.fresh("h");
-        let item = self.result.origin(self.names, Term::name(&halfedge))?;
+        let item = self
+            .result
+            .known_origin(self.names, Term::name(&halfedge))?;
         let first = Term::name(&undrawn.face).follow(Pointer::FaceHalfedge);
         let body = vec![
             Statement::List {

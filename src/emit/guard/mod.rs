@@ -14,7 +14,7 @@ use super::routine::{Statement, Walk};
 use super::term::{Function, Term};
 use crate::check::guard::{Obligation, Statement as Asked};
 use crate::diagram::{Binary, Builtin, Drawing, Loop, LoopKind, NameId, Type};
-use result::Outcome;
+use result::{Outcome, Told};
 
 /// The tests of a guard, in order.
 pub(super) fn tests(
@@ -30,7 +30,7 @@ pub(super) fn tests(
         return Err(NotEmitted::new("a guard of families", span));
     }
     let mut tests = Tests {
-        result: Outcome::new(drawing),
+        result: Outcome::new(drawing, names),
         drawing,
         names,
         body: Vec::new(),
@@ -47,7 +47,9 @@ pub(super) fn tests(
         let reason = obligation.statement.refusal(drawing.rule);
         tests.test(&obligation.statement, reason)?;
     }
-    Ok(tests.body)
+    let mut body = tests.result.lists(tests.names);
+    body.append(&mut tests.body);
+    Ok(body)
 }
 
 /// Writes tests.
@@ -79,6 +81,11 @@ impl Tests<'_, '_> {
 
     fn term(&self, name: NameId) -> Term {
         self.names.term(name)
+    }
+
+    /// The same, of what is there before anything is allocated.
+    fn old_term(&self, name: NameId) -> Option<Term> {
+        (!self.result.is_new(name)).then(|| self.term(name))
     }
 
     fn orbit(&self, face: NameId) -> Option<&Loop> {
@@ -272,7 +279,7 @@ impl Tests<'_, '_> {
                 Some(orbit) if orbit.kind == LoopKind::Hole => sure += 1,
                 Some(orbit) if orbit.kind == LoopKind::Face => {}
                 Some(orbit) => asked.push(self.term(orbit.face.name).hole()),
-                None => asked.push(self.result.hole(self.names, self.term(spoke))?),
+                None => asked.push(self.result.hole(self.names, self.term(spoke))),
             }
         }
         let count = self.tally("holes", Type::Int, Term::Int(sure));
@@ -284,7 +291,7 @@ impl Tests<'_, '_> {
             self.body.push(Statement::When { condition, body });
         }
         let walks = self.spokes(vertex, |tests, h| {
-            let condition = tests.result.hole(tests.names, h)?;
+            let condition = tests.result.hole(tests.names, h);
             Ok(vec![Statement::When {
                 condition,
                 body: vec![raise()],
@@ -298,7 +305,7 @@ impl Tests<'_, '_> {
         let pinched = self.tally("pinched", Type::Bool, Term::Bool(false));
         let holes = self.names.fresh("holes");
         let spoke = self.names.fresh("s");
-        let condition = self.result.hole(self.names, Term::name(&spoke))?;
+        let condition = self.result.hole(self.names, Term::name(&spoke));
         let walk = self.inside(path, |_, h| {
             Ok(vec![
                 Statement::Tally {
@@ -335,49 +342,76 @@ impl Tests<'_, '_> {
     }
 
     fn face_twice(&mut self, vertex: NameId) -> Result<Term, NotEmitted> {
-        let mut items = Vec::new();
-        let mut new = Vec::new();
+        let mut drawn = Vec::new();
+        let mut told = Vec::new();
         for spoke in self.result.spokes_after(vertex) {
             match self.drawing.after.face(spoke) {
-                Some(face) if self.result.is_new(face) => new.push(face),
-                Some(face) => items.push(self.term(face)),
-                None => items.push(self.result.face(self.names, self.term(spoke))?),
+                Some(face) => drawn.push(face),
+                None => told.push(self.result.face(self.names, self.term(spoke))),
             }
         }
-        if has_repetition(&new) {
-            return Ok(Term::Bool(true));
-        }
-        let list = self.list("faces", Type::Face, items);
-        let walks = self.spokes(vertex, |tests, h| {
-            let item = tests.result.face(tests.names, h)?;
-            let list = list.clone();
-            Ok(vec![Statement::Push { list, item }])
-        })?;
-        self.body.extend(walks);
-        Ok(Term::Call(Function::AllDiffer, vec![Term::name(list)]).not())
+        let tell = |tests: &Self, h| tests.result.face(tests.names, h);
+        self.any_twice(vertex, ("faces", Type::Face), drawn, told, tell)
     }
 
     fn neighbor_twice(&mut self, vertex: NameId) -> Result<Term, NotEmitted> {
-        let mut items = Vec::new();
-        let mut new = Vec::new();
+        let mut drawn = Vec::new();
+        let mut told = Vec::new();
         for spoke in self.result.spokes_after(vertex) {
             match self.drawing.target_after(spoke) {
-                Some(end) if self.result.is_new(end) => new.push(end),
-                Some(end) => items.push(self.term(end)),
-                None => items.push(self.result.end(self.names, self.term(spoke))?),
+                Some(end) => drawn.push(end),
+                None => told.push(self.result.end(self.names, self.term(spoke))),
             }
         }
+        let tell = |tests: &Self, h| tests.result.end(tests.names, h);
+        self.any_twice(vertex, ("neighbors", Type::Vertex), drawn, told, tell)
+    }
+
+    /// Whether two spokes of a vertex have the same: those that are drawn, as told of drawn
+    /// spokes, and as told of the others. What is there already is listed, what is new counted.
+    fn any_twice(
+        &mut self,
+        vertex: NameId,
+        (wanted, ty): (&str, Type),
+        drawn: Vec<NameId>,
+        told: Vec<Told>,
+        tell: impl Fn(&Self, Term) -> Told,
+    ) -> Result<Term, NotEmitted> {
+        let (new, old): (Vec<_>, Vec<_>) = drawn
+            .into_iter()
+            .partition(|&name| self.result.is_new(name));
         if has_repetition(&new) {
             return Ok(Term::Bool(true));
         }
-        let list = self.list("neighbors", Type::Vertex, items);
-        let walks = self.spokes(vertex, |tests, h| {
-            let item = tests.result.end(tests.names, h)?;
-            let list = list.clone();
-            Ok(vec![Statement::Push { list, item }])
-        })?;
+        let mut items: Vec<_> = old.into_iter().map(|name| self.term(name)).collect();
+        let mut later = Vec::new();
+        for told in told {
+            match told.new.is_empty() {
+                true => items.push(told.other),
+                false => later.push(told),
+            }
+        }
+        let list = self.list(wanted, ty, items);
+        let mut counts: Vec<(NameId, String)> = Vec::new();
+        let probe = tell(self, Term::name(&list));
+        let all = later.iter().chain([&probe]).flat_map(|told| &told.new);
+        let mut all: Vec<_> = all.map(|(_, name)| *name).collect();
+        all.sort_unstable();
+        all.dedup();
+        for name in all {
+            let count = i64::from(new.contains(&name));
+            let count = self.tally("count", Type::Int, Term::Int(count));
+            counts.push((name, count));
+        }
+        for told in later {
+            let body = note(told, &list, &counts);
+            self.body.extend(body);
+        }
+        let walks = self.spokes(vertex, |tests, h| Ok(note(tell(tests, h), &list, &counts)))?;
         self.body.extend(walks);
-        Ok(Term::Call(Function::AllDiffer, vec![Term::name(list)]).not())
+        let twice = Term::Call(Function::AllDiffer, vec![Term::name(list)]).not();
+        let counts = counts.iter().map(|(_, count)| Self::more_than_one(count));
+        Ok(counts.fold(twice, Term::or))
     }
 
     fn other_edge(&mut self, [from, to]: [NameId; 2]) -> Result<Term, NotEmitted> {
@@ -392,12 +426,10 @@ impl Tests<'_, '_> {
             let adjacent = Function::Builtin(Builtin::Adjacent);
             return Ok(Term::Call(adjacent, vec![self.term(from), self.term(to)]));
         }
-        if self.result.is_new(to) {
-            return Err(self.result.too_new(to));
-        }
         let count = self.tally("edges", Type::Int, Term::Int(drawn));
         let walks = self.spokes(from, |tests, h| {
-            let condition = tests.result.end(tests.names, h)?.is(tests.term(to));
+            let end = tests.result.end(tests.names, h);
+            let condition = end.is(to, tests.old_term(to));
             Ok(vec![Statement::When {
                 condition,
                 body: vec![Statement::Raise {
@@ -408,6 +440,29 @@ impl Tests<'_, '_> {
         self.body.extend(walks);
         Ok(Self::more_than_one(&count))
     }
+}
+
+/// Lists what a halfedge will have, or counts it if it is new.
+fn note(told: Told, list: &str, counts: &[(NameId, String)]) -> Vec<Statement> {
+    let push = Statement::Push {
+        list: list.to_string(),
+        item: told.other.clone(),
+    };
+    let mut body = match told.is_known() {
+        Some(condition) => vec![Statement::only_where(condition, vec![push])],
+        None => vec![push],
+    };
+    for (condition, name) in told.new {
+        if let Some((_, count)) = counts.iter().find(|(of, _)| *of == name) {
+            body.push(Statement::When {
+                condition,
+                body: vec![Statement::Raise {
+                    name: count.clone(),
+                }],
+            });
+        }
+    }
+    body
 }
 
 fn plus(left: Term, right: Term) -> Term {

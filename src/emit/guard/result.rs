@@ -3,18 +3,47 @@
 //! A halfedge without a name keeps its `next` (but for the ends of paths) and its `twin`. Its
 //! `vertex` changes if it lies in a fan that moves, its `face` if it lies on a path that moves.
 //! Where all undrawn spokes of a vertex move together, comparing the vertex tells; so it is with
-//! the paths of a face.
+//! the paths of a face. Those that part are listed first, and looked up.
+
+use std::cell::Cell;
 
 use super::super::NotEmitted;
 use super::super::names::Names;
-use super::super::routine::{Step, Walk};
-use super::super::term::Term;
-use super::super::walks::along_spokes;
-use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Spoke};
+use super::super::routine::{Statement, Step, Walk};
+use super::super::term::{Function, Term};
+use super::super::walks::{along_path, along_spokes};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Spoke, Type};
 
 /// What can be told of the result.
 pub(super) struct Outcome<'d> {
     drawing: &'d Drawing<'d>,
+    /// The runs of spokes and the paths whose orbit parts.
+    parted: Vec<Parted>,
+}
+
+/// Undrawn halfedges that do not go where others of their orbit go.
+struct Parted {
+    which: Run,
+    /// The list that they stand in, and whether anything asks for it.
+    list: String,
+    is_asked: Cell<bool>,
+}
+
+/// Undrawn halfedges that stay together.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Run {
+    /// Spokes, by their place in the statement of a vertex of `before`.
+    Spokes(NameId, usize),
+    Path(NameId),
+}
+
+/// Undrawn halfedges, and the vertex or face of `after` that they go to.
+pub(super) struct Move {
+    /// The vertex or face of `before` that they leave.
+    from: NameId,
+    /// Which of it; all of them if there is nothing else to tell.
+    run: Option<Run>,
+    to: NameId,
 }
 
 /// Spokes without a name that stay together.
@@ -49,9 +78,120 @@ impl Piece {
     }
 }
 
+/// The vertex or face that a halfedge will have.
+pub(super) struct Told {
+    /// The new ones that it may be, and when it is. No two hold at once.
+    pub new: Vec<(Term, NameId)>,
+    /// What it is where none of them holds.
+    pub other: Term,
+}
+
+impl Told {
+    /// It is another where a condition holds.
+    fn unless(&mut self, condition: Term, is_new: bool, to: (NameId, Term)) {
+        for (when, _) in &mut self.new {
+            *when = condition.clone().not().and(when.clone());
+        }
+        if is_new {
+            self.new.push((condition, to.0));
+        } else {
+            let other = std::mem::replace(&mut self.other, Term::Bool(false));
+            self.other = condition.then(to.1, other);
+        }
+    }
+
+    /// Whether it is none of the new ones.
+    pub fn is_known(&self) -> Option<Term> {
+        let conditions = self.new.iter().map(|(when, _)| when.clone().not());
+        conditions.reduce(Term::and)
+    }
+
+    /// Whether it is an element, `term` if it is there already.
+    pub fn is(self, element: NameId, term: Option<Term>) -> Term {
+        match term {
+            Some(term) => {
+                let is = self.other.clone().is(term);
+                self.is_known()
+                    .into_iter()
+                    .fold(is, |is, known| known.and(is))
+            }
+            None => {
+                let new = self.new.into_iter().filter(|(_, to)| *to == element);
+                let conditions = new.map(|(when, _)| when);
+                conditions.reduce(Term::or).unwrap_or(Term::Bool(false))
+            }
+        }
+    }
+}
+
 impl<'d> Outcome<'d> {
-    pub fn new(drawing: &'d Drawing<'d>) -> Self {
-        Self { drawing }
+    pub fn new(drawing: &'d Drawing<'d>, names: &mut Names) -> Self {
+        let mut outcome = Self {
+            drawing,
+            parted: Vec::new(),
+        };
+        let mut moves = outcome.moves();
+        moves.extend(outcome.homes());
+        // Those that hardly anything asks for come last, so that names have no gaps.
+        moves.sort_by_key(|one| one.from == one.to);
+        let runs: Vec<_> = moves.iter().filter_map(|one| one.run).collect();
+        for which in runs {
+            let wanted = match which {
+                Run::Spokes(..) => "leaving",
+                Run::Path(_) => "along",
+            };
+            outcome.parted.push(Parted {
+                which,
+                list: names.fresh(wanted),
+                is_asked: Cell::new(false),
+            });
+        }
+        outcome
+    }
+
+    /// Makes the lists that anything asked for.
+    pub fn lists(&self, names: &mut Names) -> Vec<Statement> {
+        let mut body = Vec::new();
+        for parted in self.parted.iter().filter(|parted| parted.is_asked.get()) {
+            let halfedge = names.fresh("h");
+            names.release(&halfedge);
+            let walk = match parted.which {
+                Run::Spokes(vertex, at) => {
+                    let piece = Piece::Run { vertex, at };
+                    Some(piece.walk(self.drawing, names, halfedge.clone()))
+                }
+                Run::Path(path) => along_path(self.drawing, names, path, halfedge.clone()),
+            };
+            body.push(Statement::List {
+                ty: Type::Halfedge,
+                name: parted.list.clone(),
+                items: Vec::new(),
+            });
+            body.extend(walk.map(|walk| Statement::Walk {
+                walk,
+                body: vec![Statement::Push {
+                    list: parted.list.clone(),
+                    item: Term::name(halfedge),
+                }],
+            }));
+        }
+        body
+    }
+
+    /// Whether a halfedge is one of those that move, `at` being its vertex or face.
+    fn moved(&self, names: &Names, one: &Move, half: &Term, at: &Term) -> Term {
+        let list = self
+            .parted
+            .iter()
+            .find(|parted| Some(parted.which) == one.run);
+        match list {
+            Some(parted) => {
+                parted.is_asked.set(true);
+                let holds = vec![Term::name(&parted.list), half.clone()];
+                Term::Call(Function::Holds, holds)
+            }
+            None => at.clone().is(names.term(one.from)),
+        }
     }
 
     pub fn is_new(&self, name: NameId) -> bool {
@@ -125,66 +265,59 @@ impl<'d> Outcome<'d> {
         pieces
     }
 
-    /// The vertices whose undrawn spokes all go to another one, and which that is.
-    pub fn moves(&self) -> Result<Vec<(NameId, NameId)>, NotEmitted> {
+    /// The undrawn spokes that go to another vertex.
+    fn moves(&self) -> Vec<Move> {
         let mut moves = Vec::new();
-        for source in self.drawing.rule.names_of(Kind::Vertex) {
-            let runs = self.runs(source).unwrap_or_default();
-            let Some(&(_, to)) = runs.iter().find(|(_, to)| *to != source) else {
-                continue;
-            };
-            if runs.iter().any(|&(_, other)| other != to) {
-                return Err(self.parted(source));
+        for from in self.drawing.rule.names_of(Kind::Vertex) {
+            let runs = self.runs(from).unwrap_or_default();
+            let part = runs.iter().any(|(_, to)| *to != runs[0].1);
+            let count = if part { runs.len() } else { 1 };
+            for &(at, to) in runs.iter().take(count).filter(|(_, to)| *to != from) {
+                let run = part.then_some(Run::Spokes(from, at));
+                moves.push(Move { from, run, to });
             }
-            if self.is_new(to) {
-                return Err(self.too_new(to));
-            }
-            moves.push((source, to));
         }
-        Ok(moves)
+        moves
     }
 
-    fn parted(&self, vertex: NameId) -> NotEmitted {
-        let rule = self.drawing.rule;
-        let span = rule.guard.map_or(rule.span, |(_, span)| span);
-        NotEmitted::new(
-            format!(
-                "a guard that follows the spokes of {} to several vertices",
-                rule.quoted(vertex)
-            ),
-            span,
-        )
-    }
-
-    /// A test would have to compare an element that there is not yet.
-    pub fn too_new(&self, name: NameId) -> NotEmitted {
-        let rule = self.drawing.rule;
-        let span = rule.guard.map_or(rule.span, |(_, span)| span);
-        NotEmitted::new(
-            format!(
-                "a guard that compares the new {} with what is there",
-                rule.quoted(name)
-            ),
-            span,
-        )
+    /// What a halfedge will have instead of what it has: as moves tell.
+    fn told(&self, names: &Names, half: &Term, at: Pointer, moves: Vec<Move>) -> Told {
+        let has = half.clone().follow(at);
+        let mut told = Told {
+            new: Vec::new(),
+            other: has.clone(),
+        };
+        for one in moves.into_iter().filter(|one| one.from != one.to) {
+            let moved = self.moved(names, &one, half, &has);
+            told.unless(moved, self.is_new(one.to), (one.to, names.term(one.to)));
+        }
+        told
     }
 
     /// Where a halfedge that no loop of `after` draws will start.
-    pub fn origin(&self, names: &Names, half: Term) -> Result<Term, NotEmitted> {
-        let vertex = half.follow(Pointer::Vertex);
-        let moves = self.moves()?;
-        Ok(moves.into_iter().fold(vertex.clone(), |term, (from, to)| {
-            let moved = vertex.clone().is(names.term(from));
-            moved.then(names.term(to), term)
-        }))
+    pub fn origin(&self, names: &Names, half: Term) -> Told {
+        self.told(names, &half, Pointer::Vertex, self.moves())
+    }
+
+    /// The same, if it can be compared with any other.
+    pub fn known_origin(&self, names: &Names, half: Term) -> Result<Term, NotEmitted> {
+        let told = self.origin(names, half);
+        let Some((_, new)) = told.new.first() else {
+            return Ok(told.other);
+        };
+        let rule = self.drawing.rule;
+        let span = rule.guard.map_or(rule.span, |(_, span)| span);
+        let new = rule.quoted(*new);
+        let what = format!("a guard that compares faces at the new {new} with others");
+        Err(NotEmitted::new(what, span))
     }
 
     /// Where an undrawn spoke will end: where its twin starts. The twin can be drawn.
-    pub fn end(&self, names: &Names, spoke: Term) -> Result<Term, NotEmitted> {
+    pub fn end(&self, names: &Names, spoke: Term) -> Told {
         let drawing = self.drawing;
         let twin = spoke.follow(Pointer::Twin);
-        let mut term = self.origin(names, twin.clone())?;
-        let moves = self.moves()?;
+        let mut told = self.origin(names, twin.clone());
+        let moves = self.moves();
         for half in drawing.rule.names_of(Kind::Halfedge) {
             let twin_is_undrawn = drawing.before.loop_of_item(half).is_some()
                 && drawing.before.pairing(half).is_none();
@@ -193,62 +326,51 @@ impl<'d> Outcome<'d> {
             else {
                 continue;
             };
-            let moved = moves.iter().find(|(from, _)| *from == before);
-            if !twin_is_undrawn || moved.map_or(before, |&(_, to)| to) == after {
+            // Those of a run are not drawn.
+            let mut whole = moves.iter().filter(|one| one.run.is_none());
+            let moved = whole.find(|one| one.from == before);
+            if !twin_is_undrawn || moved.map_or(before, |one| one.to) == after {
                 continue;
-            }
-            if self.is_new(after) {
-                return Err(self.too_new(after));
             }
             let is_it = twin.clone().is(names.term(half));
-            term = is_it.then(names.term(after), term);
+            told.unless(is_it, self.is_new(after), (after, names.term(after)));
         }
-        Ok(term)
+        told
     }
 
-    /// For each face of `before` with paths, the loop of `after` that they go to.
-    fn homes(&self) -> Result<Vec<(NameId, NameId)>, NotEmitted> {
-        let drawing = self.drawing;
+    /// The paths, and the loops of `after` that they go to.
+    fn homes(&self) -> Vec<Move> {
         let mut homes = Vec::new();
-        for orbit in &drawing.rule.before.loops {
+        for orbit in &self.drawing.rule.before.loops {
+            let from = orbit.face.name;
             let items = orbit.items.iter().map(|item| item.item.name);
-            let mut paths = items.filter(|&item| self.is_path(item));
-            let home = |path: NameId| drawing.after.face(path);
-            let Some(first) = paths.next().and_then(home) else {
-                continue;
-            };
-            if paths.any(|path| home(path) != Some(first)) {
-                let rule = drawing.rule;
-                let span = rule.guard.map_or(rule.span, |(_, span)| span);
-                let face = rule.quoted(orbit.face.name);
-                let what = format!("a guard that follows the paths of {face} to several faces");
-                return Err(NotEmitted::new(what, span));
-            }
-            homes.push((orbit.face.name, first));
+            let paths = items.filter(|&item| self.is_path(item));
+            let paths: Vec<_> = paths
+                .filter_map(|path| Some((path, self.drawing.after.face(path)?)))
+                .collect();
+            let part = paths.iter().any(|(_, to)| *to != paths[0].1);
+            let count = if part { paths.len() } else { 1 };
+            homes.extend(paths.into_iter().take(count).map(|(path, to)| Move {
+                from,
+                run: part.then_some(Run::Path(path)),
+                to,
+            }));
         }
-        Ok(homes)
+        homes
     }
 
     /// The face of a halfedge that is not drawn in a loop.
-    pub fn face(&self, names: &Names, half: Term) -> Result<Term, NotEmitted> {
-        let face = half.follow(Pointer::Face);
-        let mut term = face.clone();
-        for (from, to) in self.homes()?.into_iter().filter(|(from, to)| from != to) {
-            if self.is_new(to) {
-                return Err(self.too_new(to));
-            }
-            let moved = face.clone().is(names.term(from));
-            term = moved.then(names.term(to), term);
-        }
-        Ok(term)
+    pub fn face(&self, names: &Names, half: Term) -> Told {
+        self.told(names, &half, Pointer::Face, self.homes())
     }
 
     /// Whether a halfedge that is not drawn in a loop will lie in a hole.
-    pub fn hole(&self, names: &Names, half: Term) -> Result<Term, NotEmitted> {
+    pub fn hole(&self, names: &Names, half: Term) -> Term {
         let drawing = self.drawing;
-        let face = half.follow(Pointer::Face);
+        let face = half.clone().follow(Pointer::Face);
         let mut term = face.clone().hole();
-        for (from, to) in self.homes()? {
+        for one in self.homes() {
+            let Move { from, to, .. } = one;
             let kind = |orbit: Option<&crate::diagram::Loop>| orbit.map(|orbit| orbit.kind);
             let (before, after) = (
                 kind(drawing.before.loop_of_face(from)),
@@ -263,14 +385,14 @@ impl<'d> Outcome<'d> {
                 Some(LoopKind::Face) => Term::Bool(false),
                 _ => names.term(to).hole(),
             };
-            let moved = face.clone().is(names.term(from));
+            let moved = self.moved(names, &one, &half, &face);
             term = match holds {
                 Term::Bool(true) => moved.or(term),
                 Term::Bool(false) => moved.not().and(term),
                 holds => moved.then(holds, term),
             };
         }
-        Ok(term)
+        term
     }
 
     /// Whether no spoke moves, and no drawn edge of `before` joins two vertices that stay: then
@@ -278,7 +400,7 @@ impl<'d> Outcome<'d> {
     pub fn is_only_undrawn(&self, v: NameId, w: NameId) -> bool {
         let drawing = self.drawing;
         let stay = drawing.survives(v) && drawing.survives(w);
-        let nothing_moves = self.moves().is_ok_and(|moves| moves.is_empty());
+        let nothing_moves = self.moves().is_empty();
         let halfedges = || {
             let halfedges = drawing.rule.names_of(Kind::Halfedge);
             halfedges.filter(|&half| drawing.before.mention(half).is_some())

@@ -1,0 +1,197 @@
+//! Polygons in space as pixels: of what covers a pixel, the nearest is seen.
+//!
+//! Each pixel keeps how near what it shows is (E. Catmull, "A subdivision algorithm for computer
+//! display of curved surfaces", 1974, who calls that a z-buffer), so that faces hide each other
+//! whatever their order, also where they pass through each other. Four pixels become one in the
+//! end, which smooths lines.
+
+use std::mem;
+
+use glam::{DVec2, DVec3};
+
+/// A square image: rows of pixels, red, green, blue and opacity, colours multiplied by opacity.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Image {
+    /// How many pixels a row has, and how wide it is in the picture.
+    pub side: u32,
+    pub size: f64,
+    pub pixels: Vec<[u8; 4]>,
+}
+
+/// A square of pixels that is drawn on.
+pub(super) struct Raster {
+    side: usize,
+    near: Vec<f32>,
+    pixels: Vec<[u8; 4]>,
+}
+
+/// Where on a polygon a pixel lies.
+pub(super) struct Place<'a> {
+    pub at: DVec2,
+    /// How much of each corner there is in it; together one.
+    pub weights: &'a [f64],
+}
+
+impl Raster {
+    /// A square that nothing is drawn on, for an image half as large.
+    pub fn new(image: u32) -> Self {
+        let side = 2 * image as usize;
+        Self {
+            side,
+            near: vec![f32::NEG_INFINITY; side * side],
+            pixels: vec![[0; 4]; side * side],
+        }
+    }
+
+    /// How many pixels wide it is.
+    pub fn side(&self) -> f64 {
+        self.side as f64
+    }
+
+    /// Draws a polygon: places in pixels, z towards the one who looks.
+    pub fn polygon(&mut self, corners: &[DVec3], colour: &dyn Fn(&Place) -> [u8; 3]) {
+        let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
+        let mut weights = vec![0.0; corners.len()];
+        let rows = span(flat.iter().map(|at| at.y), self.side);
+        for row in rows {
+            let y = row as f64 + 0.5;
+            let mut cuts: Vec<f64> = sides(&flat)
+                .filter(|[a, b]| (a.y <= y) != (b.y <= y))
+                .map(|[a, b]| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
+                .collect();
+            cuts.sort_by(f64::total_cmp);
+            for pair in cuts.chunks_exact(2) {
+                for column in span(pair.iter().copied(), self.side) {
+                    let at = DVec2::new(column as f64 + 0.5, y);
+                    weigh(at, &flat, &mut weights);
+                    let near = corners.iter().zip(&weights).map(|(c, w)| c.z * w);
+                    let near = near.sum::<f64>() as f32;
+                    let place = row * self.side + column;
+                    if near > self.near[place] {
+                        self.near[place] = near;
+                        let weights = &weights;
+                        let [red, green, blue] = colour(&Place { at, weights });
+                        self.pixels[place] = [red, green, blue, 255];
+                    }
+                }
+            }
+        }
+    }
+
+    /// What has been drawn, to be so wide in a picture; each pixel the mean of four.
+    pub fn image(mut self, size: f64) -> Image {
+        let side = self.side / 2;
+        let pixels = mem::take(&mut self.pixels);
+        let mean = |place: usize| {
+            let first = 2 * (place / side) * self.side + 2 * (place % side);
+            let four = [first, first + 1, first + self.side, first + self.side + 1];
+            let part = |part: usize| four.iter().map(|&at| u16::from(pixels[at][part])).sum();
+            std::array::from_fn(|at| {
+                let sum: u16 = part(at);
+                (sum / 4) as u8
+            })
+        };
+        Image {
+            side: side as u32,
+            size,
+            pixels: (0..side * side).map(mean).collect(),
+        }
+    }
+}
+
+/// The pixels whose middles lie between the least and the largest of some numbers.
+fn span(values: impl Iterator<Item = f64>, side: usize) -> std::ops::Range<usize> {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let (low, high) = values.fold(none, |(low, high), x| (low.min(x), high.max(x)));
+    // What is no number, or negative, becomes zero.
+    let pixel = |value: f64| ((value - 0.5).ceil() as usize).min(side);
+    pixel(low)..pixel(high)
+}
+
+pub(super) fn sides(corners: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
+/// The mean value coordinates of a place (M. S. Floater, "Mean value coordinates", 2003): in a
+/// triangle the usual ones; in other polygons they are continuous, and between two corners on
+/// a side.
+fn weigh(at: DVec2, corners: &[DVec2], weights: &mut [f64]) {
+    if let &[a, b, c] = corners {
+        let whole = (b - a).perp_dot(c - a);
+        let (second, third) = ((at - a).perp_dot(c - a), (b - a).perp_dot(at - a));
+        let (second, third) = (second / whole, third / whole);
+        weights.copy_from_slice(&[1.0 - second - third, second, third]);
+        return;
+    }
+    weights.fill(0.0);
+    let count = corners.len();
+    let mut sum = 0.0;
+    for here in 0..count {
+        let next = (here + 1) % count;
+        let (a, b) = (corners[here] - at, corners[next] - at);
+        let (far, farther) = (a.length(), b.length());
+        let (across, along) = (a.perp_dot(b), a.dot(b));
+        if across.abs() < 1e-9 && along <= 0.0 {
+            // On the side, or at a corner.
+            weights.fill(0.0);
+            let t = far / (far + farther).max(1e-12);
+            weights[here] = 1.0 - t;
+            weights[next] = t;
+            return;
+        }
+        let half = match across.abs() < 1e-9 {
+            true => 0.0,
+            false => (far * farther - along) / across,
+        };
+        for (corner, far) in [(here, far), (next, farther)] {
+            weights[corner] += half / far.max(1e-12);
+            sum += half / far.max(1e-12);
+        }
+    }
+    weights.iter_mut().for_each(|weight| *weight /= sum);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The colour in the middle of an image of two squares that cross.
+    #[test]
+    fn the_nearest_is_seen_in_any_order() {
+        let square = |near: [f64; 2], red: u8| {
+            let corner = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+            let [left, right] = near;
+            let corners = [
+                corner(0.0, 0.0, left),
+                corner(16.0, 0.0, right),
+                corner(16.0, 16.0, right),
+                corner(0.0, 16.0, left),
+            ];
+            (corners, red)
+        };
+        let [rising, falling] = [square([0.0, 1.0], 10), square([1.0, 0.0], 20)];
+        for order in [[rising, falling], [falling, rising]] {
+            let mut raster = Raster::new(8);
+            for (corners, red) in order {
+                raster.polygon(&corners, &|_| [red, 0, 0]);
+            }
+            let image = raster.image(8.0);
+            let row: Vec<_> = image.pixels[32..40].iter().map(|pixel| pixel[0]).collect();
+            assert_eq!(row, [20, 20, 20, 20, 10, 10, 10, 10]);
+        }
+    }
+
+    #[test]
+    fn weights_give_back_the_place() {
+        let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (1.0, 1.0), (0.0, 3.0)];
+        let corners = corners.map(|(x, y)| DVec2::new(x, y));
+        let mut weights = [0.0; 5];
+        for at in [(0.5, 0.5), (3.0, 2.0), (4.0, 1.0), (0.0, 0.0)] {
+            let at = DVec2::new(at.0, at.1);
+            weigh(at, &corners, &mut weights);
+            let back: DVec2 = corners.iter().zip(&weights).map(|(c, w)| *c * *w).sum();
+            assert!((back - at).length() < 1e-9, "{at}: {back}");
+        }
+    }
+}

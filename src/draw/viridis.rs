@@ -1,0 +1,124 @@
+//! Colours for numbers: dark blue for the least, yellow for the largest.
+//!
+//! The colours are those of S. van der Walt and N. Smith, "A better default colormap for
+//! Matplotlib", 2015, which grow brighter evenly, also in grey and for the colour-blind.
+
+use glam::DVec2;
+
+use super::letters::{Style, words};
+use super::shape::{Group, Ink, Path};
+use super::status::Status;
+
+/// At even distances.
+const COLOURS: [u32; 9] = [
+    0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
+];
+/// How many stripes a legend has, how large it is, and how large its letters.
+const STRIPES: usize = 48;
+const BAR: DVec2 = DVec2::new(16.0, 240.0);
+const LETTERS: f64 = 14.0;
+
+/// The colour of a part between 0 and 1.
+pub(super) fn viridis(part: f64) -> [u8; 3] {
+    let last = COLOURS.len() - 1;
+    let along = part.clamp(0.0, 1.0) * last as f64;
+    let at = (along as usize).min(last - 1);
+    let [from, to] = [COLOURS[at], COLOURS[at + 1]].map(u32::to_be_bytes);
+    let mix = |part: usize| {
+        let (a, b) = (f64::from(from[part]), f64::from(to[part]));
+        (a + (b - a) * (along - at as f64)).round() as u8
+    };
+    [mix(1), mix(2), mix(3)]
+}
+
+/// The numbers that are shown.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range {
+    low: f64,
+    high: f64,
+}
+
+impl Range {
+    /// From the least to the largest of some numbers; those that are not finite do not count.
+    pub fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
+        let finite = numbers.filter(|number| number.is_finite());
+        finite.fold(None, |range, number| {
+            let Self { low, high } = range.unwrap_or(Self {
+                low: number,
+                high: number,
+            });
+            Some(Self {
+                low: low.min(number),
+                high: high.max(number),
+            })
+        })
+    }
+
+    /// The colour of a number.
+    pub fn colour(self, number: f64) -> [u8; 3] {
+        let wide = self.high - self.low;
+        viridis(if wide > 0.0 {
+            (number - self.low) / wide
+        } else {
+            0.5
+        })
+    }
+
+    /// A bar of the colours around a place, with a title above and the numbers at its ends.
+    pub fn legend(self, title: &str, center: DVec2) -> Group {
+        let mut group = Group::default();
+        let top = center - BAR / 2.0;
+        let high = BAR.y / STRIPES as f64;
+        for stripe in 0..STRIPES {
+            let [from, to] = [stripe, stripe + 1].map(|at| top.y + at as f64 * high);
+            let mut path = Path::default();
+            // A little more, so that there is no seam.
+            let corners = [
+                (0.0, from),
+                (BAR.x, from),
+                (BAR.x, to + 0.5),
+                (0.0, to + 0.5),
+            ];
+            path.polygon(corners.map(|(x, y)| DVec2::new(top.x + x, y)));
+            let part = 1.0 - (stripe as f64 + 0.5) / STRIPES as f64;
+            group.fill(path, Ink::Colour(viridis(part)));
+        }
+        let mut write = |text: &str, style: Style, y: f64| {
+            let label = words(text, style, LETTERS);
+            let at = DVec2::new(center.x, center.y + y);
+            group.write(&label, at, Ink::Of(Status::Kept));
+        };
+        write(title, Style::Italic, -BAR.y / 2.0 - 36.0);
+        write(&number(self.high), Style::Upright, -BAR.y / 2.0 - 14.0);
+        write(&number(self.low), Style::Upright, BAR.y / 2.0 + 14.0);
+        group
+    }
+}
+
+/// A number in few letters: four digits, and a power of ten if it is very large or small.
+fn number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let text = match rounded.abs() {
+        0.0 => "0".to_string(),
+        size if (1e-3..1e6).contains(&size) => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    };
+    text.replace('-', "\u{2212}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_and_numbers() {
+        assert_eq!(viridis(-1.0), [0x44, 0x01, 0x54]);
+        assert_eq!(viridis(1.0), [0xfd, 0xe7, 0x25]);
+        assert_eq!(number(0.123456), "0.1235");
+        assert_eq!(number(-12.0), "\u{2212}12");
+        assert_eq!(number(1.0e-9), "1e\u{2212}9");
+        let range = Range::of([f64::NAN, 2.0, 4.0].into_iter()).expect("two numbers");
+        assert_eq!(range.colour(4.0), viridis(1.0));
+        assert!(Range::of([f64::INFINITY].into_iter()).is_none());
+    }
+}
