@@ -90,9 +90,10 @@ pub(super) struct RunArguments {
     pub script: String,
     /// The mesh to run it on (.obj, .halfedges)
     pub mesh: PathBuf,
-    /// Where to write the result (.obj, .halfedges)
-    #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    /// Where to write the result (.obj, .halfedges); without it the
+    /// script may still print and be looked at
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
+    pub output: Option<PathBuf>,
     /// Where to write a picture of the result (.png or .svg)
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,

@@ -10,7 +10,7 @@ use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
 use super::interrupt;
 use super::meshes;
-use super::output::{complain_of, say, say_json, table};
+use super::output::{complain, complain_of, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
@@ -23,17 +23,19 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let (path, name) = program::part(&arguments.script);
     let program = program::read_sound(path)?;
     let script = program::find_script(&program, name)?;
-    let complain = |diagnostics: &[_], code: u8| {
+    let failed = |diagnostics: &[_], code: u8| {
         complain_of(diagnostics, &program.sources);
         Failure::Silent(code.into())
     };
     let prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
-        .map_err(|errors| complain(&errors, 1))?;
+        .map_err(|errors| failed(&errors, 1))?;
     let values = prepared
         .arguments(&settings(&arguments.set)?)
-        .map_err(|errors| complain(&errors, 2))?;
+        .map_err(|errors| failed(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
-    meshes::expect_place(&arguments.output)?;
+    if let Some(output) = &arguments.output {
+        meshes::expect_place(output)?;
+    }
     if let Some(picture) = &arguments.picture {
         expect_picture(picture)?;
     }
@@ -57,7 +59,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             "interrupted" => interrupt::CODE,
             _ => 1,
         };
-        complain(&[failure.diagnostic], code)
+        failed(&[failure.diagnostic], code)
     })?;
     let run = started.elapsed().as_secs_f64();
 
@@ -65,7 +67,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let shown = arguments.attribute.as_ref();
     let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
-    meshes::write(&arguments.output, &mut obj)?;
+    if let Some(output) = &arguments.output {
+        meshes::write(output, &mut obj)?;
+    }
     if let Some(picture) = &arguments.picture {
         let view = View {
             attribute: shown,
@@ -91,6 +95,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         Format::Json => say_json(&report),
         Format::Human => {
             say(&report.show());
+            if arguments.output.is_none() && arguments.picture.is_none() {
+                complain("the result is not kept; `-o FILE` writes it");
+            }
             Ok(())
         }
     }

@@ -43,7 +43,7 @@ fn about(program: &Program, script: &Script) -> String {
     }
     let name = &script.name;
     text.push_str(&format!(
-        "Usage: hedgerow run {file}::{name} MESH -o FILE [--set NAME=VALUE]...\n"
+        "Usage: hedgerow run {file}::{name} MESH [-o FILE] [--set NAME=VALUE]...\n"
     ));
     if script.params.is_empty() {
         text.push_str("\nIt has no parameters.\n");

@@ -255,6 +255,21 @@ fn every_line_of_help_fits_a_terminal() {
 }
 
 #[test]
+fn a_script_may_only_print() {
+    let bench = Bench::with_square();
+    bench.write(
+        "s.hedge",
+        "script s() { print \"{count(vertices)} vertices\" }\n",
+    );
+    let files = bench.files();
+    let said = bench.run(&["run", "s.hedge", "square.obj"]);
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(said.out.starts_with("4 vertices\n"), "{}", said.out);
+    assert!(said.err.contains("`-o FILE` writes it"), "{}", said.err);
+    assert_eq!(bench.files(), files);
+}
+
+#[test]
 fn the_help_of_a_script() {
     let bench = Bench::new();
     let script = "/// Does nothing at all,\n/// twice.\n\
@@ -262,7 +277,7 @@ fn the_help_of_a_script() {
         script t() { print 1 }\n";
     bench.write("s.hedge", script);
     let told = "Does nothing at all,\ntwice.\n\n\
-        Usage: hedgerow run s.hedge::s MESH -o FILE [--set NAME=VALUE]...\n\n\
+        Usage: hedgerow run s.hedge::s MESH [-o FILE] [--set NAME=VALUE]...\n\n\
         Parameters:\n  \
         n   int   has to be given\n  \
         at  vec3  if not given: vec3(0, 0, 1)\n  \

@@ -12,7 +12,7 @@ fn no_such_command() {
         &["info"],
         &["info", "a.obj", "b.obj"],
         &["check", "a.hedge", "--format", "xml"],
-        &["run", "a.hedge", "a.obj"],
+        &["run", "a.hedge"],
         &["apply", "a.hedge", "a.obj", "-o", "b.obj"],
     ] {
         bench.fails(2, arguments, "--help");
