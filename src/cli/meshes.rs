@@ -14,6 +14,12 @@ pub(super) fn is_tables(path: &Path) -> bool {
     path.extension().is_some_and(|end| end == "halfedges")
 }
 
+/// Whether a file can hold an OBJ mesh, by its name; one without an ending can.
+fn may_be_obj(path: &Path) -> bool {
+    let mut end = path.extension().into_iter();
+    end.all(|end| end.eq_ignore_ascii_case("obj"))
+}
+
 /// Reads a mesh. A file without a vertex is taken for something else.
 pub(super) fn read(path: &Path) -> Result<Obj, Failure> {
     let shown = path.display();
@@ -94,6 +100,16 @@ pub(super) fn numbers(path: &Path, obj: &Obj) -> WrittenNumbers {
         true => WrittenNumbers::of_tables(&obj.mesh),
         false => obj.written_numbers(),
     }
+}
+
+/// Whether a mesh can: its name tells how it is written.
+pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
+    if !is_tables(path) && !may_be_obj(path) {
+        let shown = path.display();
+        let message = format!("{shown}: a mesh is written as .obj or .halfedges");
+        return Err(Failure::usage(message));
+    }
+    expect_place(path)
 }
 
 /// Whether a file can go to a place, as far as can be told before there is one: asked first,

@@ -270,6 +270,53 @@ fn a_script_may_only_print() {
 }
 
 #[test]
+fn a_mesh_is_written_as_what_its_name_says() {
+    let bench = Bench::with_square();
+    bench.write("s.hedge", "script s() { }\n");
+    for name in ["out.ply", "out.halfedge", "out.stl"] {
+        let arguments = ["run", "s.hedge", "square.obj", "-o", name];
+        bench.fails(2, &arguments, "a mesh is written as .obj or .halfedges");
+        assert!(!bench.has(name));
+    }
+    for name in ["out.OBJ", "out.halfedges", "out"] {
+        bench.succeeds(&["run", "s.hedge", "square.obj", "-o", name]);
+        assert!(bench.has(name));
+    }
+}
+
+#[test]
+fn an_operation_is_not_run_and_a_script_not_applied() {
+    let bench = Bench::with_square();
+    bench.fails(2, &["run", &flip(), "square.obj"], "hedgerow apply");
+    bench.write("s.hedge", "script s() { }\n");
+    let arguments = [
+        "apply",
+        "s.hedge::s",
+        "square.obj",
+        "--at",
+        "edge:1-2",
+        "-o",
+        "x.obj",
+    ];
+    bench.fails(2, &arguments, "hedgerow run");
+}
+
+#[test]
+fn tests_that_cannot_be_read_are_told() {
+    let bench = Bench::new();
+    let tests = "test \"one\" { assert 1 == 1 }\ntest \"two\" { assert 1 = 1 }\n";
+    bench.write("t.hedge", tests);
+    let said = bench.run(&["test", "t.hedge"]);
+    assert_eq!(said.code, 1, "{}", said.out);
+    assert!(said.out.contains("  broken  two\n"), "{}", said.out);
+    assert!(
+        said.out.ends_with("1 passed, 0 failed, 1 not run\n"),
+        "{}",
+        said.out
+    );
+}
+
+#[test]
 fn the_help_of_a_script() {
     let bench = Bench::new();
     let script = "/// Does nothing at all,\n/// twice.\n\
