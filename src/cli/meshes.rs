@@ -6,7 +6,8 @@ use super::failure::Failure;
 use super::files;
 use super::output::complain;
 use crate::mesh::{
-    Dump, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, write_dump, write_obj,
+    Dump, Level, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, validate_level,
+    write_dump, write_obj,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -61,6 +62,15 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
 /// Writes a mesh, and says in a line what the file cannot hold.
 pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
     if !is_tables(path) {
+        if !obj.mesh.is_polygons() {
+            let shown = path.display();
+            let other = path.with_extension("halfedges");
+            return Err(Failure::usage(format!(
+                "{shown}: no list of polygons holds this mesh{}; write it to `{}`",
+                below_simple(&obj.mesh),
+                other.display()
+            )));
+        }
         write_obj(path, obj).map_err(Failure::usage)?;
         tell_unheld(path, obj);
         return Ok(());
@@ -78,6 +88,12 @@ pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
         ));
     }
     Ok(())
+}
+
+/// Why a mesh is not of level simple, in words.
+fn below_simple(mesh: &Mesh) -> String {
+    let level = validate_level(mesh, Level::Simple);
+    level.map_or_else(|below| format!(", since {below}"), |()| String::new())
 }
 
 /// Says which attributes an OBJ file has no place for.
