@@ -317,7 +317,7 @@ fn steps_may_call_what_is_for_a_higher_level() {
          op three(f: face) -> vertex { steps { let v = must two(f) return v } }\n\
          script s() { for f in faces { must three(f) break } }\n",
     );
-    bench.succeeds(&["run", "two.hedge::s", "square.obj"]);
+    bench.succeeds(&["run", "two.hedge::s", "square.obj", "-o", "o.obj"]);
     bench.succeeds(&[
         "apply",
         "two.hedge::three",
