@@ -20,6 +20,8 @@
 //! Rules with [`families`] are unrolled, and proved for cycles of every size at once by the
 //! argument of [`voltage`].
 //!
+//! A drawing that would apply almost nowhere is refused as well ([`fans_have_room`]).
+//!
 //! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
 //! [`reach`] finds the order in which the names are bound, and [`properties`] holds what
 //! `keeps` claims against the drawing; for the levels, and for what a guard has to test, it
@@ -38,6 +40,7 @@ mod cost;
 mod ends_agree;
 mod facts;
 mod families;
+mod fans_have_room;
 mod fold;
 pub mod guard;
 mod keeps;

@@ -9,8 +9,8 @@ use super::problem::Problem;
 use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
-    alias, apart, ends_agree, families, mend, names_are_accounted_for, new_is_placed,
-    next_is_permutation, nothing_dangles, properties, reach, twin_is_involution,
+    alias, apart, ends_agree, families, fans_have_room, mend, names_are_accounted_for,
+    new_is_placed, next_is_permutation, nothing_dangles, properties, reach, twin_is_involution,
     vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
@@ -105,7 +105,13 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     for rule in &op.rules {
         let proof = match rule.has_families() {
             true => families::prove(op, rule),
-            false => prove(op, rule).map_err(|broken| reject(op, rule, broken)),
+            false => {
+                let proof = prove(op, rule).and_then(|proof| {
+                    stop_at(fans_have_room::test(&Drawing::new(rule)))?;
+                    Ok(proof)
+                });
+                proof.map_err(|broken| reject(op, rule, broken))
+            }
         };
         match proof {
             Ok(proof) => proofs.push(proof),

@@ -24,7 +24,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         complain_of(&program.analysis.diagnostics, &program.sources);
         return Err(Failure::NotProved);
     };
-    meshes::expect_place(&arguments.output)?;
+    meshes::expect_mesh(&arguments.output)?;
     let mut obj = meshes::read(&arguments.mesh)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let attributes = run::attributes(&program.analysis.program, op, &program.analysis.plans);

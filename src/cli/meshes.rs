@@ -6,12 +6,19 @@ use super::failure::Failure;
 use super::files;
 use super::output::complain;
 use crate::mesh::{
-    Dump, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, write_dump, write_obj,
+    Dump, Level, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, validate_level,
+    write_dump, write_obj,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
 pub(super) fn is_tables(path: &Path) -> bool {
     path.extension().is_some_and(|end| end == "halfedges")
+}
+
+/// Whether a file can hold an OBJ mesh, by its name; one without an ending can.
+fn may_be_obj(path: &Path) -> bool {
+    let mut end = path.extension().into_iter();
+    end.all(|end| end.eq_ignore_ascii_case("obj"))
 }
 
 /// Reads a mesh. A file without a vertex is taken for something else.
@@ -55,6 +62,15 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
 /// Writes a mesh, and says in a line what the file cannot hold.
 pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
     if !is_tables(path) {
+        if !obj.mesh.is_polygons() {
+            let shown = path.display();
+            let other = path.with_extension("halfedges");
+            return Err(Failure::usage(format!(
+                "{shown}: no list of polygons holds this mesh{}; write it to `{}`",
+                below_simple(&obj.mesh),
+                other.display()
+            )));
+        }
         write_obj(path, obj).map_err(Failure::usage)?;
         tell_unheld(path, obj);
         return Ok(());
@@ -72,6 +88,12 @@ pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
         ));
     }
     Ok(())
+}
+
+/// Why a mesh is not of level simple, in words.
+fn below_simple(mesh: &Mesh) -> String {
+    let level = validate_level(mesh, Level::Simple);
+    level.map_or_else(|below| format!(", since {below}"), |()| String::new())
 }
 
 /// Says which attributes an OBJ file has no place for.
@@ -94,6 +116,16 @@ pub(super) fn numbers(path: &Path, obj: &Obj) -> WrittenNumbers {
         true => WrittenNumbers::of_tables(&obj.mesh),
         false => obj.written_numbers(),
     }
+}
+
+/// Whether a mesh can: its name tells how it is written.
+pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
+    if !is_tables(path) && !may_be_obj(path) {
+        let shown = path.display();
+        let message = format!("{shown}: a mesh is written as .obj or .halfedges");
+        return Err(Failure::usage(message));
+    }
+    expect_place(path)
 }
 
 /// Whether a file can go to a place, as far as can be told before there is one: asked first,

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::arguments::{PlanArguments, Shown};
 use super::failure::Failure;
 use super::files;
-use super::output::{complain_of, say, table};
+use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
 use crate::emit::{NotEmitted, Style, cpp, rust};
 use crate::mesh::Level;
@@ -32,8 +32,13 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             let ops = program.analysis.program.ops.iter().enumerate();
             let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);
             // One in steps has no pointers of its own to assign.
-            let drawn = own.filter(|(_, op)| op.steps.is_none());
-            drawn.map(|(at, _)| at).collect()
+            let (drawn, stepped): (Vec<_>, Vec<_>) = own.partition(|(_, op)| op.steps.is_none());
+            if !drawn.is_empty() && !stepped.is_empty() {
+                let names = stepped.iter().map(|(_, op)| format!("`{}`", op.name));
+                let names = names.collect::<Vec<_>>().join(", ");
+                complain(&format!("left out, since done in steps: {names}"));
+            }
+            drawn.into_iter().map(|(at, _)| at).collect()
         }
     };
     if let &[op] = ops.as_slice()

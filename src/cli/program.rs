@@ -5,7 +5,7 @@ use std::path::Path;
 use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
-use super::output::complain_of;
+use super::output::{complain, complain_of};
 use crate::analysis::{Analysis, Reader};
 use crate::library;
 use crate::source::{Sources, Span};
@@ -84,6 +84,7 @@ pub(super) fn read_sound(path: &Path) -> Result<Program, Failure> {
     if program.analysis.is_sound() {
         Ok(program)
     } else {
+        complain("nothing is run before that is mended");
         Err(Failure::NotProved)
     }
 }
@@ -102,6 +103,10 @@ pub(super) fn find_op(program: &Program, name: Option<&str>) -> Result<usize, Fa
     let ops = analysis.program.ops.iter();
     let ops = ops.map(|op| (op.name.as_str(), op.span));
     let found = name.and_then(|name| analysis.op(name));
+    if let Some(name) = name.filter(|name| found.is_none() && analysis.script(name).is_some()) {
+        let message = format!("`{name}` is a script: `hedgerow run` runs it");
+        return Err(Failure::usage(message));
+    }
     find("operation", &visible(analysis, ops), (name, found))
 }
 
@@ -112,6 +117,10 @@ pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize
     let scripts = analysis.program.scripts.iter();
     let scripts = scripts.map(|script| (script.name.as_str(), script.span));
     let found = name.and_then(|name| analysis.script(name));
+    if let Some(name) = name.filter(|name| found.is_none() && analysis.op(name).is_some()) {
+        let message = format!("`{name}` is an operation: `hedgerow apply` does it at a place");
+        return Err(Failure::usage(message));
+    }
     find("script", &visible(analysis, scripts), (name, found))
 }
 

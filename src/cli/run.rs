@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .map_err(|errors| failed(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
     if let Some(output) = &arguments.output {
-        meshes::expect_place(output)?;
+        meshes::expect_mesh(output)?;
     }
     if let Some(picture) = &arguments.picture {
         expect_picture(picture)?;

@@ -17,6 +17,8 @@ use crate::mesh::Obj;
 use crate::rewrite::Watch;
 use crate::run;
 use crate::source::Span;
+use crate::syntax::parse;
+use crate::syntax::tree::Item;
 
 /// Runs the tests of files, and says which fail.
 pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
@@ -43,7 +45,14 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
             failed,
             files,
         })?,
-        Format::Human => say(&format!("{passed} passed, {failed} failed")),
+        Format::Human => {
+            let mut told = format!("{passed} passed, {failed} failed");
+            let broken: usize = files.iter().map(|file| file.broken.len()).sum();
+            if broken > 0 {
+                told.push_str(&format!(", {broken} not run"));
+            }
+            say(&told);
+        }
     }
     match unreadable {
         _ if interrupt::is_asked() => Err(Failure::Silent(interrupt::CODE.into())),
@@ -95,15 +104,44 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
             failure: failed.map(|failed| report(&failed, &program.sources)),
         });
     }
+    let broken = broken(program, arguments);
+    if is_human {
+        broken
+            .iter()
+            .for_each(|name| say(&format!("  broken  {name}")));
+    }
     let told = analysis.diagnostics.iter();
     FileReport {
         file: shown,
+        broken,
         sound: analysis.is_sound(),
         diagnostics: told
             .map(|told: &Diagnostic| report(told, &program.sources))
             .collect(),
         tests,
     }
+}
+
+/// The tests of a file that could not be read, by name.
+fn broken(program: &Program, arguments: &TestArguments) -> Vec<String> {
+    let analysis = &program.analysis;
+    let text = program.sources.get(analysis.file).text();
+    let items = parse(analysis.file, text).tree.items;
+    let is_read = |name: &String| {
+        let mut read = analysis.program.tests.iter();
+        read.any(|test| test.script.name == *name)
+    };
+    let is_wanted = |name: &String| {
+        let filter = arguments.filter.as_ref();
+        filter.is_none_or(|filter| name.contains(filter.as_str()))
+    };
+    let names = items.into_iter().filter_map(|item| match item {
+        Item::Test(test) => Some(test.name),
+        _ => None,
+    });
+    names
+        .filter(|name| !is_read(name) && is_wanted(name))
+        .collect()
 }
 
 /// The mesh of a path that is written in some file: beside it.
@@ -143,6 +181,8 @@ struct Summary {
 struct FileReport {
     file: String,
     sound: bool,
+    /// Tests that are not run, because something is wrong in them.
+    broken: Vec<String>,
     diagnostics: Vec<DiagnosticReport>,
     tests: Vec<TestReport>,
 }

@@ -4,7 +4,7 @@ use super::NotEmitted;
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
-use super::names::Names;
+use super::names::{Names, function_name};
 use super::reassign;
 use super::routine::{Alternative, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
@@ -49,7 +49,7 @@ pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routi
             .collect();
     }
     Ok(Routine {
-        name: op.name.clone(),
+        name: function_name(&op.name),
         docs: op.docs.clone(),
         params,
         result: op.result,

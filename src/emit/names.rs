@@ -11,14 +11,26 @@ use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
 
 /// Words of C++ and Rust, and what emitted code uses itself.
 const RESERVED: &str = "
-    alignas alignof and as asm async auto await become bitand bitor bool box break case catch char
-    class compl concept const consteval constexpr constinit continue crate default delete do double
-    dyn else enum explicit export extern false final float fn for friend gen goto if impl in inline
-    int let long loop macro match mod move mut mutable namespace new noexcept not nullptr operator
-    or override priv private protected pub public ref register requires return self short signed
-    sizeof static std struct super switch template this throw trait true try type typedef typeid
-    typename union unsafe unsized unsigned use using virtual void volatile wchar_t where while xor
-    yield mesh hedgerow main abs min max";
+    alignas alignof and and_eq as asm async auto await become bitand bitor bool box break case catch
+    char class compl concept const consteval constexpr constinit continue crate default delete do
+    double dyn else enum explicit export extern false final float fn for friend gen goto if impl in
+    inline int let long loop macro match mod move mut mutable namespace new noexcept not not_eq
+    nullptr operator or or_eq override priv private protected pub public ref register requires
+    return self short signed sizeof static std struct super switch template this throw trait true
+    try type typedef typeid typename union unsafe unsized unsigned use using virtual void volatile
+    wchar_t where while xor xor_eq yield mesh hedgerow main abs min max";
+
+/// What the function of an op is called.
+pub(super) fn function_name(op: &str) -> String {
+    match is_reserved(op) {
+        true => format!("{op}_"),
+        false => op.to_owned(),
+    }
+}
+
+fn is_reserved(word: &str) -> bool {
+    RESERVED.split_whitespace().any(|reserved| reserved == word)
+}
 
 /// The names of one rule.
 pub(super) struct Names {
@@ -128,7 +140,7 @@ impl Names {
         let mut free = word.clone();
         let mut number = 2;
         while !self.taken.insert(free.clone()) {
-            free = match self.is_reserved(&word) && number == 2 {
+            free = match is_reserved(&word) && number == 2 {
                 true => format!("{word}_"),
                 false => format!("{}_{number}", word.trim_end_matches('_')),
             };
@@ -146,10 +158,6 @@ impl Names {
     /// Lets go of a name that has meaning in one block only, so that it can be used again.
     pub fn release(&mut self, word: &str) {
         self.taken.remove(word);
-    }
-
-    fn is_reserved(&self, word: &str) -> bool {
-        RESERVED.split_whitespace().any(|reserved| reserved == word)
     }
 
     /// The word for an element, and for the first halfedge of a path; of a family, of the list.

@@ -14,6 +14,7 @@ use glam::DVec3;
 use super::build_error::BuildError;
 use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
+use super::level::{Level, validate_level};
 use super::polygons::Polygons;
 
 impl Mesh {
@@ -35,6 +36,29 @@ impl Mesh {
         builder.number_edges();
         builder.check_fans()?;
         Ok(builder.mesh)
+    }
+
+    /// Whether the mesh is what the list of its polygons says, so that files of polygons can
+    /// hold it. What is of level simple is; of other meshes the list is read again.
+    pub fn is_polygons(&self) -> bool {
+        if validate_level(self, Level::Simple).is_ok() {
+            return true;
+        }
+        let mut numbers = vec![0; self.capacity(ElementKind::Vertex)];
+        let mut positions = Vec::new();
+        for vertex in self.vertices() {
+            numbers[vertex.index()] = positions.len() as u32;
+            positions.push(self.position(vertex));
+        }
+        let mut polygons = Polygons::new();
+        for face in self.faces().filter(|&face| !self.is_hole(face)) {
+            let corners = self.face_vertices(face).map(|v| numbers[v.index()]);
+            polygons.push(&corners.collect::<Vec<_>>());
+        }
+        // The list has an edge for each pair of corners in a row. Where the mesh has no more,
+        // each of its edges is one of these, and all else follows.
+        let rebuilt = Self::from_owned_polygons(positions, &polygons);
+        rebuilt.is_ok_and(|rebuilt| rebuilt.edge_count() == self.edge_count())
     }
 }
 

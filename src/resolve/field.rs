@@ -5,6 +5,7 @@ use crate::diagram::{Access, Expr, ExprKind, Pointer, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
+use super::builtin::overloads;
 use super::sequence::sequences_of;
 use super::suggestion::suggest;
 use super::typing::{Typing, typed};
@@ -164,6 +165,9 @@ impl Typing<'_> {
         let error = suggest(error, &field.text, field.span, known.iter().copied())
             .label(written.span, format!("this is {}", a_type(ty)));
         let error = match known.as_slice() {
+            _ if !overloads(&field.text).is_empty() => {
+                error.note(format!("`{0}` is a function: write `{0}(…)`", field.text))
+            }
             [] => error,
             known => error.note(format!("{} has {}", a_type(ty), quoted(known))),
         };

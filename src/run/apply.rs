@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::columns::Columns;
-use super::report::{Failure, diagnostic, expect_level};
+use super::report::{Failure, diagnostic, expect_level, level_for_steps};
 use super::steps::with_steps;
 use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
@@ -97,7 +97,7 @@ pub fn apply(
         .map_err(failure)?;
     let columns = columns(program, plan, plans).map_err(failure)?;
     let mut machine = Machine::new(plans);
-    machine.trust_level(plan.level);
+    machine.trust_level(level_for_steps(plans, &[op], plan.level, mesh));
     machine.use_columns(columns.bind(mesh).map_err(failure)?);
     machine.remember_created();
     let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));

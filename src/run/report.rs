@@ -103,7 +103,37 @@ fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
             level = plan.level;
         }
     }
-    Ok(level)
+    Ok(level_for_steps(
+        prepared.plans,
+        &prepared.called,
+        level,
+        mesh,
+    ))
+}
+
+/// The level of a mesh that has one, or what it has of what some operations call in steps.
+pub(super) fn level_for_steps(
+    plans: &[Option<Plan>],
+    called: &[usize],
+    level: Level,
+    mesh: &Mesh,
+) -> Level {
+    let mut is_seen = vec![false; plans.len()];
+    let mut open = called.to_vec();
+    let mut wanted = level;
+    while let Some(op) = open.pop() {
+        let Some(Some(plan)) = plans.get(op) else {
+            continue;
+        };
+        if !std::mem::replace(&mut is_seen[op], true) {
+            wanted = wanted.max(plan.level);
+            let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
+            open.extend(calls.map(|&(op, _)| usize::from(op)));
+        }
+    }
+    let mut levels = Level::ALL.into_iter().rev();
+    let has = |&of: &Level| level < of && of <= wanted && validate_level(mesh, of).is_ok();
+    levels.find(has).unwrap_or(level)
 }
 
 /// Whether the mesh has the level that an operation is for.

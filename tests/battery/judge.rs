@@ -19,6 +19,7 @@ use crate::trial::Pool;
 /// thing that nobody can follow, or leaves a vertex alone.
 pub const BY_RULE: &[&str] = &[
     "adjacent-runs",
+    "empty-fan",
     "erased-and-drawn",
     "erased-run",
     "missing-attribute",

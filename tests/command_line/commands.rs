@@ -270,6 +270,98 @@ fn a_script_may_only_print() {
 }
 
 #[test]
+fn a_mesh_is_written_as_what_its_name_says() {
+    let bench = Bench::with_square();
+    bench.write("s.hedge", "script s() { }\n");
+    for name in ["out.ply", "out.halfedge", "out.stl"] {
+        let arguments = ["run", "s.hedge", "square.obj", "-o", name];
+        bench.fails(2, &arguments, "a mesh is written as .obj or .halfedges");
+        assert!(!bench.has(name));
+    }
+    for name in ["out.OBJ", "out.halfedges", "out"] {
+        bench.succeeds(&["run", "s.hedge", "square.obj", "-o", name]);
+        assert!(bench.has(name));
+    }
+}
+
+#[test]
+fn what_no_obj_file_can_hold_stays_unwritten() {
+    let bench = Bench::new();
+    // Two tetrahedra on one triangle: to collapse an edge of it makes three faces share one.
+    let solid = "v 0 0 0\nv 2 0 0\nv 1 2 0\nv 1 1 1\nv 1 1 -1\n\
+        f 1 2 4\nf 2 3 4\nf 3 1 4\nf 2 1 5\nf 3 2 5\nf 1 3 5\n";
+    bench.write("solid.obj", solid);
+    let collapse = [
+        "apply",
+        "std/polygon.hedge::collapse",
+        "solid.obj",
+        "--at",
+        "edge:1-2",
+        "-o",
+    ];
+    let into = |file| [&collapse[..], &[file]].concat();
+    let said = bench.fails(2, &into("solid.obj"), "no list of polygons holds this mesh");
+    assert!(said.err.contains("solid.halfedges"), "{}", said.err);
+    assert_eq!(bench.read("solid.obj"), solid);
+    bench.succeeds(&into("solid.halfedges"));
+    bench.succeeds(&["info", "solid.halfedges"]);
+}
+
+#[test]
+fn steps_may_call_what_is_for_a_higher_level() {
+    let bench = Bench::with_square();
+    bench.write(
+        "two.hedge",
+        "use \"std/polygon.hedge\"\n\
+         op two(f: face) -> vertex { steps { let v = must inset_vertex(f) return v } }\n\
+         op three(f: face) -> vertex { steps { let v = must two(f) return v } }\n\
+         script s() { for f in faces { must three(f) break } }\n",
+    );
+    bench.succeeds(&["run", "two.hedge::s", "square.obj", "-o", "o.obj"]);
+    bench.succeeds(&[
+        "apply",
+        "two.hedge::three",
+        "square.obj",
+        "--at",
+        "face:1",
+        "-o",
+        "o.obj",
+    ]);
+}
+
+#[test]
+fn an_operation_is_not_run_and_a_script_not_applied() {
+    let bench = Bench::with_square();
+    bench.fails(2, &["run", &flip(), "square.obj"], "hedgerow apply");
+    bench.write("s.hedge", "script s() { }\n");
+    let arguments = [
+        "apply",
+        "s.hedge::s",
+        "square.obj",
+        "--at",
+        "edge:1-2",
+        "-o",
+        "x.obj",
+    ];
+    bench.fails(2, &arguments, "hedgerow run");
+}
+
+#[test]
+fn tests_that_cannot_be_read_are_told() {
+    let bench = Bench::new();
+    let tests = "test \"one\" { assert 1 == 1 }\ntest \"two\" { assert 1 = 1 }\n";
+    bench.write("t.hedge", tests);
+    let said = bench.run(&["test", "t.hedge"]);
+    assert_eq!(said.code, 1, "{}", said.out);
+    assert!(said.out.contains("  broken  two\n"), "{}", said.out);
+    assert!(
+        said.out.ends_with("1 passed, 0 failed, 1 not run\n"),
+        "{}",
+        said.out
+    );
+}
+
+#[test]
 fn the_help_of_a_script() {
     let bench = Bench::new();
     let script = "/// Does nothing at all,\n/// twice.\n\

@@ -52,6 +52,25 @@ fn a_plan_as_code() {
 }
 
 #[test]
+fn an_op_that_is_called_as_a_word_of_the_language_gets_another_name() {
+    let bench = Bench::new();
+    let op =
+        "op delete(v: vertex) {\n  before { face f: v -a-> w =P=> v }\n  after { keep f }\n}\n";
+    bench.write("d.hedge", op);
+    let cpp = bench.succeeds(&["plan", "d.hedge", "--as", "cpp"]);
+    assert!(cpp.contains("bool delete_(Mesh&"), "{cpp}");
+}
+
+#[test]
+fn ops_in_steps_are_left_out_of_code_and_named() {
+    let said = Bench::new().run(&["plan", "std/polygon.hedge", "--as", "cpp"]);
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(said.out.contains(" connect(Mesh& mesh, "), "{}", said.out);
+    assert!(!said.out.contains("bevel_edge"));
+    assert!(said.err.contains("`bevel_edge`"), "{}", said.err);
+}
+
+#[test]
 fn what_cannot_be_emitted_has_a_place() {
     let bench = Bench::new();
     bench.write(

@@ -48,6 +48,8 @@ fn what_is_rejected_breaks_a_mesh() {
                     assert_eq!(validate(&example.after), Err(example.invalid.clone()));
                     "breaks"
                 }
+                // Sound, but not what was meant.
+                Outcome::Valid(_) if code == "empty-fan" => "empty",
                 Outcome::Valid(tried) => {
                     assert!(*tried > 0);
                     assert!(MAY_BE_HARMLESS.contains(&code), "{code}");

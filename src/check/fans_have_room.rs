@@ -1,0 +1,53 @@
+//! Whether a fan of `before` lies where a spoke can be.
+//!
+//! The loops draw some spokes as neighbours. A fan that is listed between two of these is empty
+//! on every mesh: the op is sound, but applies almost nowhere, and so is not what was meant.
+
+use super::problem::Problem;
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Drawing, Kind, NameId, Spoke};
+
+/// Tells each fan without room.
+pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
+    let rule = drawing.rule;
+    let mut problems = Vec::new();
+    for star in &rule.before.stars {
+        let count = star.spokes.len();
+        for (at, &spoke) in star.spokes.iter().enumerate() {
+            let (text, span) = match spoke {
+                Spoke::Halfedge(_) => continue,
+                Spoke::Fan(fan) => (rule.quoted(fan.name), fan.span),
+                Spoke::Rest(span) => ("this fan".to_owned(), span),
+            };
+            let neighbours = [at + count - 1, at + 1].map(|at| star.spokes[at % count]);
+            let Some(pair) = drawn_as_neighbours(drawing, neighbours) else {
+                continue;
+            };
+            let [first, second] = pair.map(|spoke| rule.quoted(spoke));
+            let message =
+                format!("{text} is always empty: in the loops {second} comes right behind {first}");
+            let told = Diagnostic::error("empty-fan", message, span)
+                .saying("no spoke can lie here")
+                .note("list the fan where there is room between two spokes, counterclockwise");
+            problems.push(told.into());
+        }
+    }
+    problems
+}
+
+/// Two spokes of which the second comes right behind the first, counterclockwise, as the loops
+/// tell; one of them is a neighbour of the fan.
+fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[NameId; 2]> {
+    let view = &drawing.before;
+    let counterclockwise = |spoke: NameId| view.twin(view.item_before(spoke)?);
+    let clockwise = |spoke: NameId| {
+        let next = view.item_after(view.twin(spoke)?)?;
+        (drawing.rule.kind(next) == Kind::Halfedge).then_some(next)
+    };
+    let named = |spoke: Spoke| match spoke {
+        Spoke::Halfedge(half) => Some(half.name),
+        Spoke::Fan(_) | Spoke::Rest(_) => None,
+    };
+    let behind = named(left).and_then(|left| Some([left, counterclockwise(left)?]));
+    behind.or_else(|| named(right).and_then(|right| Some([clockwise(right)?, right])))
+}
