@@ -31,6 +31,7 @@ mod names;
 mod op;
 mod parameter;
 mod rule;
+mod unused;
 
 mod builtin;
 mod construct;
