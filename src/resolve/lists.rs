@@ -125,8 +125,11 @@ impl<'a> Reader<'a> {
             "`{}` is listed in `new` but stands nowhere in `after`",
             name.ident.text
         );
-        self.report
-            .add(Diagnostic::error("unused-new", message, name.span));
+        let error = Diagnostic::error("unused-new", message, name.span);
+        self.report.add(match name.ident.text.as_str() {
+            "halfedge" => error.note("`new` lists names alone: what is drawn tells their kinds"),
+            _ => error,
+        });
     }
 
     fn erased(&mut self, name: &'a tree::Name) -> Option<Ref> {
