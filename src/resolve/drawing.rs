@@ -19,12 +19,20 @@ pub(super) struct Drawing<'a> {
     side: Side,
     /// Where each face, edge and vertex has its statement.
     stated: HashMap<NameId, Span>,
+    /// Whether what follows the statement that is drawn could not be read.
+    breaks_off: bool,
+}
+
+/// Whether what stands behind a statement could not be read: it may belong to it.
+fn breaks_off(side: &tree::Side, at: usize) -> bool {
+    matches!(side.statements.get(at + 1), Some(Statement::Broken(_)))
 }
 
 /// The drawing before.
 pub(super) fn draw_before(side: &tree::Side, names: &Names, report: &mut Report) -> Side {
     let mut drawing = Drawing::new(side, names, report);
-    for statement in &side.statements {
+    for (at, statement) in side.statements.iter().enumerate() {
+        drawing.breaks_off = breaks_off(side, at);
         if !drawing.orbit(statement) {
             drawing.only_in_after(statement);
         }
@@ -40,7 +48,8 @@ pub(super) fn draw_after(
     report: &mut Report,
 ) -> Side {
     let mut drawing = Drawing::new(side, names, report);
-    for statement in &side.statements {
+    for (at, statement) in side.statements.iter().enumerate() {
+        drawing.breaks_off = breaks_off(side, at);
         if !drawing.orbit(statement)
             && let Statement::Keep(kept, _) = statement
         {
@@ -80,6 +89,7 @@ impl<'a> Drawing<'a> {
                 ..Side::default()
             },
             stated: HashMap::new(),
+            breaks_off: false,
         }
     }
 
@@ -192,6 +202,10 @@ impl<'a> Drawing<'a> {
     }
 
     fn open_loop(&mut self, face: &str, l: &tree::Loop) {
+        if self.breaks_off {
+            self.report.fail();
+            return;
+        }
         let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else {
             return;
         };

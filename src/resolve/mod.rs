@@ -17,6 +17,7 @@ mod file;
 
 mod declared;
 mod depth;
+mod elsewhere;
 mod report;
 mod suggestion;
 mod words;

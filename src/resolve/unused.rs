@@ -46,7 +46,10 @@ pub(super) fn report_unused(
                 error = error.fix(title, place, format!("\n    {statement}"));
             }
         }
-        report.add(error);
+        report.add(match name.ident.text.as_str() {
+            "halfedge" => error.note("`new` lists names alone: what is drawn tells their kinds"),
+            _ => error,
+        });
     }
 }
 
