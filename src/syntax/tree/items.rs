@@ -66,7 +66,7 @@ pub struct Attr {
 pub struct Param {
     /// Its name, perhaps with the index where a family begins.
     pub name: Name,
-    /// Its type, as written.
+    /// Its type, as written; an empty word where there is none, which is a mistake.
     pub ty: Ident,
     /// Its default.
     pub default: Option<Expr>,
