@@ -137,7 +137,9 @@ fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> {
     }
     let distance = |other: &String| {
         let ended = format!("{path}.hedge");
-        damerau_levenshtein(path, other).min(damerau_levenshtein(&ended, other))
+        let apart = |one: &str| damerau_levenshtein(one, other);
+        let alone = damerau_levenshtein(&ended, &last(other));
+        apart(path).min(apart(&ended)).min(alone)
     };
     let near = known.into_iter().filter(|other| other != path);
     let near = near.min_by_key(|other| distance(other))?;
@@ -216,9 +218,13 @@ impl Parts {
         for (path, span) in paths {
             let name = name_of(sources.get(file).name(), &path);
             let Some(used) = sources.find(&name) else {
-                let missing = absent.get(&name);
-                self.diagnostics
-                    .push(missing_file(&path, &name, span, missing));
+                // Where the path is not even a text, that has been told.
+                let mut told = self.parts[place].parsed.diagnostics.iter();
+                if !told.any(|told| told.span() == span) {
+                    let missing = absent.get(&name);
+                    self.diagnostics
+                        .push(missing_file(&path, &name, span, missing));
+                }
                 self.parts[place].lacks = true;
                 continue;
             };

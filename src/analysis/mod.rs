@@ -26,6 +26,7 @@ mod place;
 mod program;
 mod readings;
 mod refactor;
+mod shelves;
 pub mod side;
 mod signature;
 mod snapshot;

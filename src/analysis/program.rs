@@ -3,6 +3,7 @@
 use super::Examined;
 use super::files::{Absent, Part, Parts, Reader, fetch};
 use super::readings::Readings;
+use super::shelves::tell_where;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
@@ -63,6 +64,7 @@ impl Analysis {
             diagnostics.extend(part.parsed.diagnostics.iter().cloned());
         }
         diagnostics.extend(resolved.diagnostics);
+        tell_where(&mut diagnostics, sources);
         let program = resolved.program;
         let used = parts.first().map(|root| root.uses.as_slice());
         let used = used.unwrap_or_default().iter();

@@ -13,6 +13,7 @@ use super::files::{Parts, Reader, fetch, name_of};
 use super::meaning::{Meanings, Read};
 use super::memory::{Memory, Passage};
 use super::names::Names;
+use super::shelves::tell_where;
 use super::{Examined, StepsVerdict, Verdict, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
@@ -83,6 +84,7 @@ impl Snapshot {
         let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
         let resolved = resolve_all(&units);
         told.extend(resolved.diagnostics);
+        tell_where(&mut told, &sources);
         drop(units);
         let seen = parts[0].uses.iter().map(|&used| parts[used].file);
         let seen = seen.collect();

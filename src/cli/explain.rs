@@ -14,6 +14,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         say(&table(&rows, &[]));
         return Ok(());
     };
+    let code = bare(code);
     let text = explanation(code).ok_or_else(|| {
         Failure::usage(format!(
             "there is no diagnostic `{code}`; `hedgerow explain` lists them"
@@ -21,4 +22,13 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     })?;
     say(&format!("{code}\n\n{text}"));
     Ok(())
+}
+
+/// The code in what may be copied from a message: `error[stale-vertex]: …`.
+fn bare(told: &str) -> &str {
+    let inside = told.split_once('[').and_then(|(_, rest)| {
+        let (code, _) = rest.split_once(']')?;
+        Some(code)
+    });
+    inside.unwrap_or(told).trim()
 }

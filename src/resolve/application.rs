@@ -5,11 +5,13 @@ use crate::diagram::{Expr, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
+use super::elsewhere;
 use super::op::Returned;
 use super::program::{Block, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
-use super::suggestion::suggest;
+use super::sequence::is_sequence;
+use super::testing::mesh_maker;
 use super::words::a_type;
 
 /// `must split(e)` as a value.
@@ -228,7 +230,7 @@ impl Scripting<'_> {
         let found = number.and_then(|number| Some((number, ops.get(number)?)));
         let Some((number, op)) = found else {
             self.unknown_op(function);
-            for arg in args {
+            for arg in args.iter().filter(|arg| !is_sequence(arg)) {
                 self.typing.expression(arg);
             }
             return None;
@@ -262,7 +264,10 @@ impl Scripting<'_> {
                     "`{word}` is a script, which is only run from outside"
                 ))
                 .note("put what it does into a `fn`, and call that from both"),
-            false => suggest(error, word, function.span, declared.op_names()),
+            false => {
+                let here = elsewhere::function(word).or_else(|| mesh_maker(word));
+                elsewhere::tell(error, (word, function.span), here, declared.op_names())
+            }
         };
         self.typing.report.add(error);
     }

@@ -19,12 +19,20 @@ pub(super) struct Drawing<'a> {
     side: Side,
     /// Where each face, edge and vertex has its statement.
     stated: HashMap<NameId, Span>,
+    /// Whether what follows the statement that is drawn could not be read.
+    breaks_off: bool,
+}
+
+/// Whether what stands behind a statement could not be read: it may belong to it.
+fn breaks_off(side: &tree::Side, at: usize) -> bool {
+    matches!(side.statements.get(at + 1), Some(Statement::Broken(_)))
 }
 
 /// The drawing before.
 pub(super) fn draw_before(side: &tree::Side, names: &Names, report: &mut Report) -> Side {
     let mut drawing = Drawing::new(side, names, report);
-    for statement in &side.statements {
+    for (at, statement) in side.statements.iter().enumerate() {
+        drawing.breaks_off = breaks_off(side, at);
         if !drawing.orbit(statement) {
             drawing.only_in_after(statement);
         }
@@ -40,7 +48,8 @@ pub(super) fn draw_after(
     report: &mut Report,
 ) -> Side {
     let mut drawing = Drawing::new(side, names, report);
-    for statement in &side.statements {
+    for (at, statement) in side.statements.iter().enumerate() {
+        drawing.breaks_off = breaks_off(side, at);
         if !drawing.orbit(statement)
             && let Statement::Keep(kept, _) = statement
         {
@@ -80,6 +89,7 @@ impl<'a> Drawing<'a> {
                 ..Side::default()
             },
             stated: HashMap::new(),
+            breaks_off: false,
         }
     }
 
@@ -174,7 +184,7 @@ impl<'a> Drawing<'a> {
             (None, None) => return None,
         };
         if (end.name, end.shift) != (first.name, first.shift) {
-            self.open_loop(word, &l.items[0].from, l.end.as_ref()?);
+            self.open_loop(word, l);
         }
         self.side.loops.push(Loop {
             kind: match l.keyword {
@@ -191,13 +201,30 @@ impl<'a> Drawing<'a> {
         Some(())
     }
 
-    fn open_loop(&mut self, face: &str, first: &tree::Name, end: &tree::Name) {
-        let [begins, ends] = [first, end].map(ToString::to_string);
+    fn open_loop(&mut self, face: &str, l: &tree::Loop) {
+        if self.breaks_off {
+            self.report.fail();
+            return;
+        }
+        let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else {
+            return;
+        };
+        let [begins, ends] = [&first.from, end].map(ToString::to_string);
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
-            .label(first.span, "it begins here")
-            .fix(format!("end at `{begins}`"), end.span, begins);
-        self.report.add(error);
+            .label(first.from.span, "it begins here");
+        // A vertex that stands here alone is a slip, and so is one that an item runs back to.
+        // To one that is drawn elsewhere the way may be meant.
+        let known = self.names.find(&end.ident.text);
+        let stands_alone = known.is_none_or(|id| self.names.get(id).span == end.span);
+        let last = l.items.last();
+        let runs_back = last.is_some_and(|last| last.from.to_string() == ends);
+        self.report.add(match stands_alone || runs_back {
+            true => error.fix(format!("end at `{begins}`"), end.span, begins),
+            false => error.note(format!(
+                "a loop ends where it begins: go on to `{begins}`, with a halfedge `-h-> {begins}` or a path `=P=> {begins}`"
+            )),
+        });
     }
 
     fn edge(&mut self, name: &tree::Name, halfedges: &[tree::Name; 2], span: Span) -> Option<()> {

@@ -1,13 +1,13 @@
 //! Fields: the pointers of an element, its attributes, the components of a vector.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{Access, Expr, ExprKind, Pointer, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::builtin::overloads;
+use super::builtin::{Wanted, overloads};
+use super::elsewhere::{self, Here};
 use super::sequence::sequences_of;
-use super::suggestion::suggest;
 use super::typing::{Typing, typed};
 use super::words::{a_type, quoted};
 
@@ -112,6 +112,36 @@ pub(super) fn is_taken(ty: Type, word: &str) -> bool {
     fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
 }
 
+/// The function of elements of type `ty` that a word names, here or elsewhere.
+fn function_of(ty: Type, word: &str) -> Option<&str> {
+    let takes = |function: &str| {
+        let mut ways = overloads(function).iter();
+        ways.any(|way| way.wanted == [Wanted::Is(ty)])
+    };
+    match elsewhere::function(word) {
+        _ if takes(word) => Some(word),
+        Some(Here::Written(ours)) if takes(ours) => Some(ours),
+        _ => None,
+    }
+}
+
+/// Says that `x.length` is written `length(x)`.
+fn written_as_call(error: Diagnostic, function: &str, value: Span, field: Span) -> Diagnostic {
+    let title = format!("write `{function}(…)`");
+    let edit = |span: Span, text: String| Edit { span, text };
+    let before = Span {
+        end: value.start,
+        ..value
+    };
+    let edits = vec![
+        edit(before, format!("{function}(")),
+        edit(value.after().to(field), ")".to_owned()),
+    ];
+    let mut error = error.note(format!("`{function}` is a function"));
+    error.fixes.push(Fix { title, edits });
+    error
+}
+
 impl Typing<'_> {
     /// `x.field`
     pub(super) fn field(
@@ -162,15 +192,25 @@ impl Typing<'_> {
             .collect();
         let message = format!("{} has no field `{}`", a_type(ty), field.text);
         let error = Diagnostic::error("unknown-field", message, field.span);
-        let error = suggest(error, &field.text, field.span, known.iter().copied())
-            .label(written.span, format!("this is {}", a_type(ty)));
-        let error = match known.as_slice() {
-            _ if !overloads(&field.text).is_empty() => {
-                error.note(format!("`{0}` is a function: write `{0}(…)`", field.text))
-            }
+        let this = format!("this is {}", a_type(ty));
+        if let Some(function) = function_of(ty, &field.text) {
+            let error = error.label(written.span, this);
+            self.report
+                .add(written_as_call(error, function, written.span, field.span));
+            return;
+        }
+        let here = elsewhere::field(ty, &field.text);
+        let word = (field.text.as_str(), field.span);
+        let error = elsewhere::tell(error, word, here, known.iter().copied());
+        let error = error.label(written.span, this);
+        let of_halfedge = ty.is_element() && is_taken(Type::Halfedge, &field.text);
+        self.report.add(match known.as_slice() {
             [] => error,
+            _ if of_halfedge && here.is_none() => error.note(format!(
+                "a halfedge has it: read `.halfedge.{0}`",
+                field.text
+            )),
             known => error.note(format!("{} has {}", a_type(ty), quoted(known))),
-        };
-        self.report.add(error);
+        });
     }
 }

@@ -7,8 +7,9 @@ use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{Overload, Wanted, function_names, overloads};
 use super::construct::constructed;
-use super::sequence::fold_names;
-use super::suggestion::suggest;
+use super::elsewhere;
+use super::sequence::{fold_names, is_sequence};
+use super::testing::mesh_maker;
 use super::typing::{Typing, to_real, typed};
 use super::words::{a_type, arguments, either, subject};
 
@@ -71,8 +72,9 @@ impl Typing<'_> {
         let known = overloads(word);
         if known.is_empty() {
             self.unknown_function(function, span);
-            // The arguments may hold more that is wrong.
-            for arg in args {
+            // The arguments may hold more that is wrong; but such a function may well have
+            // been thought to take a sequence.
+            for arg in args.iter().filter(|arg| !is_sequence(arg)) {
                 self.expression(arg);
             }
             return None;
@@ -189,8 +191,10 @@ impl Typing<'_> {
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
+        let here = elsewhere::function(word).or_else(|| mesh_maker(word));
+        let place = (word, function.span);
         self.report
-            .add(suggest(error, word, function.span, candidates));
+            .add(elsewhere::tell(error, place, here, candidates));
     }
 
     /// An op rewrites the mesh, so it has no place inside of a computation.

@@ -7,10 +7,10 @@ use crate::diagram::{Expr, ExprKind, Kind, NameId, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
+use super::elsewhere;
 use super::family::WIDEST;
 use super::names::Names;
 use super::sequence::WHOLE_MESH;
-use super::suggestion::suggest;
 use super::typing::{Place, Typing, typed};
 
 /// The constants of the language.
@@ -162,7 +162,8 @@ impl Typing<'_> {
             .names()
             .chain(drawn)
             .chain(CONSTANTS.map(|(known, _)| known));
-        let error = suggest(error, word, span, candidates);
-        self.report.add(error);
+        let here = elsewhere::name(word);
+        self.report
+            .add(elsewhere::tell(error, (word, span), here, candidates));
     }
 }

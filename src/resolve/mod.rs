@@ -17,6 +17,7 @@ mod file;
 
 mod declared;
 mod depth;
+mod elsewhere;
 mod report;
 mod suggestion;
 mod words;
@@ -31,6 +32,7 @@ mod names;
 mod op;
 mod parameter;
 mod rule;
+mod unused;
 
 mod builtin;
 mod construct;

@@ -6,9 +6,9 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
+use super::elsewhere::{self, Here};
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
-use super::suggestion::suggest;
 use super::typing::{Place, Typing};
 use super::words::{a_type, quoted};
 
@@ -73,10 +73,16 @@ pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     if found.is_some() {
         return found;
     }
+    if word.text.is_empty() {
+        // None is written, and the parser has said so.
+        report.fail();
+        return None;
+    }
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
     let known = TYPES.map(Type::word);
-    let error = suggest(error, &word.text, word.span, known)
+    let ours = elsewhere::type_word(&word.text).map(Here::Written);
+    let error = elsewhere::tell(error, (&word.text, word.span), ours, known)
         .note(format!("the types are {}", quoted(&known)));
     report.add(error);
     None

@@ -5,8 +5,8 @@ use crate::diagram::{Collection, Expr, ExprKind, Fold, FoldFunction, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
+use super::elsewhere;
 use super::scopes::{Binding, Local};
-use super::suggestion::suggest;
 use super::typing::{Place, Typing, to_real, typed};
 use super::words::{a_type, quoted, subject};
 
@@ -61,6 +61,21 @@ fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
         _ => return Err(base),
     };
     Ok(make(base))
+}
+
+/// Whether an expression names a sequence, of the mesh or around an element.
+pub(super) fn is_sequence(expr: &tree::Expr) -> bool {
+    let around = [Type::Vertex, Type::Edge, Type::Face];
+    match &expr.kind {
+        tree::ExprKind::Name(name) => WHOLE_MESH
+            .iter()
+            .any(|(known, _)| *known == name.ident.text),
+        tree::ExprKind::Field(_, field) => {
+            let word = field.text.as_str();
+            around.iter().any(|ty| sequences_of(*ty).contains(&word))
+        }
+        _ => false,
+    }
 }
 
 impl Typing<'_> {
@@ -226,7 +241,8 @@ impl Typing<'_> {
         let message = format!("there is no aggregate `{word}`");
         let error = Diagnostic::error("unknown-function", message, function.span);
         let known: Vec<&str> = fold_names().collect();
-        let error = suggest(error, word, function.span, fold_names())
+        let here = elsewhere::function(word);
+        let error = elsewhere::tell(error, (word, function.span), here, fold_names())
             .note(format!("the aggregates are {}", quoted(&known)));
         self.report.add(error);
         None

@@ -82,7 +82,7 @@ impl Scripting<'_> {
         match &target.kind {
             tree::ExprKind::Name(name) if name.index.is_none() => self.set(&name.ident, value),
             tree::ExprKind::Field(base, field) => self.write(base, field, value),
-            tree::ExprKind::Broken => {
+            _ if is_broken(target) => {
                 self.typing.report.fail();
                 None
             }
@@ -301,6 +301,16 @@ impl Scripting<'_> {
             .note("inside of `update` there may be `let`, `var`, assignments and `if`");
         self.typing.report.add(error);
         false
+    }
+}
+
+/// Whether a part of an operation could not be read, which the parser has said.
+fn is_broken(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Broken => true,
+        tree::ExprKind::Binary(_, left, right) => is_broken(left) || is_broken(right),
+        tree::ExprKind::Unary(_, operand) => is_broken(operand),
+        _ => false,
     }
 }
 

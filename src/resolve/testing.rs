@@ -15,6 +15,7 @@ use crate::syntax::tree::{self, Action, ActionKind, BinaryOp, ExprKind, Ident};
 
 use super::declared::{Declared, duplicate};
 use super::depth::shallow_block;
+use super::elsewhere::Here;
 use super::op::Signature;
 use super::program::{Script, StatementKind, Test, TestMesh};
 use super::report::Report;
@@ -38,6 +39,15 @@ const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("polygon", &[3]),
     ("pillow", &[3]),
 ];
+
+/// What is said to someone who calls a constructor of a mesh where none is made.
+pub(super) fn mesh_maker(word: &str) -> Option<Here> {
+    let makes = word == "load" || CONSTRUCTORS.iter().any(|(known, _)| *known == word);
+    makes.then_some(Here::Said(
+        "a mesh is made at the beginning of a test, `mesh = cube()`; a script has the mesh it is \
+         run on",
+    ))
+}
 
 /// How large a size may be, and how often an icosphere is split at most.
 const MOST: i64 = 1000;

@@ -3,6 +3,7 @@
 use super::drawing::mark;
 use super::expression::{broken_value, expression};
 use super::failure::Phrase;
+use super::habit;
 use super::input::{Rule, Scene};
 use super::name::{ident, plain_text, type_word};
 use super::recover;
@@ -197,15 +198,20 @@ fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     let binding = just(T::Let)
         .ignore_then(ident())
         .then_ignore(just(T::Equals));
-    recursive(|conditional| {
-        let chained = conditional.map_with(|kind, scene: &mut Scene<'t, '_>| {
-            let span = scene.span();
-            let statements = vec![Action { kind, span }];
-            Block { statements, span }
+    let behind_if = recursive(|behind_if| {
+        let chained = just(T::If).ignored().boxed();
+        let [chained, contracted] = [chained, habit::else_if()].map(|word| {
+            let chained = word.ignore_then(behind_if.clone());
+            chained.map_with(|kind, scene: &mut Scene<'t, '_>| {
+                let span = scene.span();
+                let statements = vec![Action { kind, span }];
+                Block { statements, span }
+            })
         });
         let otherwise = just(T::Else).ignore_then(code.block.clone().or(chained));
-        just(T::If)
-            .ignore_then(binding.or_not())
+        let otherwise = otherwise.or(contracted);
+        binding
+            .or_not()
             .then(head(&code.expression))
             .then(code.block.clone())
             .then(otherwise.or_not())
@@ -215,8 +221,8 @@ fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
                 then,
                 otherwise,
             })
-    })
-    .boxed()
+    });
+    just(T::If).ignore_then(behind_if).boxed()
 }
 
 /// `assert c else "…"`, `require c else "…"`

@@ -2,6 +2,7 @@
 
 use super::expression::broken_value;
 use super::failure::Phrase;
+use super::habit;
 use super::input::{Extra, Rule, Scene, Tokens};
 use super::name::{ident, listed_name, name, word};
 use super::recover;
@@ -192,7 +193,12 @@ fn spoke<'t>() -> Rule<'t, Spoke> {
 
 /// `new m p q`
 fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
-    let list = listed_name().repeated().at_least(1).collect();
+    let kind = habit::kind_in_list().repeated();
+    let list = kind
+        .ignore_then(listed_name())
+        .repeated()
+        .at_least(1)
+        .collect();
     just(keyword)
         .ignore_then(list)
         .map_with(|names, scene| (names, scene.span()))

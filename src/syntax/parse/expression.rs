@@ -3,6 +3,7 @@
 //! An expression in parentheses has them in its span; nothing else of them remains.
 
 use super::failure::{Failure, Mistake, Phrase};
+use super::habit;
 use super::input::{Rule, Scene, slice};
 use super::name::{ident, int_here, name, name_here, text, word};
 use super::recover;
@@ -284,23 +285,25 @@ fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {
 
 /// `if c { x } else { y }`; the branch of `else if` is a block of that `if` alone.
 fn branches<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, ExprKind> {
-    recursive(|branches| {
-        let chained = branches.map_with(|kind, scene: &mut Scene<'t, '_>| {
-            let span: Span = scene.span();
-            let kind = ActionKind::Expr(Expr { kind, span });
-            let statements = vec![Action { kind, span }];
-            Block { statements, span }
+    let behind_if = recursive(|behind_if| {
+        let chained = just(T::If).ignored().boxed();
+        let [chained, contracted] = [chained, habit::else_if()].map(|word| {
+            let chained = word.ignore_then(behind_if.clone());
+            chained.map_with(|kind, scene: &mut Scene<'t, '_>| {
+                let span: Span = scene.span();
+                let kind = ActionKind::Expr(Expr { kind, span });
+                let statements = vec![Action { kind, span }];
+                Block { statements, span }
+            })
         });
-        just(T::If)
-            .ignore_then(expression)
-            .then(block.clone())
-            .then_ignore(just(T::Else))
-            .then(block.or(chained))
-            .map(|((condition, then), otherwise)| ExprKind::If {
+        let otherwise = just(T::Else).ignore_then(block.clone().or(chained));
+        expression.then(block).then(otherwise.or(contracted)).map(
+            |((condition, then), otherwise)| ExprKind::If {
                 condition: Box::new(condition),
                 then: Box::new(then),
                 otherwise: Box::new(otherwise),
-            })
-    })
-    .boxed()
+            },
+        )
+    });
+    just(T::If).ignore_then(behind_if).boxed()
 }

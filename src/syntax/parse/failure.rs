@@ -129,6 +129,14 @@ pub(super) enum Mistake {
     ValuesInText,
     /// `{x:…}` with something else than digits behind the point.
     UnknownFormat,
+    /// `elif`, for which `else if` is written.
+    ElseIf,
+    /// A parameter without a type.
+    Untyped,
+    /// `new vertex m`: in a list stand names alone.
+    KindInList,
+    /// The path of a `use` without quotes.
+    BarePath,
     /// `rule` beside parts that stand in none.
     RuleAmongParts,
 }

@@ -1,10 +1,16 @@
 //! What people write who come from other languages, and how it is written here.
 
-use super::failure::Failure;
+use super::failure::{Failure, Mistake, Phrase};
+use super::input::{Extra, Rule, Tokens, slice};
 use super::report::Around;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
+use crate::syntax::tree::Ident;
+use chumsky::input::InputRef;
+use chumsky::prelude::*;
+
+type Input<'t, 'p> = InputRef<'t, 'p, Tokens<'t>, Extra<'t>>;
 
 /// How far the beginning of a condition is looked for, in tokens.
 const FARTHEST: usize = 64;
@@ -23,7 +29,21 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
     let touches = |one: &Token, other: &Token| one.span.end == other.span.start;
     match here.kind {
         T::Equals if before.last().is_some_and(|last| is_sign(last, here)) => {
+            let changed = changed(before, around.text).unwrap_or("x");
+            let sign = last.and_then(T::spelling).unwrap_or("+");
+            told.note(format!(
+                "a change is written out: `{changed} = {changed} {sign} …`"
+            ))
+        }
+        T::Plus | T::Minus if last == Some(here.kind) => {
             told.note("a change is written out: `x = x + 1`")
+        }
+        T::LeftParen if is_field(before) => told.note(
+            "a pointer is read without parentheses, `h.next`; a function stands in front: \
+             `degree(v)`",
+        ),
+        T::LeftParen if last == Some(T::For) => {
+            told.note("a loop has no parentheses: `for v in vertices where … { … }`")
         }
         T::Equals if in_condition(before) => written(told, here.span, "=="),
         T::Bar => match after.first().filter(|next| next.kind == T::Bar) {
@@ -37,16 +57,115 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::Slash if after.first().is_some_and(|next| next.kind == T::Star) => told.note(COMMENT),
         T::Star if last == Some(T::Slash) => told.note(COMMENT),
         T::LeftBracket => told.note("there are no lists; a vector is `vec3(x, y, z)`"),
-        T::Comma if in_bare_parentheses(before) => told.note("a vector is `vec3(x, y, z)`"),
+        T::Comma => match before_bare_parentheses(before) {
+            Some(T::Print) => told.note("what is printed stands without parentheses"),
+            Some(T::Assert) => told.note("it is written `assert c else \"…\"`"),
+            Some(_) => told.note("a vector is `vec3(x, y, z)`"),
+            None => told,
+        },
+        T::If if failure.wanted.has(T::Where) => written(told, here.span, "where"),
         T::Dot if last == Some(T::Dot) => {
             told.note("there are no ranges; `repeat n { … }` does something `n` times")
         }
-        T::Word if failure.wanted.has(T::LeftBrace) => match around.text.get(here.span.range()) {
-            Some("then" | "do") => told.note("a block stands in braces"),
+        T::Colon if failure.wanted.has(T::LeftBrace) => told.note("a block stands in braces"),
+        T::Arrow
+            if failure
+                .wanted
+                .phrases()
+                .any(|phrase| phrase == Phrase::Arrow) =>
+        {
+            told.note("an arrow has the name of its halfedge: `v0 -a-> v1`")
+        }
+        T::Word => match around.text.get(here.span.range()) {
+            Some("then" | "do") if failure.wanted.has(T::LeftBrace) => {
+                told.note("a block stands in braces")
+            }
+            Some("of") if failure.wanted.has(T::In) => written(told, here.span, "in"),
+            Some(word) if begins_item(failure) => match item_word(word) {
+                Some(ours) => written(told, here.span, ours),
+                None => told,
+            },
             _ => told,
         },
         _ => told,
     }
+}
+
+/// `elif`, with the beginning of a condition behind it: a mistake that is read as `else if`.
+pub(super) fn else_if<'t>() -> Rule<'t, ()> {
+    let contracted = |word: &str| matches!(word, "elif" | "elsif" | "elseif");
+    let goes_on = |kind: T| !matches!(kind, T::Equals | T::Dot | T::RightBrace);
+    ahead(move |input, kind, text| {
+        kind == T::Word && contracted(text) && input.peek().is_some_and(goes_on)
+    })
+    .ignore_then(any())
+    .validate(|_, scene, emitter| emitter.emit(Failure::mistake(Mistake::ElseIf, scene.span())))
+    .boxed()
+}
+
+/// The kind of what a name behind it stands for, in a list of names: a mistake.
+pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
+    ahead(|input, kind, _| {
+        matches!(kind, T::Vertex | T::Edge | T::Face | T::Hole)
+            && input.next().is_some_and(T::is_name)
+            && !matches!(input.peek(), Some(T::Colon | T::LeftBracket))
+    })
+    .ignore_then(any())
+    .validate(|_, scene, emitter| {
+        emitter.emit(Failure::mistake(Mistake::KindInList, scene.span()));
+    })
+    .boxed()
+}
+
+/// Nothing where the type of a parameter should stand: a mistake, and a type without a word.
+pub(super) fn no_type<'t>() -> Rule<'t, Ident> {
+    let ends = |kind: T| matches!(kind, T::Comma | T::RightParen | T::Equals);
+    ahead(move |_, kind, _| ends(kind))
+        .map_with(|(), scene| Ident {
+            text: String::new(),
+            span: scene.span(),
+        })
+        .boxed()
+}
+
+/// `std::polygon` or `std/polygon` where a text should stand: a mistake, and the path that is
+/// meant.
+pub(super) fn bare_path<'t>() -> Rule<'t, (String, Span)> {
+    let word = select! { kind if T::is_wordlike(kind) => () };
+    let colons = just(T::Colon).repeated().exactly(2);
+    let between = choice((colons, just(T::Slash).ignored(), just(T::Dot).ignored()));
+    word.separated_by(between)
+        .at_least(1)
+        .validate(|(), scene, emitter| {
+            let span = scene.span();
+            emitter.emit(Failure::mistake(Mistake::BarePath, span));
+            (path_meant(slice(scene)), span)
+        })
+        .boxed()
+}
+
+/// The path that `std::polygon` means.
+pub(super) fn path_meant(written: &str) -> String {
+    let path = written.trim_end_matches(".hedge");
+    format!("{}.hedge", path.replace("::", "/").replace('.', "/"))
+}
+
+/// Reads nothing, and fails unless the next token, its kind and text, is such a one; the
+/// input is asked for what comes behind it.
+fn ahead<'t>(is_one: impl Fn(&mut Input<'t, '_>, T, &str) -> bool + 't) -> Rule<'t, ()> {
+    custom(move |input: &mut Input<'t, '_>| {
+        let start = input.save();
+        let kind = input.next();
+        let span = input.span_since(start.cursor());
+        let text = input.state().0.get(span.range()).unwrap_or("");
+        let found = kind.is_some_and(|kind| is_one(input, kind, text));
+        input.rewind(start);
+        match found {
+            true => Ok(()),
+            false => Err(Failure::at(span)),
+        }
+    })
+    .boxed()
 }
 
 fn written(told: Diagnostic, span: Span, word: &str) -> Diagnostic {
@@ -74,8 +193,41 @@ fn in_condition(before: &[Token]) -> bool {
     )
 }
 
-/// Whether the parentheses around what comes behind these tokens belong to no call.
-fn in_bare_parentheses(before: &[Token]) -> bool {
+/// What is changed by a sign with an equals sign behind it: what stands before it on its line.
+fn changed<'t>(before: &[Token], text: &'t str) -> Option<&'t str> {
+    let until = before.last()?.span.start as usize;
+    let line = text.get(..until)?.rsplit(['\n', '{']).next()?.trim();
+    (!line.is_empty() && !line.contains(char::is_whitespace)).then_some(line)
+}
+
+/// Whether the last of these tokens is a word behind a dot.
+fn is_field(before: &[Token]) -> bool {
+    matches!(before, [.., dot, word] if dot.kind == T::Dot && word.kind.is_wordlike())
+}
+
+/// Whether an item should have begun.
+fn begins_item(failure: &Failure) -> bool {
+    failure
+        .wanted
+        .phrases()
+        .any(|phrase| phrase == Phrase::Item)
+}
+
+/// What stands here for a word with which items begin elsewhere.
+fn item_word(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "def" | "function" | "func" | "fun" | "define" => "fn",
+        "import" | "include" | "from" | "open" => "use",
+        "operation" | "operator" | "rewrite" => "op",
+        "attribute" | "property" => "attr",
+        "main" | "program" | "algorithm" => "script",
+        _ => return None,
+    })
+}
+
+/// What stands before the parentheses around what comes behind these tokens, if they belong to
+/// no call.
+fn before_bare_parentheses(before: &[Token]) -> Option<T> {
     let mut closed = 0;
     for (at, token) in before.iter().enumerate().rev().take(FARTHEST) {
         match token.kind {
@@ -83,11 +235,11 @@ fn in_bare_parentheses(before: &[Token]) -> bool {
             T::LeftParen if closed > 0 => closed -= 1,
             T::LeftParen => {
                 let called = at.checked_sub(1).map(|last| before[last].kind);
-                return called.is_some_and(|kind| !kind.is_name() && kind != T::Hole);
+                return called.filter(|kind| !kind.is_name() && *kind != T::Hole);
             }
-            T::LeftBrace | T::RightBrace => return false,
+            T::LeftBrace | T::RightBrace => return None,
             _ => {}
         }
     }
-    false
+    None
 }

@@ -3,6 +3,7 @@
 use super::action::{Code, code};
 use super::drawing::{mark, side};
 use super::failure::{Failure, Mistake, Phrase};
+use super::habit;
 use super::input::{Rule, Scene};
 use super::name::{ident, name, plain_text, text, type_word};
 use super::recover;
@@ -36,7 +37,7 @@ pub(super) fn item<'t>() -> Rule<'t, Item> {
 /// `use "path"`
 fn file_use<'t>() -> Rule<'t, Use> {
     just(T::Use)
-        .ignore_then(text())
+        .ignore_then(text().or(habit::bare_path()))
         .map_with(|(path, path_span), scene| Use {
             path,
             path_span,
@@ -71,15 +72,20 @@ fn attr<'t>(code: &Code<'t>) -> Rule<'t, Attr> {
 /// `(e: edge, t: real = 0.5)`; a parameter that cannot be read is left out.
 fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
     let default = just(T::Equals).ignore_then(code.expression.clone());
+    let ty = just(T::Colon).ignore_then(type_word());
     let param = name()
-        .then_ignore(just(T::Colon))
-        .then(type_word())
+        .then(ty.or(habit::no_type()))
         .then(default.or_not())
-        .map_with(|((name, ty), default), scene| Param {
-            name,
-            ty,
-            default,
-            span: scene.span(),
+        .validate(|((name, ty), default), scene, emitter| {
+            if ty.text.is_empty() {
+                emitter.emit(Failure::mistake(Mistake::Untyped, name.span));
+            }
+            Param {
+                name,
+                ty,
+                default,
+                span: scene.span(),
+            }
         })
         .labelled(Phrase::Parameter)
         .map(Some);

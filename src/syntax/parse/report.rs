@@ -1,7 +1,7 @@
 //! From failures of the grammar to diagnostics: the one place with the words.
 
 use super::failure::{Failure, Mistake, Phrase};
-use super::habit::told_here;
+use super::habit::{path_meant, told_here};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -60,13 +60,45 @@ fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
 /// Tells a failure in words.
 pub(super) fn report(failure: Failure, around: &Around) -> Diagnostic {
     match failure.mistake {
-        Some(mistake) => mistaken(mistake, failure.span),
+        Some(mistake) => mistaken(mistake, failure.span, around.text),
         None => unexpected(failure, around),
     }
 }
 
-fn mistaken(mistake: Mistake, span: Span) -> Diagnostic {
+fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
+    let written = text.get(span.range()).unwrap_or("");
     match mistake {
+        Mistake::ElseIf => {
+            let message = format!("`{written}` is written `else if`");
+            let found = Diagnostic::error("syntax-error", message, span);
+            found.fix("write `else if`", span, "else if")
+        }
+        Mistake::Untyped => {
+            let message = format!("the parameter `{written}` has no type");
+            let found = Diagnostic::error("syntax-error", message, span);
+            found.note("a type is written behind the name: `e: edge`, `t: real`, `p: vec3`")
+        }
+        Mistake::KindInList => {
+            let message = "names are listed without their kinds";
+            let found = Diagnostic::error("syntax-error", message, span);
+            let until_name = text.get(span.end as usize..).unwrap_or("");
+            let gap = until_name.len() - until_name.trim_start().len();
+            let end = span.end + u32::try_from(gap).unwrap_or(0);
+            found
+                .note("what a name stands for is found from where it is drawn")
+                .fix(format!("leave out `{written}`"), Span { end, ..span }, "")
+        }
+        Mistake::BarePath => {
+            let message = "the path of a file stands in quotes";
+            let path = path_meant(written);
+            let found = Diagnostic::error("syntax-error", message, span);
+            match path.contains('/') {
+                true => found.fix(format!("write `\"{path}\"`"), span, format!("\"{path}\"")),
+                false => {
+                    found.note("of the library it begins with `std/`: `\"std/polygon.hedge\"`")
+                }
+            }
+        }
         Mistake::ChainedComparison => {
             let message = "comparisons cannot be chained";
             let both = "write `a < b and b < c`";

@@ -1,0 +1,100 @@
+//! Where the library declares what a file calls and does not use.
+//!
+//! `split(e)` alone is an unknown op; the library has several of that name, each in a file that
+//! only has to be used. Which files those are is found in their texts: this is asked only after
+//! a mistake, and the library declares each op and function at the beginning of a line.
+
+use crate::diagnostic::Diagnostic;
+use crate::library::{self, LibraryFile};
+use crate::source::{Sources, Span};
+
+/// Says of each unknown op or function in which files of the library there is one.
+pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources) {
+    for told in diagnostics {
+        if matches!(told.code, "unknown-op" | "unknown-function") {
+            name_files(told, sources);
+        }
+    }
+}
+
+fn name_files(told: &mut Diagnostic, sources: &Sources) {
+    let span = told.span();
+    let source = sources.get(span.file);
+    let Some(word) = source.text().get(span.range()) else {
+        return;
+    };
+    let files = library::files().filter(|file| declares(file, word) && file.name != source.name());
+    let names: Vec<_> = files.map(|file| format!("`{}`", file.name)).collect();
+    let [first, others @ ..] = names.as_slice() else {
+        return;
+    };
+    let line = format!("use \"{}\"", first.trim_matches('`'));
+    *told = match others {
+        [] => {
+            let (place, text) = head(source.text(), span, &line);
+            let told = told.clone().note(format!("the library has it in {first}"));
+            told.fix(format!("insert `{line}`"), place, text)
+        }
+        _ => told.clone().note(format!(
+            "the library has one in {}; to use the first, write `{line}` at the head of the file",
+            names.join(", ")
+        )),
+    };
+}
+
+/// Whether a file of the library declares an op or a function of this name.
+fn declares(file: &LibraryFile, word: &str) -> bool {
+    file.text.lines().any(|line| {
+        let named = line
+            .strip_prefix("op ")
+            .or_else(|| line.strip_prefix("fn "));
+        let behind = named.and_then(|named| named.strip_prefix(word));
+        behind.is_some_and(|behind| behind.starts_with('('))
+    })
+}
+
+/// Where a `use` is inserted into the text of a file, and how: behind the last one, else
+/// before the first item and the comments about it.
+fn head(text: &str, of: Span, line: &str) -> (Span, String) {
+    let at = |place: usize| {
+        let place = u32::try_from(place).unwrap_or(u32::MAX);
+        Span {
+            start: place,
+            end: place,
+            ..of
+        }
+    };
+    let (mut place, mut first, mut last) = (0, None, None);
+    for written in text.split_inclusive('\n') {
+        if written.starts_with("use ") {
+            last = Some(place + written.trim_end().len());
+        }
+        if first.is_none() && !written.trim().is_empty() && !written.starts_with("//!") {
+            first = Some(place);
+        }
+        place += written.len();
+    }
+    match last {
+        Some(last) => (at(last), format!("\n{line}")),
+        None => (at(first.unwrap_or(0)), format!("{line}\n\n")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_use_is_inserted_behind_the_others_or_before_all() {
+        let inserted = |text: &str| {
+            let (place, line) = head(text, Span::default(), "use \"b\"");
+            let (before, after) = text.split_at(place.start as usize);
+            format!("{before}{line}{after}")
+        };
+        assert_eq!(inserted("use \"a\"\n\nop"), "use \"a\"\nuse \"b\"\n\nop");
+        assert_eq!(
+            inserted("//! a\n\n/// b\nop"),
+            "//! a\n\nuse \"b\"\n\n/// b\nop"
+        );
+    }
+}

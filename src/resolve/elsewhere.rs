@@ -1,0 +1,216 @@
+//! Words of other languages and mesh libraries, and what is written for them here.
+//!
+//! A newcomer writes `h.opposite`, `len(faces)` or `float`. Such words are too far from ours to
+//! be taken for misspellings, so they stand in tables. Half of them have an equal here, which
+//! is offered as a fix; for the others a sentence says how it is done.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::Type;
+use crate::source::Span;
+
+use super::suggestion::suggest;
+
+/// What is written for a foreign word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Here {
+    /// These words in its place.
+    Written(&'static str),
+    /// What a sentence says.
+    Said(&'static str),
+}
+
+use Here::{Said, Written};
+
+const COUNTED: Here =
+    Said("`count(vertices)` counts a sequence, `degree(v)` what is around an element");
+const REPEATED: Here =
+    Said("there are no ranges and no lists; `repeat n { … }` does something `n` times");
+const PRINTED: Here = Said("`print x, y` stands without parentheses: `print \"{x} of {y}\"`");
+const DECLARED: Here = Said("a variable begins with `let`, or with `var` if it changes");
+const BRANCHED: Here = Said("a choice is `if c { … } else if d { … } else { … }`");
+const ASKED: Here = Said("`if split(e) { … } else { … }` asks whether an op applied");
+const VISITED: Here = Said("a loop is `for v in vertices { … }`");
+const NOTHING: Here = Said("no pointer is missing: beyond the boundary is a hole, `hole(h.face)`");
+const CONVERTED: Here = Said("an int stands wherever a real is wanted; `round(x)` makes an int");
+const NUMBERED: Here = Said("an element has no number to reckon with; `print v` shows it");
+const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
+
+/// What a foreign name of a type is here.
+pub(super) fn type_word(word: &str) -> Option<&'static str> {
+    Some(match word.to_lowercase().as_str() {
+        "float" | "double" | "number" | "scalar" | "f32" | "f64" => "real",
+        "integer" | "i32" | "i64" | "u32" | "usize" | "long" => "int",
+        "boolean" => "bool",
+        "string" | "str" | "char" => "text",
+        "vector" | "vec" | "vector3" | "float3" | "double3" | "point" | "point3" | "position" => {
+            "vec3"
+        }
+        "vector2" | "float2" | "point2" => "vec2",
+        "matrix4" => "mat4",
+        "matrix3" => "mat3",
+        "he" | "half_edge" | "dart" => "halfedge",
+        "vert" | "node" => "vertex",
+        "polygon" | "triangle" | "quad" | "facet" | "cell" => "face",
+        _ => return None,
+    })
+}
+
+/// What stands for a foreign field of a type.
+pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
+    let written = match (ty, word) {
+        (Type::Halfedge, "origin" | "source" | "from" | "tail" | "start" | "v") => "vertex",
+        (Type::Halfedge, "to" | "head" | "tip" | "dest" | "destination" | "end") => "target",
+        (Type::Halfedge, "opposite" | "opp" | "pair" | "sym" | "flip" | "mate" | "reverse") => {
+            "twin"
+        }
+        (Type::Halfedge, "previous" | "prev_halfedge") => "prev",
+        (Type::Halfedge, "next_halfedge") => "next",
+        (Type::Halfedge, "left" | "f" | "facet") => "face",
+        (Type::Halfedge, "e") => "edge",
+        (Type::Vertex, "pos" | "point" | "p" | "co" | "coord" | "coords" | "xyz") => "position",
+        (Type::Vertex, "x" | "y" | "z") => {
+            return Some(Said("a vertex has a position: `v.position.x`"));
+        }
+        (Type::Vertex, "neighbours" | "adjacent" | "adjacent_vertices" | "verts") => "neighbors",
+        (Type::Vertex, "outgoing" | "outgoing_halfedges" | "spokes") => "halfedges",
+        (Type::Edge, "v0" | "origin" | "source" | "start" | "from") => "halfedge.vertex",
+        (Type::Edge, "v1" | "end" | "to" | "tip") => "halfedge.target",
+        (Type::Edge, "h1" | "halfedge1" | "twin") => "halfedge.twin",
+        (Type::Edge, "verts") => "vertices",
+        (Type::Vertex | Type::Edge | Type::Face, "he" | "h" | "h0" | "halfedge0") => "halfedge",
+        (Type::Face, "verts" | "corners" | "points") => "vertices",
+        (Type::Vertex | Type::Halfedge | Type::Edge | Type::Face, "index" | "id" | "idx") => {
+            return Some(NUMBERED);
+        }
+        _ => return None,
+    };
+    Some(Written(written))
+}
+
+/// What stands for a foreign word that is called.
+pub(super) fn function(word: &str) -> Option<Here> {
+    Some(match word {
+        "valence" | "valency" => Written("degree"),
+        "norm" | "magnitude" | "edge_length" => Written("length"),
+        "is_boundary" | "on_boundary" | "is_border" | "is_on_boundary" => Written("boundary"),
+        "is_hole" => Written("hole"),
+        "barycenter" | "barycentre" | "center" | "centre" => Written("centroid"),
+        "lerp" | "interpolate" => Written("mix"),
+        "average" | "avg" => Written("mean"),
+        "total" => Written("sum"),
+        "cot" | "cotan" => Written("cotangent"),
+        "det" => Written("determinant"),
+        "inv" => Written("inverse"),
+        "normalise" | "normalized" | "unit" => Written("normalize"),
+        "arccos" => Written("acos"),
+        "arcsin" => Written("asin"),
+        "fabs" => Written("abs"),
+        "isnan" => Written("is_nan"),
+        "isfinite" => Written("is_finite"),
+        "ln" => Written("log"),
+        "power" => Written("pow"),
+        "ceiling" => Written("ceil"),
+        "dihedral" => Written("dihedral_angle"),
+        "dist" => Written("distance"),
+        "are_adjacent" | "is_adjacent" => Written("adjacent"),
+        "minimum" => Written("min"),
+        "maximum" => Written("max"),
+        "vec" | "vector" | "vector3" | "point" | "Vec3" | "Vector3" => Written("vec3"),
+        "len" | "size" | "num" | "nv" | "ne" | "nf" => COUNTED,
+        "num_vertices" | "n_vertices" | "vertex_count" | "num_faces" | "n_faces" | "face_count"
+        | "num_edges" | "n_edges" | "edge_count" => COUNTED,
+        "range" | "seq" | "list" | "append" | "push" => REPEATED,
+        "int" | "real" | "float" | "double" => CONVERTED,
+        "printf" | "println" | "echo" | "str" | "format" => PRINTED,
+        "exit" | "panic" | "error" | "throw" | "raise" => STOPPED,
+        "clamp" => Said("it is `min(max(x, low), high)`"),
+        "sqr" | "square" => Said("it is `x * x`"),
+        "rand" | "random" => Said("there is no chance here: each run of a script is the same"),
+        _ => return sequence_called(word),
+    })
+}
+
+fn sequence_called(word: &str) -> Option<Here> {
+    let is_sequence = matches!(word, "vertices" | "halfedges" | "edges" | "faces" | "holes");
+    is_sequence.then_some(Said(
+        "a sequence is written without parentheses: `for v in vertices`",
+    ))
+}
+
+/// What stands for a foreign word among values and statements.
+pub(super) fn name(word: &str) -> Option<Here> {
+    Some(match word {
+        "PI" | "Pi" => Written("pi"),
+        "inf" | "INF" | "Infinity" | "INFINITY" => Written("infinity"),
+        "True" | "TRUE" => Written("true"),
+        "False" | "FALSE" => Written("false"),
+        "null" | "nil" | "None" | "none" | "nullptr" | "NULL" => NOTHING,
+        "const" | "auto" | "mut" | "int" | "real" | "float" | "double" => DECLARED,
+        "switch" | "match" | "case" | "unless" => BRANCHED,
+        "try" | "catch" | "except" | "throw" => ASKED,
+        "foreach" | "do" | "until" | "loop" => VISITED,
+        "mesh" => Said(
+            "a script has one mesh, which has no name: `vertices` and `edges` are its own; a test \
+             begins with `mesh = cube()`",
+        ),
+        "num_vertices" | "n_vertices" | "num_faces" | "n_faces" | "num_edges" | "n_edges" => {
+            COUNTED
+        }
+        _ => return None,
+    })
+}
+
+/// Says at the primary place of `diagnostic`, where `word` stands, what is written here for
+/// it; if that is not known, what it was perhaps meant to be.
+pub(super) fn tell<'a>(
+    diagnostic: Diagnostic,
+    (word, span): (&str, Span),
+    here: Option<Here>,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Diagnostic {
+    match here {
+        Some(Written(ours)) => diagnostic
+            .saying(format!("here it is written `{ours}`"))
+            .fix(format!("write `{ours}`"), span, ours),
+        Some(Said(sentence)) => diagnostic.note(sentence),
+        None => suggest(diagnostic, word, span, candidates),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolve::builtin::overloads;
+    use crate::resolve::field::is_taken;
+    use crate::resolve::sequence::fold_names;
+
+    #[test]
+    fn what_is_offered_is_there_and_what_is_foreign_is_not() {
+        let foreign = [
+            "origin", "opposite", "previous", "pos", "v0", "v1", "he", "verts",
+        ];
+        let mut offered = 0;
+        for ty in [Type::Vertex, Type::Halfedge, Type::Edge, Type::Face] {
+            for word in foreign {
+                let Some(Written(ours)) = field(ty, word) else {
+                    continue;
+                };
+                assert!(!is_taken(ty, word), "{word}");
+                assert!(is_taken(ty, ours.split('.').next().unwrap()), "{ours}");
+                offered += 1;
+            }
+        }
+        for word in ["valence", "norm", "lerp", "average", "cot", "ln", "vector"] {
+            assert!(overloads(word).is_empty(), "{word}");
+            let Some(Written(ours)) = function(word) else {
+                panic!("{word} has an equal")
+            };
+            let is_ours = !overloads(ours).is_empty()
+                || fold_names().any(|fold| fold == ours)
+                || ours == "vec3";
+            assert!(is_ours, "{ours}");
+            offered += 1;
+        }
+        assert!(offered > 10);
+    }
+}
