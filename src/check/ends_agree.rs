@@ -184,7 +184,7 @@ impl Law<'_> {
     fn place_of_spoke(&self, spokes: &[Spoke], name: NameId) -> Option<(Ref, String)> {
         let view = &self.drawing.before;
         spokes.iter().find_map(|spoke| match spoke {
-            Spoke::Halfedge(listed) if view.twin(view.item_before(listed.name)?) == Some(name) => {
+            Spoke::Halfedge(listed) if view.spoke_behind(listed.name) == Some(name) => {
                 Some((*listed, self.drawing.rule.name(listed.name).text.clone()))
             }
             _ => None,
