@@ -2,7 +2,7 @@
 
 use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
-use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
+use crate::compile::{Scope, attribute, copy, element_kind, lower, lower_into, width};
 use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
 use crate::resolve::{Digits, Print, Statement, StatementKind, Variable};
 use crate::rewrite::{Assembler, Inst, Label, Phase, RealDigits, Refusal, Reg};
@@ -456,7 +456,13 @@ impl<'p> Lowering<'p> {
         // A function among them may print lines of its own, so all are computed first.
         let values = pieces.iter().map(|piece| match piece {
             Print::Text(_) => None,
-            Print::Value(value, _) => Some(self.value(value)),
+            Print::Value(value, _) => {
+                let from = self.value(value);
+                if let Some(kind) = element_kind(value.ty) {
+                    self.trap_at(value.span, Inst::ExpectAlive { kind, from });
+                }
+                Some(from)
+            }
         });
         let values: Vec<_> = values.collect();
         for (piece, from) in pieces.iter().zip(values) {
@@ -502,7 +508,6 @@ pub(super) fn print_value(ty: Type, from: Reg, digits: Digits) -> Inst {
             columns: ty.size(),
             digits,
         },
-        Type::Text => Inst::PrintTextOf { from },
         Type::Vertex => Inst::PrintElement { kind: Vertex, from },
         Type::Halfedge => Inst::PrintElement {
             kind: Halfedge,
@@ -510,5 +515,6 @@ pub(super) fn print_value(ty: Type, from: Reg, digits: Digits) -> Inst {
         },
         Type::Edge => Inst::PrintElement { kind: Edge, from },
         Type::Face => Inst::PrintElement { kind: Face, from },
+        Type::Text => Inst::PrintTextOf { from },
     }
 }
