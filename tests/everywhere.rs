@@ -22,6 +22,7 @@ use hedgerow::mesh::{ElementKind, FaceId, Mesh, VertexId, read_obj, shape, valid
 use hedgerow::rewrite::{Machine, Outcome, Phase, Plan};
 use hedgerow::source::Sources;
 
+use reference::examples::{elements, examples};
 use reference::maps::{random_map, shuffle_pointers};
 use reference::matching::{Match, bound_by, matches};
 use reference::printing::mesh_text;
@@ -44,16 +45,7 @@ fn folder(path: &str) -> PathBuf {
 
 fn subjects() -> Vec<Subject> {
     let mut subjects = Vec::new();
-    let entries = std::fs::read_dir(folder("examples")).expect("the examples");
-    let mut paths: Vec<_> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
-    paths.retain(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "hedge")
-    });
-    paths.sort();
-    for path in paths {
+    for path in examples() {
         let text = std::fs::read_to_string(&path).expect("an example");
         let mut sources = Sources::new();
         let file = sources.add(path.display().to_string(), text);
@@ -317,16 +309,6 @@ fn changes(before: &Mesh, after: &Mesh) -> [i64; 3] {
     };
     let (before, after) = (counts(before), counts(after));
     [0, 1, 2].map(|at| after[at] - before[at])
-}
-
-fn elements(mesh: &Mesh, ty: Type) -> Vec<u32> {
-    match ty {
-        Type::Vertex => mesh.vertices().map(|v| v.0).collect(),
-        Type::Halfedge => mesh.halfedges().map(|h| h.0).collect(),
-        Type::Edge => mesh.edges().map(|e| e.0).collect(),
-        Type::Face => mesh.faces().map(|f| f.0).collect(),
-        _ => Vec::new(),
-    }
 }
 
 /// All choices of the elements an op is given. Values come after them in all examples.

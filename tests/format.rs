@@ -1,5 +1,6 @@
 //! What the formatter makes of texts: pages, every program of this repository, and noise.
 
+mod dice;
 #[path = "format/noise.rs"]
 mod noise;
 mod pages;

@@ -1,5 +1,6 @@
 //! The grammars for editors and for people: each is read here, and agrees with the parser.
 
+mod dice;
 #[path = "grammar/ebnf.rs"]
 mod ebnf;
 #[path = "grammar/programs.rs"]

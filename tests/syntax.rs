@@ -1,5 +1,6 @@
 //! What the parser makes of texts: pages of trees and messages, and noise.
 
+mod dice;
 #[path = "syntax/dump.rs"]
 mod dump;
 #[path = "syntax/grammar.rs"]

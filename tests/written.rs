@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::diagnostic::{Rendering, render};
@@ -101,4 +102,24 @@ fn the_ops_of_the_pages_are_proved_but_for_the_broken_one() {
     }
     assert!(proved >= 3, "{proved} drawings in the pages");
     assert_eq!(broken, 1);
+}
+
+#[test]
+fn the_tests_of_the_readme_pass() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("refine.hedge");
+    let fences = fences(&read("README.md"));
+    let [program] = fences
+        .iter()
+        .filter(|text| text.contains("\ntest \""))
+        .collect::<Vec<_>>()[..]
+    else {
+        panic!("one program with tests");
+    };
+    fs::write(&path, program).unwrap();
+    for arguments in [["test"].as_slice(), &["fmt", "--check"]] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hedgerow"));
+        let done = command.args(arguments).arg(&path).output().unwrap();
+        assert!(done.status.success(), "{arguments:?}: {done:?}");
+    }
 }

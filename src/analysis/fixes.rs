@@ -35,7 +35,7 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
                 mends: Some(told.clone()),
             });
         }
-        for (title, edits) in proposals(snapshot, &told) {
+        for (title, edits) in proposals(snapshot, &told, part) {
             actions.push(Action {
                 title,
                 purpose: Purpose::Proposal,
@@ -49,7 +49,7 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
 
 type Proposal = (String, Vec<Edit>);
 
-fn proposals(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
+fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec<Proposal> {
     if told.code == "property-not-kept" {
         return lacking(snapshot, told);
     }
@@ -68,16 +68,68 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
         }
         "unknown-name" => {
             let unknown = snapshot.names().of_rule(item, at);
-            let unknown: Vec<_> = unknown
+            let mut unknown: Vec<_> = unknown
                 .filter(|(id, _)| fate(snapshot, *id, rule) == Some(Fate::Unknown))
-                .map(|(id, symbol)| (id, symbol.name.clone()))
+                .map(|(id, _)| (id, written(snapshot, id)))
                 .collect();
-            list_as_new(snapshot, told, &after, &unknown)
+            let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
+            unknown.sort_by_key(|(id, _)| {
+                let kind = kind_of(snapshot, *id);
+                order.iter().position(|&known| Some(known) == kind)
+            });
+            list_as_new(snapshot, part.start, &after, &unknown)
         }
         "unused-new" | "listed-twice" | "already-drawn" | "new-and-erased" | "cannot-keep" => {
             unlist(snapshot, told.span(), rule)
         }
+        "open-loop" => close(snapshot, told),
         _ => Vec::new(),
+    }
+}
+
+/// Ends a loop where it begins, or goes on to there.
+fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
+    let [end, begin, ..] = told.labels.as_slice() else {
+        return Vec::new();
+    };
+    let first = snapshot.sources().slice(begin.span);
+    let edit = |span: Span, text: String| vec![Edit { span, text }];
+    let go_on = |arrow: &str| {
+        let title = format!("go on with `{arrow} {first}`");
+        (title, edit(end.span.after(), format!(" {arrow} {first}")))
+    };
+    vec![
+        go_on("=P=>"),
+        go_on("-h->"),
+        (
+            format!("end at `{first}`"),
+            edit(end.span, first.to_owned()),
+        ),
+    ]
+}
+
+/// A name as it is listed: that of a family with its index.
+fn written(snapshot: &Snapshot, id: SymbolId) -> String {
+    let symbol = snapshot.names().symbol(id);
+    let behind = symbol.definition.and_then(|drawn| {
+        let text = snapshot.sources().get(drawn.file).text();
+        text.get(drawn.end as usize..)
+    });
+    let index = behind.and_then(|rest| rest.strip_prefix('['));
+    let letter = index.map(|rest| {
+        let end = rest.find(|letter: char| !letter.is_alphanumeric() && letter != '_');
+        &rest[..end.unwrap_or(0)]
+    });
+    match letter {
+        Some(letter) => format!("{}[{letter}]", symbol.name),
+        None => symbol.name.clone(),
+    }
+}
+
+fn kind_of(snapshot: &Snapshot, id: SymbolId) -> Option<Kind> {
+    match snapshot.names().symbol(id).kind {
+        SymbolKind::Element(kind) => kind,
+        _ => None,
     }
 }
 
@@ -138,19 +190,47 @@ fn account_for(
             proposals.push((title, vec![append(snapshot, after, &[keep])]));
         }
     }
-    let forgotten: Vec<&str> = names
-        .iter()
-        .filter(|(id, _)| {
-            let kind = snapshot.names().symbol(*id).kind;
-            let is_run = matches!(kind, SymbolKind::Element(Some(Kind::Path | Kind::Fan)));
-            !is_run && fate(snapshot, *id, rule) == Some(Fate::Forgotten)
-        })
-        .map(|(_, name)| name.as_str())
-        .collect();
-    if !forgotten.is_empty() {
-        let list = forgotten.join(" ");
-        let title = format!("erase `{}`", forgotten.join("`, `"));
-        proposals.push((title, vec![add_to_list(snapshot, after, "erase", &list)]));
+    proposals.extend(list_forgotten(snapshot, rule, after, names));
+    proposals
+}
+
+/// Lists names that `after` forgets in `keep`, if they have no statement that would be kept
+/// with them, or in `erase`.
+fn list_forgotten(
+    snapshot: &Snapshot,
+    rule: &Rule,
+    after: &Side,
+    names: &[(SymbolId, String)],
+) -> Vec<Proposal> {
+    let is_stated = |name: &str| {
+        let statements = rule.before.iter().flat_map(|side| &side.statements);
+        let mut subjects = statements.filter_map(subject);
+        subjects.any(|subject| subject.ident.text == name)
+    };
+    let mut kept = Vec::new();
+    let mut erased = Vec::new();
+    for (id, name) in names {
+        if fate(snapshot, *id, rule) != Some(Fate::Forgotten) {
+            continue;
+        }
+        let kind = kind_of(snapshot, *id);
+        if kind == Some(Kind::Vertex) && !is_stated(name) {
+            kept.push(written(snapshot, *id));
+        }
+        if !matches!(kind, Some(Kind::Path | Kind::Fan)) {
+            erased.push(written(snapshot, *id));
+        }
+    }
+    let mut proposals = Vec::new();
+    if !kept.is_empty() {
+        let words = kept.join(" ");
+        let edit = add_to_list(snapshot, after, "keep", &words);
+        proposals.push((format!("insert `keep {words}`"), vec![edit]));
+    }
+    if !erased.is_empty() {
+        let title = format!("erase `{}`", erased.join("`, `"));
+        let edit = add_to_list(snapshot, after, "erase", &erased.join(" "));
+        proposals.push((title, vec![edit]));
     }
     proposals
 }
@@ -184,28 +264,24 @@ fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
     words.into_iter()
 }
 
-/// Lists names in `new`: the one that is told of, and all at once.
+/// Lists names in `new`: the one at a place, and all at once.
 fn list_as_new(
     snapshot: &Snapshot,
-    told: &Diagnostic,
+    place: usize,
     after: &Side,
     unknown: &[(SymbolId, String)],
 ) -> Vec<Proposal> {
-    let mention = snapshot.names().at(told.span().start as usize);
-    let Some(mention) = mention else {
-        return Vec::new();
+    let listed = |names: &[&str]| {
+        let title = format!("list `{}` in `new`", names.join("`, `"));
+        let edit = add_to_list(snapshot, after, "new", &names.join(" "));
+        (title, vec![edit])
     };
-    let own = unknown.iter().find(|(id, _)| *id == mention.symbol);
-    let mut proposals = Vec::new();
-    if let Some((_, name)) = own {
-        let edit = add_to_list(snapshot, after, "new", name);
-        proposals.push((format!("list `{name}` in `new`"), vec![edit]));
-        if unknown.len() > 1 {
-            let names: Vec<_> = unknown.iter().map(|(_, name)| name.as_str()).collect();
-            let title = format!("list `{}` in `new`", names.join("`, `"));
-            let edit = add_to_list(snapshot, after, "new", &names.join(" "));
-            proposals.push((title, vec![edit]));
-        }
+    let here = snapshot.names().at(place).map(|mention| mention.symbol);
+    let own = unknown.iter().find(|(id, _)| Some(*id) == here);
+    let mut proposals: Vec<_> = own.iter().map(|(_, name)| listed(&[name])).collect();
+    if unknown.len() > 1 {
+        let names: Vec<_> = unknown.iter().map(|(_, name)| name.as_str()).collect();
+        proposals.push(listed(&names));
     }
     proposals
 }
@@ -216,6 +292,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
         let (listed, is) = match statement {
             Statement::New(listed, _) => (listed, "new"),
             Statement::Erase(listed, _) => (listed, "erase"),
+            Statement::Keep(listed, _) => (listed, "keep"),
             _ => return None,
         };
         (is == list).then(|| listed.last()).flatten()

@@ -167,7 +167,12 @@ impl Words<'_> {
     }
 
     fn rings(&self, rings: &Rings) -> Vec<String> {
-        let mut lines = vec!["before, clockwise:".into()];
+        let mut lines = vec![
+            "`h` is where a halfedge leaves the vertex, `In(h)` where it arrives, `>` leads clockwise"
+                .into(),
+            "an arc is a run of spokes that are not drawn".into(),
+            "before:".into(),
+        ];
         for (corner, ways) in &rings.corners {
             let vertex = self.word(corner.vertex);
             let chains = corner.chains.iter();

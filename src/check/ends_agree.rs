@@ -81,15 +81,16 @@ impl Law<'_> {
                     rule.quoted(starts.name),
                     rule.quoted(start.name),
                 );
-                self.tell(
-                    Diagnostic::error("ends-disagree", message, edge.span)
-                        .saying("paired here")
-                        .label(end.span, format!("{} ends here", rule.quoted(ends.name)))
-                        .label(
-                            start.span,
-                            format!("{} starts here", rule.quoted(starts.name)),
-                        ),
-                );
+                let mut diagnostic = Diagnostic::error("ends-disagree", message, edge.span)
+                    .saying("paired here")
+                    .label(end.span, format!("{} ends here", rule.quoted(ends.name)))
+                    .label(
+                        start.span,
+                        format!("{} starts here", rule.quoted(starts.name)),
+                    );
+                let back = [left, right].map(|half| runs_back(drawing, view, half.name));
+                diagnostic.notes.extend(back.into_iter().flatten().next());
+                self.tell(diagnostic);
                 break;
             }
         }
@@ -183,7 +184,7 @@ impl Law<'_> {
     fn place_of_spoke(&self, spokes: &[Spoke], name: NameId) -> Option<(Ref, String)> {
         let view = &self.drawing.before;
         spokes.iter().find_map(|spoke| match spoke {
-            Spoke::Halfedge(listed) if view.twin(view.item_before(listed.name)?) == Some(name) => {
+            Spoke::Halfedge(listed) if view.spoke_behind(listed.name) == Some(name) => {
                 Some((*listed, self.drawing.rule.name(listed.name).text.clone()))
             }
             _ => None,
@@ -246,4 +247,20 @@ impl Law<'_> {
             }
         }
     }
+}
+
+/// The one halfedge of a side that runs as the twin of another would, in words.
+fn runs_back(drawing: &Drawing, view: &View, half: NameId) -> Option<String> {
+    let rule = drawing.rule;
+    let ends = |half: NameId| Some([view.loop_origin(half)?, view.loop_target(half)?]);
+    let [from, to] = ends(half)?;
+    let halves = rule.names_of(Kind::Halfedge);
+    let mut back = halves.filter(|&other| other != half && ends(other) == Some([to, from]));
+    let (Some(twin), None) = (back.next(), back.next()) else {
+        return None;
+    };
+    let [half, twin, from, to] = [half, twin, from, to].map(|name| rule.quoted(name));
+    Some(format!(
+        "{half} runs from {from} to {to}; what runs from {to} to {from} is {twin}"
+    ))
 }

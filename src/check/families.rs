@@ -17,7 +17,7 @@ use super::matching::Step;
 use super::problem::Problem;
 use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, stop_at};
 use super::witness::{self, Outcome};
-use super::{mend, reach, voltage};
+use super::{mend, reach, start, voltage};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, Level, Loop, LoopKind, Naming, Op, Rule, Spoke, Unrolled};
 
@@ -90,6 +90,7 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Rejected> {
 fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
     let large = &sizes.large.rule;
     let drawing = Drawing::new(large);
+    stop_at(start::test(op, &drawing))?;
     let rings = laws_at_large(large)?;
     for short in sizes.small.iter().take(3) {
         statements(&Drawing::new(&short.rule))?;

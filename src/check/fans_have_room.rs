@@ -39,7 +39,6 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
 /// tell; one of them is a neighbour of the fan.
 fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[NameId; 2]> {
     let view = &drawing.before;
-    let counterclockwise = |spoke: NameId| view.twin(view.item_before(spoke)?);
     let clockwise = |spoke: NameId| {
         let next = view.item_after(view.twin(spoke)?)?;
         (drawing.rule.kind(next) == Kind::Halfedge).then_some(next)
@@ -48,6 +47,6 @@ fn drawn_as_neighbours(drawing: &Drawing, [left, right]: [Spoke; 2]) -> Option<[
         Spoke::Halfedge(half) => Some(half.name),
         Spoke::Fan(_) | Spoke::Rest(_) => None,
     };
-    let behind = named(left).and_then(|left| Some([left, counterclockwise(left)?]));
+    let behind = named(left).and_then(|left| Some([left, view.spoke_behind(left)?]));
     behind.or_else(|| named(right).and_then(|right| Some([clockwise(right)?, right])))
 }

@@ -3,7 +3,7 @@
 
 use super::problem::{Problem, Remedy, enumerate};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::diagram::{Drawing, Edge, Kind, Ref, Rule, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, NameId, Ref, Rule, Spoke};
 use crate::source::Span;
 
 /// Adds to each problem the fix that removes it and brings no new one, if just one does.
@@ -33,6 +33,11 @@ pub(super) fn add_fixes(
         let good = match remedy {
             Remedy::Erase(_) => left.is_empty(),
             Remedy::Keep(_) | Remedy::Pair { .. } => left.iter().all(known),
+            // Names that nothing knows are new for sure if nothing is missing but what a new
+            // element is given.
+            Remedy::Create(_) => left
+                .iter()
+                .all(|problem| problem.diagnostic.code == "missing-attribute"),
         };
         good.then(|| remedy.fix(rule))
     };
@@ -63,18 +68,26 @@ impl Remedy {
                     .erased
                     .extend(names.iter().map(|&name| Ref::plain(name, span)));
             }
-            Remedy::Keep(name) => {
+            Remedy::Create(names) => {
+                // Of a family all members are created.
+                let all = (0..rule.names.len() as u32).map(NameId);
+                let created = all.filter(|&name| names.contains(&rule.first_member(name)));
+                mended
+                    .created
+                    .extend(created.map(|name| Ref::plain(name, span)));
+            }
+            Remedy::Keep(names) => {
                 let before = Drawing::new(rule).before;
-                match rule.kind(*name) {
-                    Kind::Edge => mended
-                        .after
-                        .edges
-                        .push(before.edge_statement(*name)?.clone()),
-                    Kind::Face => mended.after.loops.push(before.loop_of_face(*name)?.clone()),
-                    Kind::Vertex => mended.after.stars.extend(before.star(*name).cloned()),
-                    Kind::Halfedge | Kind::Path | Kind::Fan => return None,
+                for &name in names {
+                    let after = &mut mended.after;
+                    match rule.kind(name) {
+                        Kind::Edge => after.edges.push(before.edge_statement(name)?.clone()),
+                        Kind::Face => after.loops.push(before.loop_of_face(name)?.clone()),
+                        Kind::Vertex => after.stars.extend(before.star(name).cloned()),
+                        Kind::Halfedge | Kind::Path | Kind::Fan => return None,
+                    }
+                    after.kept.push(Ref::plain(name, span));
                 }
-                mended.after.kept.push(Ref::plain(*name, span));
             }
             Remedy::Pair { edge, halfedges } => {
                 let mention = |name| Ref::plain(name, span);
@@ -91,7 +104,7 @@ impl Remedy {
 
     /// The remedy as an edit of the text.
     fn fix(&self, rule: &Rule) -> Option<Fix> {
-        let words = |names: &[crate::diagram::NameId]| {
+        let words = |names: &[NameId]| {
             names
                 .iter()
                 .map(|&name| rule.name(name).text.as_str())
@@ -113,19 +126,23 @@ impl Remedy {
                     None => (format!("erase {list}"), end_of_after(rule)?),
                 }
             }
-            Remedy::Keep(name) if rule.kind(*name) == Kind::Edge => {
-                let view = Drawing::new(rule).before;
-                let statement = view.edge_statement(*name)?;
-                let [left, right] = statement.halfedges.map(|half| &rule.name(half.name).text);
-                (
-                    format!("edge {}: {left} | {right}", rule.name(*name).text),
-                    end_of_after(rule)?,
-                )
+            Remedy::Create(names) => {
+                let title = format!("list {} in `new`", enumerate(rule, names));
+                let edits = vec![list_in_new(rule, &words(names))?];
+                return Some(Fix { title, edits });
             }
-            Remedy::Keep(name) => (
-                format!("keep {}", rule.name(*name).text),
-                end_of_after(rule)?,
-            ),
+            Remedy::Keep(names) => match names.as_slice() {
+                &[edge] if rule.kind(edge) == Kind::Edge => {
+                    let view = Drawing::new(rule).before;
+                    let statement = view.edge_statement(edge)?;
+                    let [left, right] = statement.halfedges.map(|half| &rule.name(half.name).text);
+                    (
+                        format!("edge {}: {left} | {right}", rule.name(edge).text),
+                        end_of_after(rule)?,
+                    )
+                }
+                names => (format!("keep {}", words(names)), end_of_after(rule)?),
+            },
             Remedy::Pair { edge, halfedges } => {
                 let [left, right] = halfedges.map(|half| &rule.name(half).text);
                 (
@@ -140,6 +157,25 @@ impl Remedy {
             edits: vec![Edit { span: edit, text }],
         })
     }
+}
+
+/// The edit that lists names in `new`, which stands first in `after`.
+fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
+    if let Some(last) = rule.created.iter().max_by_key(|created| created.span.end) {
+        return Some(Edit {
+            span: last.span.after(),
+            text: format!(" {words}"),
+        });
+    }
+    let side = &rule.after;
+    let loops = side.loops.iter().map(|orbit| orbit.span);
+    let edges = side.edges.iter().map(|edge| edge.span);
+    let stars = side.stars.iter().map(|star| star.span);
+    let first = loops.chain(edges).chain(stars).min_by_key(|s| s.start)?;
+    Some(Edit {
+        span: first.before(),
+        text: format!("new {words}\n    "),
+    })
 }
 
 /// Where one more statement can be written: behind the last one of `after`.

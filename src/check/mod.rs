@@ -20,6 +20,7 @@
 //! Rules with [`families`] are unrolled, and proved for cycles of every size at once by the
 //! argument of [`voltage`].
 //!
+//! Before all of them [`start`] asks whether a parameter is drawn.
 //! A drawing that would apply almost nowhere is refused as well ([`fans_have_room`]).
 //!
 //! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
@@ -50,6 +51,7 @@ mod names_are_accounted_for;
 mod new_is_placed;
 mod next_is_permutation;
 mod nothing_dangles;
+mod outside;
 mod pointer;
 mod port;
 mod problem;
@@ -59,6 +61,7 @@ mod reach;
 mod ring_problems;
 mod stale;
 mod star_order;
+mod start;
 mod twin_is_involution;
 mod unknown_names;
 mod vertices_are_orbits;

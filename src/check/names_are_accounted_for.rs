@@ -8,6 +8,7 @@
 //! The two are told together, one diagnostic for each orbit that is missing: a person
 //! forgets a statement, not a pointer.
 
+use super::outside::beside;
 use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
 use super::stale::Stale;
 use super::unknown_names::Unknown;
@@ -191,7 +192,7 @@ impl Law<'_> {
         diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
         let mut remedies = vec![Remedy::Erase(names.clone())];
         if orbits.len() == 1 {
-            remedies.push(Remedy::Keep(face));
+            remedies.push(Remedy::Keep(vec![face]));
         }
         for (orbit, _) in orbits {
             let face = orbit.face.name;
@@ -320,7 +321,8 @@ impl Law<'_> {
         let free =
             |edge: NameId| drawing.after.mention(edge).is_none() && drawing.erased(edge).is_none();
         let kept = whole.filter(|&edge| free(edge));
-        let mut remedies: Vec<_> = kept.map(Remedy::Keep).into_iter().collect();
+        let kept_alone = kept.map(|edge| Remedy::Keep(vec![edge]));
+        let mut remedies: Vec<_> = kept_alone.into_iter().collect();
         if let [left, right] = self.unpaired()[..] {
             let edges = drawing.rule.names_of(Kind::Edge);
             let pairs = edges
@@ -334,52 +336,33 @@ impl Law<'_> {
         remedies
     }
 
-    /// Vertices, edges, faces and fans that are drawn before, and nowhere after.
+    /// Vertices, edges, faces and fans that are drawn before, and nowhere after. Those of one
+    /// kind are told together.
     fn other_names(&mut self) {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        for name in self.names() {
-            if !self.is_open(name) || drawing.after.mention(name).is_some() {
-                continue;
-            }
+        let forgotten = |name: &NameId| {
+            self.is_open(*name)
+                && drawing.after.mention(*name).is_none()
+                // Halfedges and paths are told by their loops.
+                && drawing.before.loop_of_item(*name).is_none()
+        };
+        let forgotten: Vec<_> = self.names().filter(forgotten).collect();
+        let mut told: Vec<Kind> = Vec::new();
+        for &name in &forgotten {
             let kind = rule.kind(name);
-            if kind == Kind::Halfedge && drawing.before.loop_of_item(name).is_some() {
-                continue; // told by its loop
-            }
-            let span = drawing
-                .before
-                .mention(name)
-                .expect("a surviving name is drawn before");
-            let text = rule.quoted(name);
-            let message = match kind {
-                Kind::Fan => format!("the fan {text} is drawn before, and lies nowhere after"),
-                _ => format!("{text} is drawn before, but neither drawn after nor erased"),
-            };
-            let diagnostic = Diagnostic::error("unaccounted-name", message, span)
-                .saying(format!("{} that `after` forgets", kind.a_word()))
-                .label(
-                    after_keyword(drawing),
-                    format!("{text} stands nowhere here"),
-                );
-            let diagnostic = match kind {
-                Kind::Fan => diagnostic
-                    .note("list it in the vertex statement of the vertex that takes its spokes"),
-                Kind::Vertex | Kind::Edge | Kind::Face => diagnostic.note(format!(
-                    "draw {text} in `after`, or write `keep {0}` or `erase {0}`",
-                    rule.name(name).text
-                )),
-                Kind::Halfedge | Kind::Path => diagnostic,
-            };
-            let remedies = match kind {
+            let alike: Vec<_> = match kind {
+                // In a rule that was unrolled the members of a family are told by their first.
+                _ if rule.cycle.is_some() => vec![name],
+                Kind::Vertex | Kind::Edge | Kind::Face if told.contains(&kind) => continue,
                 Kind::Vertex | Kind::Edge | Kind::Face => {
-                    vec![Remedy::Keep(name), Remedy::Erase(vec![name])]
+                    let alike = forgotten.iter().copied();
+                    alike.filter(|&other| rule.kind(other) == kind).collect()
                 }
-                Kind::Halfedge | Kind::Path | Kind::Fan => Vec::new(),
+                Kind::Halfedge | Kind::Path | Kind::Fan => vec![name],
             };
-            self.problems.push(Problem {
-                diagnostic,
-                remedies,
-            });
+            told.push(kind);
+            self.problems.push(is_forgotten(drawing, kind, &alike));
         }
     }
 
@@ -401,8 +384,9 @@ impl Law<'_> {
             };
             if drawing.after.loop_of_item(name).is_none() && !self.placed.contains(&name) {
                 let pointers = format!("`{word}.next`, `{word}.vertex` and `{word}.face`");
-                self.problems
-                    .push(lacks("loop of `after`", pointers).into());
+                let mut diagnostic = lacks("loop of `after`", pointers);
+                diagnostic.notes.extend(beside(drawing, name));
+                self.problems.push(diagnostic.into());
             }
             if drawing.after.pairing(name).is_none() && !self.explained.contains(&name) {
                 let diagnostic = lacks(
@@ -421,5 +405,52 @@ impl Law<'_> {
                 });
             }
         }
+    }
+}
+
+/// Tells that names of one kind are drawn before, and nowhere after.
+fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
+    let rule = drawing.rule;
+    let list = enumerate(rule, names);
+    let be = is_or_are(names.len());
+    let message = match kind {
+        Kind::Fan => format!("the fan {list} is drawn before, and lies nowhere after"),
+        _ => format!("{list} {be} drawn before, but neither drawn after nor erased"),
+    };
+    let mut spans = names.iter().map(|&name| {
+        let mention = drawing.before.mention(name);
+        mention.expect("a surviving name is drawn before")
+    });
+    let first = spans.next().unwrap_or(rule.before.span);
+    let mut diagnostic = Diagnostic::error("unaccounted-name", message, first)
+        .saying(format!("{} that `after` forgets", kind.a_word()));
+    for span in spans {
+        diagnostic = diagnostic.label(span, "");
+    }
+    let stand = if names.len() == 1 { "stands" } else { "stand" };
+    diagnostic = diagnostic.label(
+        after_keyword(drawing),
+        format!("{list} {stand} nowhere here"),
+    );
+    let words: Vec<_> = names.iter().map(|&name| &*rule.name(name).text).collect();
+    let words = words.join(" ");
+    diagnostic = match kind {
+        Kind::Fan => {
+            diagnostic.note("list it in the vertex statement of the vertex that takes its spokes")
+        }
+        Kind::Vertex | Kind::Edge | Kind::Face => diagnostic.note(format!(
+            "draw {list} in `after`, or write `keep {words}` or `erase {words}`"
+        )),
+        Kind::Halfedge | Kind::Path => diagnostic,
+    };
+    let remedies = match kind {
+        Kind::Vertex | Kind::Edge | Kind::Face => {
+            vec![Remedy::Keep(names.to_vec()), Remedy::Erase(names.to_vec())]
+        }
+        Kind::Halfedge | Kind::Path | Kind::Fan => Vec::new(),
+    };
+    Problem {
+        diagnostic,
+        remedies,
     }
 }

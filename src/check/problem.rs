@@ -17,8 +17,10 @@ pub(super) struct Problem {
 pub(super) enum Remedy {
     /// `erase` these names.
     Erase(Vec<NameId>),
-    /// `keep` this edge, face or vertex.
-    Keep(NameId),
+    /// `keep` these edges, faces or vertices.
+    Keep(Vec<NameId>),
+    /// List these names in `new`.
+    Create(Vec<NameId>),
     /// `edge e: x | y`
     Pair {
         edge: NameId,

@@ -10,8 +10,8 @@ use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
     alias, apart, ends_agree, families, fans_have_room, mend, names_are_accounted_for,
-    new_is_placed, next_is_permutation, nothing_dangles, properties, reach, twin_is_involution,
-    vertices_are_orbits,
+    new_is_placed, next_is_permutation, nothing_dangles, properties, reach, start,
+    twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};
@@ -175,6 +175,7 @@ impl From<Vec<Problem>> for Broken {
 /// group that fails is told, in full.
 pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let drawing = Drawing::new(rule);
+    stop_at(start::test(op, &drawing))?;
     statements(&drawing)?;
     let rings = vertices_are_orbits::test(&drawing)?;
     let aliased = alias::allowed(op, rule)?;

@@ -8,6 +8,7 @@ use super::matching::{Bound, Claim, Source, Step};
 use super::pointer::{Pointer, pointers};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
+use super::start::{example, undrawn};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId, Op, Spoke};
 
@@ -113,12 +114,7 @@ impl Reach<'_> {
                 let text = rule.quoted(name);
                 let kind = rule.kind(name);
                 let message = format!("`before` draws no halfedge of the parameter {text}");
-                let word = &rule.name(name).text;
-                let example = match kind {
-                    Kind::Edge => format!("edge {word}: a | b"),
-                    Kind::Vertex => format!("vertex {word}: a *S"),
-                    _ => format!("face {word}: v0 -a-> v1 =P=> v0"),
-                };
+                let example = example(&rule.name(name).text, op.params[parameter].ty);
                 let span = op.params[parameter].span;
                 return Err(vec![
                     Diagnostic::error("unreachable-name", message, span)
@@ -363,6 +359,8 @@ impl Reach<'_> {
             ),
             _ => format!("an edge statement would bind it: `edge {word}: h | h'`"),
         };
+        // What is said of the parameter that is missing mends more.
+        let statement = undrawn(op, self.drawing).unwrap_or(statement);
         diagnostic
             .note(statement)
             .note("matching follows `next`, `prev`, `twin` and `edge`, `face`, `vertex`, but never searches along a path or a fan; else make it a parameter")

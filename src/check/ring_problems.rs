@@ -200,6 +200,17 @@ impl Case<'_> {
     /// A vertex without a ring.
     pub(super) fn without_spokes(&self, vertex: NameId) -> Problem {
         let text = self.drawing.rule.quoted(vertex);
+        if let Some(star) = self.drawing.before.star(vertex)
+            && !star.spokes.iter().any(|s| matches!(s, Spoke::Halfedge(_)))
+        {
+            let message = format!("the statement of {text} names no spoke");
+            return Diagnostic::error("vertex-without-spokes", message, star.span)
+                .note(format!(
+                    "a fan runs from a spoke that has a name to the next: `vertex {}: h *S`",
+                    self.drawing.rule.name(vertex).text
+                ))
+                .into();
+        }
         let created = self.drawing.created(vertex);
         let message = format!("no spoke would start at {text}");
         let span = created

@@ -1,8 +1,9 @@
 //! Names of `after` that nothing introduces, and what was probably meant.
 
-use super::problem::Problem;
+use super::problem::{Problem, Remedy, enumerate};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, NameId};
+use crate::diagram::{Drawing, Kind, NameId};
+use crate::source::Span;
 
 /// Names of `after` that neither `before` nor `new` knows.
 pub(super) struct Unknown {
@@ -20,38 +21,35 @@ impl Unknown {
             problems: Vec::new(),
             meant: Vec::new(),
         };
+        let mut created = Vec::new();
         for index in 0..rule.names.len() {
             let name = NameId(index as u32);
             let known = drawing.before.mention(name).is_some() || drawing.created(name).is_some();
             let Some(span) = drawing.after.mention(name).filter(|_| !known) else {
                 continue;
             };
-            let text = rule.quoted(name);
-            let kind = rule.kind(name);
-            let message = format!("{text} stands in `after`, but neither in `before` nor in `new`");
-            let mut diagnostic = Diagnostic::error("unknown-name", message, span)
-                .saying(format!("{} that nothing creates", kind.a_word()));
             match found.meaning(drawing, name) {
                 Some(meant) => {
                     let word = &rule.name(meant).text;
-                    diagnostic = diagnostic
+                    let problem = unknown(drawing, (name, span), &[])
                         .label(
                             rule.name(meant).span,
                             format!("`{word}` has a similar name"),
                         )
                         .fix(format!("write `{word}`"), span, word.clone());
+                    found.problems.push(problem.into());
                     found.meant.push(meant);
                 }
-                None if rule.name(name).named => {
-                    diagnostic = diagnostic.note(format!(
-                        "if {text} is created here, list it: `new {}`",
-                        rule.name(name).text
-                    ));
+                None if !rule.name(name).named => {
+                    let problem = unknown(drawing, (name, span), &[]);
+                    found.problems.push(problem.into());
                 }
+                // In a rule that was unrolled the first member tells for its family.
+                None if rule.is_first(name) => created.push((name, span)),
                 None => {}
             }
-            found.problems.push(diagnostic.into());
         }
+        found.problems.extend(not_listed(drawing, created));
         found
     }
 
@@ -81,4 +79,60 @@ impl Unknown {
             .min()
             .map(|(_, other)| other)
     }
+}
+
+/// What is told of names that nothing introduces, each with a place where it stands.
+fn unknown(drawing: &Drawing, first: (NameId, Span), others: &[(NameId, Span)]) -> Diagnostic {
+    let rule = drawing.rule;
+    let list: Vec<_> = std::iter::once(&first)
+        .chain(others)
+        .map(|(name, _)| *name)
+        .collect();
+    let stand = if list.len() == 1 { "stands" } else { "stand" };
+    let message = format!(
+        "{} {stand} in `after`, but neither in `before` nor in `new`",
+        enumerate(rule, &list)
+    );
+    let (name, span) = first;
+    let kind = rule.kind(name);
+    let mut diagnostic = Diagnostic::error("unknown-name", message, span)
+        .saying(format!("{} that nothing creates", kind.a_word()));
+    // Of each kind one is named.
+    let mut shown = vec![kind];
+    for (name, span) in others {
+        let kind = rule.kind(*name);
+        let is_first = !shown.contains(&kind);
+        shown.push(kind);
+        diagnostic = diagnostic.label(*span, if is_first { kind.a_word() } else { "" });
+    }
+    diagnostic
+}
+
+/// Names that are probably meant to be created: vertices first, what has sides last.
+fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Problem> {
+    let rule = drawing.rule;
+    let order = [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face];
+    names.sort_by_key(|(name, _)| order.iter().position(|&kind| kind == rule.kind(*name)));
+    let (first, others) = names.split_first()?;
+    let mut diagnostic = unknown(drawing, *first, others);
+    let elements = names.iter().map(|(name, _)| *name);
+    let elements = elements.filter(|&name| order.contains(&rule.kind(name)));
+    let elements: Vec<_> = elements.collect();
+    let mut remedies = Vec::new();
+    if !elements.is_empty() {
+        let words: Vec<_> = elements
+            .iter()
+            .map(|&name| &*rule.name(name).text)
+            .collect();
+        let what = match names.len() {
+            1 => format!("if {} is created here, list it", rule.quoted(elements[0])),
+            _ => "if they are created here, list them".to_owned(),
+        };
+        diagnostic = diagnostic.note(format!("{what}: `new {}`", words.join(" ")));
+        remedies.push(Remedy::Create(elements));
+    }
+    Some(Problem {
+        diagnostic,
+        remedies,
+    })
 }

@@ -289,6 +289,14 @@ pub(super) struct TestArguments {
     pub format: Format,
 }
 
+impl TestArguments {
+    /// Is the test of this name to be run?
+    pub fn wants(&self, name: &str) -> bool {
+        let filter = self.filter.as_ref();
+        filter.is_none_or(|filter| name.contains(filter.as_str()))
+    }
+}
+
 #[derive(Debug, Args)]
 pub(super) struct StdArguments {
     /// A file of the library: std/triangle.hedge, or triangle

@@ -15,6 +15,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         say(&table(&rows, &[]));
         return Ok(());
     };
+    let asked = bare(asked);
     if asked == "functions" {
         list_functions();
         return Ok(());
@@ -50,4 +51,13 @@ fn described(Word { forms, meaning }: Word) -> String {
         true => meaning.to_owned(),
         false => format!("{}\n\n{meaning}", forms.join("\n")),
     }
+}
+
+/// The code in what may be copied from a message: `error[stale-vertex]: …`.
+fn bare(told: &str) -> &str {
+    let inside = told.split_once('[').and_then(|(_, rest)| {
+        let (code, _) = rest.split_once(']')?;
+        Some(code)
+    });
+    inside.unwrap_or(told).trim()
 }

@@ -17,8 +17,6 @@ use crate::mesh::Obj;
 use crate::rewrite::Watch;
 use crate::run;
 use crate::source::Span;
-use crate::syntax::parse;
-use crate::syntax::tree::Item;
 
 /// Runs the tests of files, and says which fail.
 pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
@@ -75,8 +73,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     let own = own.filter(|(_, test)| test.script.span.file == analysis.file);
     for (number, test) in own {
         let name = test.script.name.clone();
-        let wanted = |filter: &String| name.contains(filter.as_str());
-        if interrupt::is_asked() || !arguments.filter.as_ref().is_none_or(wanted) {
+        if interrupt::is_asked() || !arguments.wants(&name) {
             continue;
         }
         let mut printed = Lines::default();
@@ -104,7 +101,9 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
             failure: failed.map(|failed| report(&failed, &program.sources)),
         });
     }
-    let broken = broken(program, arguments);
+    let unread = analysis.program.unread_tests.iter();
+    let own = unread.filter(|(name, span)| span.file == analysis.file && arguments.wants(name));
+    let broken: Vec<_> = own.map(|(name, _)| name.clone()).collect();
     if is_human {
         broken
             .iter()
@@ -120,28 +119,6 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
             .collect(),
         tests,
     }
-}
-
-/// The tests of a file that could not be read, by name.
-fn broken(program: &Program, arguments: &TestArguments) -> Vec<String> {
-    let analysis = &program.analysis;
-    let text = program.sources.get(analysis.file).text();
-    let items = parse(analysis.file, text).tree.items;
-    let is_read = |name: &String| {
-        let mut read = analysis.program.tests.iter();
-        read.any(|test| test.script.name == *name)
-    };
-    let is_wanted = |name: &String| {
-        let filter = arguments.filter.as_ref();
-        filter.is_none_or(|filter| name.contains(filter.as_str()))
-    };
-    let names = items.into_iter().filter_map(|item| match item {
-        Item::Test(test) => Some(test.name),
-        _ => None,
-    });
-    names
-        .filter(|name| !is_read(name) && is_wanted(name))
-        .collect()
 }
 
 /// The mesh of a path that is written in some file: beside it.

@@ -14,6 +14,9 @@ use std::ops::Range;
 /// The longest line that is shown, in bytes; of longer ones only the place is told.
 const WIDEST: usize = 400;
 
+/// How many places are drawn that say nothing; the message names more.
+const MOST_SILENT: usize = 4;
+
 /// How to print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rendering {
@@ -114,7 +117,12 @@ impl Page<'_> {
             .with_index_type(IndexType::Char)
             .with_tab_width(4);
         let mut report = Report::build(ReportKind::Error, place).with_config(config);
+        let mut silent = 0;
         for (at, label) in in_order(labels).into_iter().enumerate() {
+            silent += usize::from(label.text.is_empty());
+            if label.text.is_empty() && silent > MOST_SILENT && !std::ptr::eq(label, primary) {
+                continue;
+            }
             let Some(place) = self.texts.place(label.span) else {
                 continue;
             };

@@ -249,6 +249,12 @@ impl<'a> View<'a> {
         self.neighbor(item, |position, count| (position + count - 1) % count)
     }
 
+    /// The spoke that comes next around its vertex, counterclockwise, if the loops tell: the
+    /// twin of what precedes it.
+    pub fn spoke_behind(&self, spoke: NameId) -> Option<NameId> {
+        self.twin(self.item_before(spoke)?)
+    }
+
     /// The mention of the vertex from which a halfedge or path leaves in its loop.
     pub fn origin_mention(&self, item: NameId) -> Option<Ref> {
         let (orbit, position) = self.place[item.index()]?;

@@ -184,7 +184,7 @@ impl<'a> Drawing<'a> {
             (None, None) => return None,
         };
         if (end.name, end.shift) != (first.name, first.shift) {
-            self.open_loop(word, &l.items[0].from, l.end.as_ref()?);
+            self.open_loop(word, l);
         }
         self.side.loops.push(Loop {
             kind: match l.keyword {
@@ -201,17 +201,30 @@ impl<'a> Drawing<'a> {
         Some(())
     }
 
-    fn open_loop(&mut self, face: &str, first: &tree::Name, end: &tree::Name) {
+    fn open_loop(&mut self, face: &str, l: &tree::Loop) {
         if self.breaks_off {
             self.report.fail();
             return;
         }
-        let [begins, ends] = [first, end].map(ToString::to_string);
+        let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else {
+            return;
+        };
+        let [begins, ends] = [&first.from, end].map(ToString::to_string);
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
-            .label(first.span, "it begins here")
-            .fix(format!("end at `{begins}`"), end.span, begins);
-        self.report.add(error);
+            .label(first.from.span, "it begins here");
+        // A vertex that stands here alone is a slip, and so is one that an item runs back to.
+        // To one that is drawn elsewhere the way may be meant.
+        let known = self.names.find(&end.ident.text);
+        let stands_alone = known.is_none_or(|id| self.names.get(id).span == end.span);
+        let last = l.items.last();
+        let runs_back = last.is_some_and(|last| last.from.to_string() == ends);
+        self.report.add(match stands_alone || runs_back {
+            true => error.fix(format!("end at `{begins}`"), end.span, begins),
+            false => error.note(format!(
+                "a loop ends where it begins: go on to `{begins}`, with a halfedge `-h-> {begins}` or a path `=P=> {begins}`"
+            )),
+        });
     }
 
     fn edge(&mut self, name: &tree::Name, halfedges: &[tree::Name; 2], span: Span) -> Option<()> {

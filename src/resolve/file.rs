@@ -100,8 +100,10 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             }
             if let Item::Test(test) = item {
                 let mut report = Report::default();
-                let resolved = resolve_test(test, &signatures, declared, &mut report);
-                program.tests.extend(resolved);
+                match resolve_test(test, &signatures, declared, &mut report) {
+                    Some(resolved) => program.tests.push(resolved),
+                    None => program.unread_tests.push((test.name.clone(), test.span)),
+                }
                 diagnostics.extend(report.into_diagnostics());
             }
         }

@@ -11,6 +11,7 @@ use super::lookup::element_type;
 use super::names::Names;
 use super::report::Report;
 use super::suggestion::suggest;
+use super::unused::report_unused;
 
 /// What the lists of `after` say.
 #[derive(Debug, Default)]
@@ -21,18 +22,19 @@ pub(super) struct Lists {
     pub(super) erased: Vec<Ref>,
 }
 
-/// Reads the lists of `after`, which restates parts of `before`.
+/// Reads the lists of `after`, whose two sides are drawn.
 pub(super) fn read_lists(
     after: &tree::Side,
-    before: &Side,
+    [drawn_before, drawn_after]: [&Side; 2],
     names: &Names,
     report: &mut Report,
 ) -> Lists {
     let mut reader = Reader {
         names,
-        before,
+        before: drawn_before,
         report,
         listed: HashMap::new(),
+        unused: Vec::new(),
     };
     let mut lists = Lists::default();
     for statement in &after.statements {
@@ -49,6 +51,8 @@ pub(super) fn read_lists(
             _ => {}
         }
     }
+    let Reader { unused, report, .. } = reader;
+    report_unused(&unused, &lists.created, drawn_after, names, report);
     let created: HashMap<NameId, Span> = lists.created.iter().map(|r| (r.name, r.span)).collect();
     for erased in &lists.erased {
         if let Some(span) = created.get(&erased.name) {
@@ -67,6 +71,8 @@ struct Reader<'a> {
     before: &'a Side,
     report: &'a mut Report,
     listed: HashMap<(&'static str, &'a str), Span>,
+    /// What `new` lists and no statement draws.
+    unused: Vec<&'a tree::Name>,
 }
 
 impl<'a> Reader<'a> {
@@ -90,7 +96,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let Some(id) = self.names.find(word) else {
-            self.unused_new(name);
+            self.unused.push(name);
             return None;
         };
         let known = self.names.get(id);
@@ -105,7 +111,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         if !self.names.in_after(id) {
-            self.unused_new(name);
+            self.unused.push(name);
             return None;
         }
         if element_type(known.kind).is_none() {
@@ -118,18 +124,6 @@ impl<'a> Reader<'a> {
             return None;
         }
         Some(mention(id, name))
-    }
-
-    fn unused_new(&mut self, name: &tree::Name) {
-        let message = format!(
-            "`{}` is listed in `new` but stands nowhere in `after`",
-            name.ident.text
-        );
-        let error = Diagnostic::error("unused-new", message, name.span);
-        self.report.add(match name.ident.text.as_str() {
-            "halfedge" => error.note("`new` lists names alone: what is drawn tells their kinds"),
-            _ => error,
-        });
     }
 
     fn erased(&mut self, name: &'a tree::Name) -> Option<Ref> {

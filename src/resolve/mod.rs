@@ -32,6 +32,7 @@ mod names;
 mod op;
 mod parameter;
 mod rule;
+mod unused;
 
 mod builtin;
 mod construct;

@@ -20,6 +20,8 @@ pub struct Program {
     pub scripts: Vec<Script>,
     /// The tests that could be resolved.
     pub tests: Vec<Test>,
+    /// The tests that could not be resolved: their names, and where these stand.
+    pub unread_tests: Vec<(String, Span)>,
 }
 
 impl Program {

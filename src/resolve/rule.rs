@@ -36,7 +36,7 @@ pub(super) fn resolve_rule(
     let (before, after) = sides(rule, &context.op.name, report)?;
     let drawn_before = draw_before(before, &names, report);
     let drawn_after = draw_after(after, &drawn_before, &names, report);
-    let lists = read_lists(after, &drawn_before, &names, report);
+    let lists = read_lists(after, [&drawn_before, &drawn_after], &names, report);
 
     let guard = guard(&rule.conditions, report);
     let aliases = aliases(&rule.conditions, &names, report);

@@ -252,6 +252,11 @@ impl Drains {
         if let Some(place) = place(mesh, kind, id) {
             self.touch(place);
         }
+        match kind {
+            ElementKind::Vertex => self.touch(Place::VertexHalfedge(id)),
+            ElementKind::Face => self.touch(Place::FaceHalfedge(id)),
+            ElementKind::Edge | ElementKind::Halfedge => {}
+        }
         for drain in &mut self.0 {
             if drain.of.kind() == kind {
                 drain.make_stale(id);

@@ -24,11 +24,12 @@ pub(super) struct Scene<'a, 'w> {
 }
 
 impl ElementField {
-    fn kind(self) -> ElementKind {
+    /// Where the `halfedge` of an element lies.
+    fn place(self, id: u32) -> Place {
         match self {
-            ElementField::Vertex => ElementKind::Vertex,
-            ElementField::Edge => ElementKind::Edge,
-            ElementField::Face => ElementKind::Face,
+            ElementField::Vertex => Place::VertexHalfedge(id),
+            ElementField::Edge => Place::Edge(id),
+            ElementField::Face => Place::FaceHalfedge(id),
         }
     }
 }
@@ -74,7 +75,7 @@ impl Drains {
                 }
             }
             Inst::StoreHalfedge { of, element, .. } => {
-                self.touch_element(mesh, of.kind(), w.id(element));
+                self.touch(of.place(w.id(element)));
             }
             Inst::StoreHole { face, hole }
                 if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
@@ -137,6 +138,7 @@ impl Drains {
     /// A vertex with its spokes, their ends and the kinds of the loops around it; these loops.
     fn read_star(&mut self, mesh: &Mesh, id: u32) -> Vec<u32> {
         self.read(Place::Vertex(id));
+        self.read(Place::VertexHalfedge(id));
         let mut loops = Vec::new();
         for spoke in mesh.spokes(VertexId(id)) {
             let Some(record) = mesh.get_halfedge(spoke) else {
@@ -155,6 +157,7 @@ impl Drains {
     /// A loop with its corners.
     fn read_loop(&mut self, mesh: &Mesh, id: u32) {
         self.read(Place::Face(id));
+        self.read(Place::FaceHalfedge(id));
         for half in mesh.face_halfedges(FaceId(id)) {
             self.read_start(mesh, half);
         }
@@ -211,9 +214,7 @@ impl Drains {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
             Inst::Load { halfedge, .. } => self.read_halfedge(mesh, w.id(halfedge)),
-            Inst::LoadHalfedge { of, element, .. } => {
-                self.read_element(mesh, of.kind(), w.id(element));
-            }
+            Inst::LoadHalfedge { of, element, .. } => self.read(of.place(w.id(element))),
             Inst::LoadHole { face, .. } => self.read(Place::Face(w.id(face))),
             Inst::LoadPosition { vertex, .. } => self.read(Place::Vertex(w.id(vertex))),
             Inst::LoadAttribute {

@@ -1,7 +1,8 @@
 //! Who has read what: for each place of the mesh the elements whose keys depend on it.
 //!
-//! A place is a vertex, an edge with its two halfedges, or a face, with all that is stored
-//! there; or all of the mesh. When something is written at a place, its readers are taken off
+//! A place is a vertex or a face with what is stored there but its `halfedge`; that; an edge with
+//! its two halfedges; or all of the mesh. An operation often gives its neighbours another
+//! `halfedge`, which few keys read: that is why it is a place of its own. When something is written at a place, its readers are taken off
 //! and their keys computed anew, by which they are noted again wherever they still read. A
 //! note may outlive its reason: then a key is computed once for nothing.
 
@@ -9,8 +10,10 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
     Vertex(u32),
+    VertexHalfedge(u32),
     Edge(u32),
     Face(u32),
+    FaceHalfedge(u32),
     /// How many elements there are, and which.
     Whole,
 }
@@ -19,9 +22,11 @@ impl Place {
     fn split(self) -> (usize, usize) {
         match self {
             Place::Vertex(id) => (0, id as usize),
-            Place::Edge(id) => (1, id as usize),
-            Place::Face(id) => (2, id as usize),
-            Place::Whole => (3, 0),
+            Place::VertexHalfedge(id) => (1, id as usize),
+            Place::Edge(id) => (2, id as usize),
+            Place::Face(id) => (3, id as usize),
+            Place::FaceHalfedge(id) => (4, id as usize),
+            Place::Whole => (5, 0),
         }
     }
 }
@@ -52,7 +57,7 @@ struct Entry {
 /// The readers of all places.
 #[derive(Debug)]
 pub(super) struct Readers {
-    lists: [Vec<List>; 4],
+    lists: [Vec<List>; 6],
     pool: Vec<Entry>,
     /// The first of the pool's free entries.
     free: u32,

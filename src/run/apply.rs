@@ -147,10 +147,9 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
     });
     Program {
         attributes: Arc::clone(&program.attributes),
-        ops: Vec::new(),
         functions: program.functions.clone(),
-        tests: Vec::new(),
         scripts: scripts.into_iter().collect(),
+        ..Program::default()
     }
 }
 

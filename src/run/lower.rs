@@ -2,10 +2,10 @@
 
 use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
-use crate::compile::{Scope, attribute, copy, element_kind, lower, lower_into, width};
-use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
-use crate::resolve::{Digits, Print, Statement, StatementKind, Variable};
-use crate::rewrite::{Assembler, Inst, Label, Phase, RealDigits, Refusal, Reg};
+use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
+use crate::diagram::{Access, Expr, ExprKind, NameId, Param};
+use crate::resolve::{Statement, StatementKind, Variable};
+use crate::rewrite::{Assembler, Inst, Label, Phase, Refusal, Reg};
 use crate::source::Span;
 
 /// Writes the code of a script.
@@ -449,72 +449,5 @@ impl<'p> Lowering<'p> {
         if let Some(to) = self.loops.last().map(place) {
             self.asm.emit(Inst::Jump { to });
         }
-    }
-
-    fn print(&mut self, pieces: &[Print]) {
-        let mark = self.asm.mark();
-        // A function among them may print lines of its own, so all are computed first.
-        let values = pieces.iter().map(|piece| match piece {
-            Print::Text(_) => None,
-            Print::Value(value, _) => {
-                let from = self.value(value);
-                if let Some(kind) = element_kind(value.ty) {
-                    self.trap_at(value.span, Inst::ExpectAlive { kind, from });
-                }
-                Some(from)
-            }
-        });
-        let values: Vec<_> = values.collect();
-        for (piece, from) in pieces.iter().zip(values) {
-            match (piece, from) {
-                (Print::Text(text), _) => self.print_text(text),
-                (Print::Value(value, digits), Some(from)) => {
-                    self.asm.emit(print_value(value.ty, from, *digits));
-                }
-                (Print::Value(..), None) => {}
-            }
-        }
-        self.asm.emit(Inst::PrintEnd);
-        self.asm.release(mark);
-    }
-
-    pub(super) fn print_text(&mut self, text: &str) {
-        let text = self.asm.text(text);
-        self.asm.emit(Inst::PrintText { text });
-    }
-}
-
-pub(super) fn print_value(ty: Type, from: Reg, digits: Digits) -> Inst {
-    let digits = match digits {
-        Digits::Few => RealDigits::Few,
-        Digits::All => RealDigits::All,
-        Digits::Behind(count) => RealDigits::Behind(count),
-    };
-    use crate::mesh::ElementKind::{Edge, Face, Halfedge, Vertex};
-    match ty {
-        Type::Bool => Inst::PrintBool { from },
-        Type::Int => Inst::PrintInt { from },
-        Type::Real => Inst::PrintReal { from, digits },
-        Type::Vec3 => Inst::PrintVec { from, digits },
-        Type::Vec2 | Type::Vec4 => Inst::PrintWide {
-            from,
-            size: ty.size(),
-            columns: 1,
-            digits,
-        },
-        Type::Mat3 | Type::Mat4 => Inst::PrintWide {
-            from,
-            size: ty.size(),
-            columns: ty.size(),
-            digits,
-        },
-        Type::Vertex => Inst::PrintElement { kind: Vertex, from },
-        Type::Halfedge => Inst::PrintElement {
-            kind: Halfedge,
-            from,
-        },
-        Type::Edge => Inst::PrintElement { kind: Edge, from },
-        Type::Face => Inst::PrintElement { kind: Face, from },
-        Type::Text => Inst::PrintTextOf { from },
     }
 }

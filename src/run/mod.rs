@@ -21,6 +21,7 @@ mod function;
 mod live;
 mod lower;
 mod prepare;
+mod print;
 mod steps;
 mod visit;
 

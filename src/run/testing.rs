@@ -166,7 +166,7 @@ impl Lowering<'_> {
         let mark = self.asm.mark();
         let from = self.value(value);
         self.asm
-            .emit(super::lower::print_value(value.ty, from, Digits::All));
+            .emit(super::print::print_value(value.ty, from, Digits::All));
         self.asm.release(mark);
     }
 

@@ -16,10 +16,11 @@ mod commands;
 mod verdicts;
 
 use hedgerow::analysis::Analysis;
-use hedgerow::diagram::{Kind, NameId, Op, Rule, Type};
+use hedgerow::diagram::{Kind, NameId, Op, Rule};
 use hedgerow::mesh::Mesh;
 use hedgerow::source::Sources;
 
+use reference::examples::elements;
 use reference::maps::random_map;
 use reference::matching::Match;
 use reference::random::Random;
@@ -67,16 +68,6 @@ fn maps(count: usize, seed: u64) -> Vec<Mesh> {
     let mut random = Random::new(seed);
     let map = |_| random_map(2 + 2 * random.below(6), &mut random);
     (0..count).map(map).collect()
-}
-
-/// All elements that a parameter can be given.
-fn elements(mesh: &Mesh, ty: Type) -> Vec<u32> {
-    match ty {
-        Type::Vertex => mesh.vertices().map(|v| v.0).collect(),
-        Type::Halfedge => mesh.halfedges().map(|h| h.0).collect(),
-        Type::Edge => mesh.edges().map(|e| e.0).collect(),
-        _ => mesh.faces().map(|f| f.0).collect(),
-    }
 }
 
 /// All choices of the arguments.

@@ -1,13 +1,12 @@
 //! The ops to start from, and their mutants.
 
-use std::path::Path;
-
 use hedgerow::analysis::Analysis;
 use hedgerow::diagram::Op;
 use hedgerow::resolve::resolve;
 use hedgerow::source::Sources;
 use hedgerow::syntax::parse;
 
+use crate::reference::examples::{alone, examples};
 use crate::reference::mutating::mutate;
 use crate::reference::mutating_families::mutate_family;
 use crate::reference::printing::op_text;
@@ -53,17 +52,7 @@ pub fn wrong() -> Vec<Op> {
 
 /// The ops to start from.
 fn bases() -> Vec<Op> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let entries = std::fs::read_dir(folder).expect("the examples");
-    let mut paths: Vec<_> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
-    paths.retain(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "hedge")
-    });
-    paths.sort();
-    let mut texts: Vec<_> = paths
+    let mut texts: Vec<_> = examples()
         .iter()
         .map(|path| std::fs::read_to_string(path).expect("an example"))
         .collect();
@@ -89,23 +78,8 @@ fn rules_of(texts: &[String]) -> Vec<Op> {
                 .diagram
                 .unwrap_or_else(|| panic!("{} is not understood", op.name));
             for rule in &op.rules {
-                let mut base = op.clone();
-                let mut rule = rule.clone();
-                rule.requires.clear();
-                rule.result = None;
-                let is_element = |at: usize| op.params[at].ty.is_element();
-                let kept: Vec<_> = (0..op.params.len()).filter(|&at| is_element(at)).collect();
-                base.params = kept.iter().map(|&at| op.params[at].clone()).collect();
-                rule.params = kept.iter().map(|&at| rule.params[at]).collect();
-                for (at, name) in rule.names.iter_mut().enumerate() {
-                    if !name.named {
-                        name.text = format!("W{at}");
-                        name.named = true;
-                    }
-                }
-                let text = op_text(&base, &rule);
-                base.result = None;
-                base.rules = vec![rule];
+                let base = alone(&op, rule);
+                let text = op_text(&base, &base.rules[0]);
                 if !known.contains(&text) {
                     known.push(text);
                     bases.push(base);

@@ -1,9 +1,10 @@
 //! Where an op is tried: random completions of its drawing, and random maps.
 
-use hedgerow::diagram::{Op, Type};
+use hedgerow::diagram::Op;
 use hedgerow::mesh::Mesh;
 
 use crate::reference::completion::complete;
+use crate::reference::examples::elements;
 use crate::reference::maps::random_map;
 use crate::reference::random::Random;
 
@@ -18,16 +19,6 @@ pub struct Trial {
 pub struct Pool {
     maps: Vec<Mesh>,
     completions: usize,
-}
-
-fn elements(mesh: &Mesh, ty: Type) -> Vec<u32> {
-    match ty {
-        Type::Vertex => mesh.vertices().map(|v| v.0).collect(),
-        Type::Halfedge => mesh.halfedges().map(|h| h.0).collect(),
-        Type::Edge => mesh.edges().map(|e| e.0).collect(),
-        Type::Face => mesh.faces().map(|f| f.0).collect(),
-        _ => Vec::new(),
-    }
 }
 
 /// All choices of the elements given; of two or more only some.

@@ -2,6 +2,8 @@
 //!
 //! `UPDATE=1` writes the pictures of the examples anew; look at them then.
 
+#[path = "../dice/mod.rs"]
+mod dice;
 mod examples;
 mod meshes;
 mod mutants;

@@ -3,19 +3,8 @@
 use hedgerow::diagram::{NameId, Op, Ref, Rule, Side, Spoke};
 use hedgerow::draw::{draw_op, text_op};
 
+use super::dice::Dice;
 use super::{example_ops, ops_of};
-
-/// Small numbers in no order, the same each time (G. Marsaglia, "Xorshift RNGs", 2003).
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % count.max(1) as u64) as usize
-    }
-}
 
 /// A name of the same kind, so that the diagram is still one the resolver could make.
 fn another(rule: &Rule, of: Ref, dice: &mut Dice) -> Ref {

@@ -3,19 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::client::{Client, URI, document};
-
-/// A small generator of numbers that only a seed decides: xorshift, after G. Marsaglia,
-/// "Xorshift RNGs", 2003.
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn below(&mut self, count: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % count.max(1) as u64) as usize
-    }
-}
+use crate::dice::Dice;
 
 /// What people and cats type.
 const PIECES: &[&str] = &[

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use serde_json::json;
 
 use crate::client::{Client, URI, document, position};
-use crate::edits::Dice;
+use crate::dice::Dice;
 
 /// A file of two thousand lines: the examples, again and again under other names.
 fn long_file() -> String {

@@ -1,5 +1,7 @@
 //! The language server: every answer, whole conversations, and what no editor should do.
 
+#[path = "../dice/mod.rs"]
+mod dice;
 #[path = "../pages/mod.rs"]
 mod pages;
 

@@ -1,24 +1,13 @@
 //! Programs written badly, and programs someone is in the middle of typing: formatting keeps
 //! every word and is done after once. ([`formatted`] answers with nothing else.)
 
+use super::dice::Dice;
 use super::{all_edits, edited, formatted, line_edits, programs};
 use hedgerow::source::FileId;
 use hedgerow::syntax::parse;
 
-/// A generator of numbers that look random and are the same in every run.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound.max(1) as u64) as usize
-    }
-
-    fn one<'t>(&mut self, of: &[&'t str]) -> &'t str {
-        of[self.below(of.len())]
-    }
+fn one<'t>(dice: &mut Dice, of: &[&'t str]) -> &'t str {
+    of[dice.below(of.len())]
 }
 
 const SPACES: &[&str] = &[
@@ -51,7 +40,7 @@ fn respaced(text: &str, dice: &mut Dice, every: usize) -> String {
             Some(end) if end == range.start => {}
             Some(_) if dice.below(every) > 0 => out.push(' '),
             _ => {
-                out.push_str(dice.one(SPACES));
+                out.push_str(one(dice, SPACES));
                 if out.ends_with('f') {
                     out.push('\n');
                 }
@@ -83,7 +72,7 @@ fn mutated(text: &str, dice: &mut Dice) -> String {
         3 => before.to_owned(),
         _ => format!(
             "{before}{}{behind}",
-            dice.one(&["§", "\"", "}", "{", "\u{a0}", " \u{b} "])
+            one(dice, &["§", "\"", "}", "{", "\u{a0}", " \u{b} "])
         ),
     }
 }

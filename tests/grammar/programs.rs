@@ -1,5 +1,6 @@
 //! Programs to read: those of this repository, and what becomes of them when someone types.
 
+use super::dice::Dice;
 use hedgerow::source::FileId;
 use hedgerow::syntax::{Token, TokenKind, parse};
 use std::fs;
@@ -84,18 +85,6 @@ pub fn is_read(text: &str) -> Option<bool> {
         return None;
     }
     Some(told.is_empty())
-}
-
-/// Numbers that look random and are the same in every run.
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound.max(1) as u64) as usize
-    }
 }
 
 /// The text with a token gone, doubled, exchanged for another of the text or of the language,

@@ -1,6 +1,7 @@
 //! The grammar for tree-sitter reads what hedgerow reads, and its queries fit its trees.
 
-use super::programs::{Dice, files, is_known_to_differ, is_read, mutated, of_pages};
+use super::dice::Dice;
+use super::programs::{files, is_known_to_differ, is_read, mutated, of_pages};
 use hedgerow::syntax::TokenKind;
 use std::collections::BTreeSet;
 use tree_sitter::{Language, Parser, Query, QueryCursor, StreamingIterator};

@@ -6,6 +6,7 @@
 #![allow(dead_code)]
 
 pub mod completion;
+pub mod examples;
 pub mod maps;
 pub mod matching;
 pub mod mutating;

@@ -2,6 +2,8 @@
 
 mod arguments;
 mod attributes;
+#[path = "../dice/mod.rs"]
+mod dice;
 mod drain;
 mod expressions;
 mod failures;

@@ -1,6 +1,7 @@
 //! Random programs of loops over meshes that change under them, against the
 //! [literal reading](super::literal) of what the language says.
 
+use super::dice::Dice;
 use super::literal::{Around, Body, Edit, Gone, Literal, Statement, Test};
 use super::*;
 use hedgerow::mesh::{ElementKind, Mesh, identical, shape};
@@ -20,22 +21,6 @@ attr mark: edge int = 0
 attr mark: face int = 0
 ";
 
-/// Numbers that look random and are the same in every run.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound as u64) as usize
-    }
-
-    fn int(&mut self, bound: usize) -> i64 {
-        self.below(bound) as i64
-    }
-}
-
 /// Writes a program; a variable is its number, and its kind is known.
 struct Writer {
     dice: Dice,
@@ -43,12 +28,16 @@ struct Writer {
 }
 
 impl Writer {
+    fn int(&mut self, bound: usize) -> i64 {
+        self.dice.below(bound) as i64
+    }
+
     /// Statements outside of loops over elements.
     fn outside(&mut self, depth: usize) -> Body {
         let count = 2 + self.dice.below(3);
         (0..count)
             .map(|_| match self.dice.below(8) {
-                0 if depth > 0 => Statement::Repeat(1 + self.dice.int(3), self.outside(depth - 1)),
+                0 if depth > 0 => Statement::Repeat(1 + self.int(3), self.outside(depth - 1)),
                 1 | 2 => self.drain(),
                 3 => self.update(Around::Mesh),
                 _ => self.visit(Around::Mesh, 2),
@@ -92,7 +81,7 @@ impl Writer {
     fn drain(&mut self) -> Statement {
         let kind = self.kind(Around::Mesh);
         let by_degree = kind == ElementKind::Vertex && self.dice.below(2) == 0;
-        let turns = 5 + self.dice.int(30);
+        let turns = 5 + self.int(30);
         let body = self.with(kind, |writer| {
             let mut body = writer.inside(1);
             // Choices inside of which numbers may be given out again are not read literally.
@@ -124,7 +113,7 @@ impl Writer {
             2 if depth > 0 => self.update(around),
             3 if depth > 0 => Statement::If(self.test(), self.inside(depth - 1)),
             4 => Statement::Print(variable),
-            5 | 6 => Statement::Bump(variable, 1 + self.dice.int(4)),
+            5 | 6 => Statement::Bump(variable, 1 + self.int(4)),
             _ => match self
                 .kinds
                 .iter()
@@ -143,10 +132,10 @@ impl Writer {
         let variable = self.kinds.len() - 1;
         match self.dice.below(4) {
             0 => Test::Always,
-            1 => Test::EdgesBelow(20 + self.dice.int(150)),
+            1 => Test::EdgesBelow(20 + self.int(150)),
             _ => {
-                let by = 2 + self.dice.int(3);
-                let rest = self.dice.int(by as usize);
+                let by = 2 + self.int(3);
+                let rest = self.int(by as usize);
                 Test::Mark { variable, by, rest }
             }
         }

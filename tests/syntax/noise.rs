@@ -1,5 +1,6 @@
 //! Noise: texts that someone is in the middle of typing, and texts nobody ever typed.
 
+use super::dice::Dice;
 use hedgerow::diagnostic::{Rendering, render};
 use hedgerow::source::{FileId, Sources};
 use hedgerow::syntax::tree::{Item, Op};
@@ -15,18 +16,6 @@ fn inputs() -> Vec<&'static str> {
     fences
         .map(|rest| rest.split("```").next().unwrap())
         .collect()
-}
-
-/// A generator of numbers that look random and are the same in every run.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound.max(1) as u64) as usize
-    }
 }
 
 const UNTOUCHED: &str = "

@@ -16,6 +16,7 @@ use hedgerow::source::Sources;
 
 use crate::mutants::examples;
 use crate::reference::completion::complete;
+use crate::reference::examples::alone;
 use crate::reference::matching::matches;
 use crate::reference::mutating::mutate;
 use crate::reference::printing::op_text;
@@ -83,23 +84,7 @@ fn bases() -> Vec<Op> {
     let mut bases = Vec::new();
     for op in examples() {
         for rule in &op.rules {
-            let mut base = op.clone();
-            let mut rule = rule.clone();
-            rule.requires.clear();
-            rule.result = None;
-            base.result = None;
-            let kept = (0..op.params.len()).filter(|&at| op.params[at].ty.is_element());
-            let kept: Vec<_> = kept.collect();
-            base.params = kept.iter().map(|&at| op.params[at].clone()).collect();
-            rule.params = kept.iter().map(|&at| rule.params[at]).collect();
-            for (at, name) in rule.names.iter_mut().enumerate() {
-                if !name.named {
-                    name.text = format!("W{at}");
-                    name.named = true;
-                }
-            }
-            base.rules = vec![rule];
-            bases.push(base);
+            bases.push(alone(&op, rule));
         }
     }
     bases

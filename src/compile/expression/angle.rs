@@ -4,6 +4,7 @@ use crate::diagram::Builtin;
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Question, Reg};
 
 use super::builtin::ask;
+use super::pointer::{first, load};
 
 /// The angle between two vectors.
 ///
@@ -98,15 +99,7 @@ fn position(asm: &mut Assembler, place: u32, path: &[HalfedgeField], halfedge: R
 fn follow(asm: &mut Assembler, place: u32, path: &[HalfedgeField], [to, from]: [Reg; 2]) {
     asm.emit(Inst::Copy { to, from });
     for &field in path {
-        let halfedge = to;
-        asm.trap_at(
-            place,
-            Inst::Load {
-                field,
-                to,
-                halfedge,
-            },
-        );
+        load(asm, place, field, [to, to]);
     }
 }
 
@@ -122,15 +115,7 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     asm.trap_at(place, asked);
     asm.emit(Inst::JumpIf { condition, to: end });
     let halfedge = asm.reg();
-    let (of, element) = (ElementField::Edge, edge);
-    asm.trap_at(
-        place,
-        Inst::LoadHalfedge {
-            of,
-            to: halfedge,
-            element,
-        },
-    );
+    first(asm, place, ElementField::Edge, [halfedge, edge]);
     let [first, second] = [&[][..], &[HalfedgeField::Twin]].map(|side| {
         let (face, to) = (asm.reg(), asm.vec());
         let path = [side, &[HalfedgeField::Face]].concat();

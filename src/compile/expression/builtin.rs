@@ -2,6 +2,7 @@
 
 use super::angle;
 use super::operator::{matrix, wide};
+use super::pointer::{first, load};
 use crate::diagram::{Builtin, Type};
 use crate::rewrite::{
     Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Question, Reg,
@@ -106,18 +107,13 @@ fn unknown(asm: &mut Assembler, place: u32) {
 
 /// What takes more than one instruction; false for the rest.
 fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: Reg) -> bool {
-    let load = |field, to, halfedge| Inst::Load {
-        field,
-        to,
-        halfedge,
-    };
     match builtin {
         Builtin::BoundaryHalfedge => {
-            asm.trap_at(place, load(HalfedgeField::Face, to, from));
+            load(asm, place, HalfedgeField::Face, [to, from]);
             asm.trap_at(place, Inst::LoadHole { to, face: to });
         }
         Builtin::LengthHalfedge => {
-            asm.trap_at(place, load(HalfedgeField::Edge, to, from));
+            load(asm, place, HalfedgeField::Edge, [to, from]);
             asm.trap_at(place, ask(Question::LengthEdge, to, to));
         }
         Builtin::AngleCorner | Builtin::Cotangent | Builtin::DihedralAngle => {
@@ -125,17 +121,11 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
         }
         Builtin::CentroidEdge => {
             let (halfedge, other) = (asm.reg(), asm.vec());
-            let (of, element) = (ElementField::Edge, from);
-            let first = Inst::LoadHalfedge {
-                of,
-                to: halfedge,
-                element,
-            };
-            asm.trap_at(place, first);
-            asm.trap_at(place, load(HalfedgeField::Vertex, to, halfedge));
+            first(asm, place, ElementField::Edge, [halfedge, from]);
+            load(asm, place, HalfedgeField::Vertex, [to, halfedge]);
             asm.trap_at(place, Inst::LoadPosition { to, vertex: to });
-            asm.trap_at(place, load(HalfedgeField::Twin, halfedge, halfedge));
-            asm.trap_at(place, load(HalfedgeField::Vertex, halfedge, halfedge));
+            load(asm, place, HalfedgeField::Twin, [halfedge, halfedge]);
+            load(asm, place, HalfedgeField::Vertex, [halfedge, halfedge]);
             let vertex = halfedge;
             asm.trap_at(place, Inst::LoadPosition { to: other, vertex });
             let t = asm.constant_real(0.5);

@@ -6,6 +6,7 @@
 //! as the walk meets it.
 
 use super::Scope;
+use super::pointer::{first, load};
 use super::value::lower;
 use crate::diagram::{Collection, Expr};
 use crate::rewrite::{Assembler, ElementField, Elements, HalfedgeField, Inst, Label, Reg, Walk};
@@ -139,12 +140,7 @@ fn collect(
     let mark = asm.mark();
     let element = lower(asm, scope, base);
     let from = asm.reg();
-    let first = Inst::LoadHalfedge {
-        of,
-        to: from,
-        element,
-    };
-    asm.trap_at(place, first);
+    first(asm, place, of, [from, element]);
     match of {
         Vertex | Face => {
             // An isolated vertex has nothing around it.
@@ -170,7 +166,7 @@ fn collect(
         }
         Edge => {
             asm.emit(Inst::BufferPush { buffer, from });
-            load(asm, place, HalfedgeField::Twin, from, from);
+            load(asm, place, HalfedgeField::Twin, [from, from]);
             asm.emit(Inst::BufferPush { buffer, from });
         }
     }
@@ -181,13 +177,13 @@ fn collect(
 fn make(asm: &mut Assembler, place: u32, wanted: Wanted, halfedge: Reg, next: Label) -> Reg {
     match wanted {
         Wanted::Itself => {}
-        Wanted::Pointer(field) => load(asm, place, field, halfedge, halfedge),
+        Wanted::Pointer(field) => load(asm, place, field, [halfedge, halfedge]),
         Wanted::Target => {
-            load(asm, place, HalfedgeField::Twin, halfedge, halfedge);
-            load(asm, place, HalfedgeField::Vertex, halfedge, halfedge);
+            load(asm, place, HalfedgeField::Twin, [halfedge, halfedge]);
+            load(asm, place, HalfedgeField::Vertex, [halfedge, halfedge]);
         }
         Wanted::Face => {
-            load(asm, place, HalfedgeField::Face, halfedge, halfedge);
+            load(asm, place, HalfedgeField::Face, [halfedge, halfedge]);
             asm.emit(Inst::JumpUnlessLiving {
                 of: Elements::Faces,
                 element: halfedge,
@@ -196,13 +192,4 @@ fn make(asm: &mut Assembler, place: u32, wanted: Wanted, halfedge: Reg, next: La
         }
     }
     halfedge
-}
-
-fn load(asm: &mut Assembler, place: u32, field: HalfedgeField, to: Reg, halfedge: Reg) {
-    let inst = Inst::Load {
-        field,
-        to,
-        halfedge,
-    };
-    asm.trap_at(place, inst);
 }

@@ -13,6 +13,7 @@ mod builtin;
 mod collection;
 mod fold;
 mod operator;
+mod pointer;
 mod scope;
 mod value;
 

@@ -3,6 +3,7 @@
 use super::builtin::{Made, call};
 use super::fold::fold;
 use super::operator::{binary, unary};
+use super::pointer::{first, load};
 use super::{Scope, width};
 use crate::diagram::{Access, Expr, ExprKind, Pointer, Type};
 use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Reg};
@@ -172,36 +173,20 @@ pub fn attribute(number: u32) -> u16 {
 
 /// `element.pointer`
 fn follow(asm: &mut Assembler, place: u32, pointer: Pointer, element: Reg, to: Reg) {
-    let (field, halfedge) = match pointer {
-        Pointer::Next => (HalfedgeField::Next, element),
-        Pointer::Prev => (HalfedgeField::Prev, element),
-        Pointer::Twin => (HalfedgeField::Twin, element),
-        Pointer::Vertex => (HalfedgeField::Vertex, element),
-        Pointer::Edge => (HalfedgeField::Edge, element),
-        Pointer::Face => (HalfedgeField::Face, element),
+    let both = [to, element];
+    match pointer {
+        Pointer::Next => load(asm, place, HalfedgeField::Next, both),
+        Pointer::Prev => load(asm, place, HalfedgeField::Prev, both),
+        Pointer::Twin => load(asm, place, HalfedgeField::Twin, both),
+        Pointer::Vertex => load(asm, place, HalfedgeField::Vertex, both),
+        Pointer::Edge => load(asm, place, HalfedgeField::Edge, both),
+        Pointer::Face => load(asm, place, HalfedgeField::Face, both),
         Pointer::Target => {
-            let twin = Inst::Load {
-                field: HalfedgeField::Twin,
-                to,
-                halfedge: element,
-            };
-            asm.trap_at(place, twin);
-            (HalfedgeField::Vertex, to)
+            load(asm, place, HalfedgeField::Twin, both);
+            load(asm, place, HalfedgeField::Vertex, [to, to]);
         }
-        Pointer::VertexHalfedge => return first(asm, place, ElementField::Vertex, element, to),
-        Pointer::EdgeHalfedge => return first(asm, place, ElementField::Edge, element, to),
-        Pointer::FaceHalfedge => return first(asm, place, ElementField::Face, element, to),
-    };
-    asm.trap_at(
-        place,
-        Inst::Load {
-            field,
-            to,
-            halfedge,
-        },
-    );
-}
-
-fn first(asm: &mut Assembler, place: u32, of: ElementField, element: Reg, to: Reg) {
-    asm.trap_at(place, Inst::LoadHalfedge { of, to, element });
+        Pointer::VertexHalfedge => first(asm, place, ElementField::Vertex, both),
+        Pointer::EdgeHalfedge => first(asm, place, ElementField::Edge, both),
+        Pointer::FaceHalfedge => first(asm, place, ElementField::Face, both),
+    }
 }

@@ -1,0 +1,36 @@
+//! New halfedges that would lie in loops that are not drawn.
+
+use crate::diagram::{Drawing, Kind, NameId};
+
+/// Why a new halfedge finds no loop: what it would stand beside is drawn in none either.
+pub(super) fn beside(drawing: &Drawing, new: NameId) -> Option<String> {
+    let rule = drawing.rule;
+    let after = |half| [drawing.origin_after(half), drawing.target_after(half)];
+    let [from, to] = after(new);
+    // An outer halfedge that comes to share an end with it, else any that stays.
+    let outer = rule.names_of(Kind::Halfedge).filter(|&half| {
+        drawing.is_outer(half) && drawing.erased(half).is_none() && rule.is_first(half)
+    });
+    let outer: Vec<_> = outer.collect();
+    let touches = |half: &&NameId| {
+        let [start, end] = after(**half);
+        (start.is_some() && start == to) || (end.is_some() && end == from)
+    };
+    let &beside = outer.iter().find(touches).or(outer.first())?;
+    let text = rule.quoted(beside);
+    let lacks = format!("no loop of `before` holds {text}, so nothing can be put beside it");
+    if rule.cycle.is_some() {
+        return Some(format!("{lacks}: draw the loops of both its sides there"));
+    }
+    let word = &rule.name(beside).text;
+    let [start, end] = [drawing.origin_before(beside), drawing.target_before(beside)];
+    let ends = start.zip(end).map(|ends| [ends.0, ends.1]);
+    let [start, end] = match ends {
+        Some(ends) => ends.map(|end| rule.name(end).text.clone()),
+        None => ["v0".to_owned(), "v1".to_owned()],
+    };
+    Some(format!(
+        "{lacks}: draw its loop there, `loop o: {start} -{word}-> {end} =O=> {start}`, and in `after` with {}",
+        rule.quoted(new)
+    ))
+}

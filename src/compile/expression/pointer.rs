@@ -1,0 +1,23 @@
+//! Pointers that are followed; one of an element that is gone stops the program at its place.
+
+use crate::rewrite::{Assembler, ElementField, HalfedgeField, Inst, Reg};
+
+/// Loads a pointer of a halfedge.
+pub(super) fn load(
+    asm: &mut Assembler,
+    place: u32,
+    field: HalfedgeField,
+    [to, halfedge]: [Reg; 2],
+) {
+    let inst = Inst::Load {
+        field,
+        to,
+        halfedge,
+    };
+    asm.trap_at(place, inst);
+}
+
+/// Loads the halfedge of a vertex, an edge or a face.
+pub(super) fn first(asm: &mut Assembler, place: u32, of: ElementField, [to, element]: [Reg; 2]) {
+    asm.trap_at(place, Inst::LoadHalfedge { of, to, element });
+}

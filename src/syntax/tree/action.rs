@@ -1,0 +1,137 @@
+//! Statements of scripts, functions and tests.
+
+use super::{Expr, Ident};
+use crate::source::Span;
+
+/// `{ … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// Its statements.
+    pub statements: Vec<Action>,
+    /// With its braces.
+    pub span: Span,
+}
+
+/// A statement of a script, function or test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Action {
+    /// What it is.
+    pub kind: ActionKind,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// What a statement does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ActionKind {
+    /// `let x = …` or `var x = …`, perhaps with a type
+    Let {
+        mutable: bool,
+        name: Ident,
+        ty: Option<Ident>,
+        value: Expr,
+    },
+    /// `x = …`, `v.position = …`
+    Assign { target: Expr, value: Expr },
+    /// `repeat n { … }`
+    Repeat { count: Expr, body: Block },
+    /// `for x in xs where c { … }`
+    For {
+        variable: Ident,
+        sequence: Expr,
+        filter: Option<Expr>,
+        body: Block,
+    },
+    /// `while c { … }`
+    While { condition: Expr, body: Block },
+    /// `drain x in xs by key while c { … }`
+    Drain {
+        variable: Ident,
+        sequence: Expr,
+        key: Expr,
+        condition: Option<Expr>,
+        body: Block,
+    },
+    /// `update x in xs where c { … }`
+    Update {
+        variable: Ident,
+        sequence: Expr,
+        filter: Option<Expr>,
+        body: Block,
+    },
+    /// `if c { … } else { … }`, `if let m = split(e) { … }`
+    If {
+        binding: Option<Ident>,
+        condition: Expr,
+        then: Block,
+        otherwise: Option<Block>,
+    },
+    /// `print a, b`, `print "a {b:.3}"`
+    Print(Vec<Shown>),
+    /// `assert c else "…"`
+    Assert {
+        condition: Expr,
+        reason: Option<(String, Span)>,
+    },
+    /// `require c else "…"`, in the steps of an op
+    Require {
+        condition: Expr,
+        reason: Option<(String, Span)>,
+    },
+    /// `return`, `return x`
+    Return(Option<Expr>),
+    /// `break`
+    Break,
+    /// `continue`
+    Continue,
+    /// `{ … }`
+    Block(Block),
+    /// A call, or the value of a block.
+    Expr(Expr),
+    /// Something that could not be read.
+    Broken,
+}
+
+/// What is printed between two commas.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shown {
+    /// A value.
+    Value(Expr),
+    /// `"mean {mean(len):.3} of {n}"`, and where it stands.
+    Text(Vec<Piece>, Span),
+}
+
+impl Shown {
+    /// The values in it, in order.
+    pub fn values(&self) -> impl Iterator<Item = &Expr> {
+        let (alone, pieces) = match self {
+            Self::Value(value) => (Some(value), [].as_slice()),
+            Self::Text(pieces, _) => (None, pieces.as_slice()),
+        };
+        let inside = pieces.iter().filter_map(|piece| match piece {
+            Piece::Text(_) => None,
+            Piece::Value(value, _) => Some(value),
+        });
+        alone.into_iter().chain(inside)
+    }
+}
+
+/// A piece of a text with values in it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// What stands between the values, escapes undone.
+    Text(String),
+    /// `{x}`, `{x:.3}`
+    Value(Expr, Digits),
+}
+
+/// How many digits of a real are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Digits {
+    /// `{x}`: as many as a reader wants, six significant ones
+    Few,
+    /// `{x:full}`: as many as read back as the same number
+    All,
+    /// `{x:.3}`: so many behind the point
+    Behind(u8),
+}

@@ -1,0 +1,162 @@
+//! Drawings: loops, edges, stars, and what becomes of the elements.
+
+use std::fmt;
+
+use super::{Expr, Ident};
+use crate::source::Span;
+
+/// `before { … }` or `after { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// Its statements.
+    pub statements: Vec<Statement>,
+    /// From the keyword to the closing brace.
+    pub span: Span,
+}
+
+/// A name of a diagram, perhaps a family: `v0`, `h'`, `v[i+1]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Name {
+    /// The word.
+    pub ident: Ident,
+    /// The subscript.
+    pub index: Option<Index>,
+    /// Word and subscript.
+    pub span: Span,
+}
+
+/// As it is written: `v`, `v[i+1]`.
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.ident.text)?;
+        let Some(Index {
+            variable, offset, ..
+        }) = &self.index
+        else {
+            return Ok(());
+        };
+        match variable {
+            None => write!(f, "[{offset}]"),
+            Some(Ident { text, .. }) if *offset == 0 => write!(f, "[{text}]"),
+            Some(Ident { text, .. }) => write!(f, "[{text}{offset:+}]"),
+        }
+    }
+}
+
+/// A subscript: an index variable plus a constant, or a constant alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Index {
+    /// The variable, or `None` in `a[0]`.
+    pub variable: Option<Ident>,
+    /// What is added to it.
+    pub offset: i64,
+    /// What stands between the brackets.
+    pub span: Span,
+}
+
+/// Which loops a loop statement matches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LoopKeyword {
+    /// `face`: interior faces.
+    Face,
+    /// `hole`: boundary loops.
+    Hole,
+    /// `loop`: both.
+    Loop,
+}
+
+/// A statement of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// `face f0: v0 -a-> v1 =P=> v0`
+    Loop(Loop),
+    /// `edge e: a | d`
+    Edge {
+        /// The edge.
+        name: Name,
+        /// Its two halfedges.
+        halfedges: [Name; 2],
+        /// The whole statement.
+        span: Span,
+    },
+    /// `vertex v: a b *S`
+    Vertex(Star),
+    /// `new m p q`
+    New(Vec<Name>, Span),
+    /// `erase v1 e`
+    Erase(Vec<Name>, Span),
+    /// `keep e1 e2`
+    Keep(Vec<Name>, Span),
+    /// `v.position = …`
+    Assign {
+        /// The element.
+        target: Name,
+        /// The attribute.
+        attribute: Ident,
+        /// The value.
+        value: Expr,
+        /// The whole statement.
+        span: Span,
+    },
+    /// Something that could not be read.
+    Broken(Span),
+}
+
+/// `face f0: v0 -a-> v1 =P=> v0` or `face f: each i { v[i] -h[i]-> }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// Its keyword.
+    pub keyword: LoopKeyword,
+    /// The face.
+    pub name: Name,
+    /// The index variable, if the loop is written with `each`.
+    pub each: Option<Ident>,
+    /// From each vertex, the halfedge or path that leaves it.
+    pub items: Vec<LoopItem>,
+    /// The vertex after the last item; `None` with `each`. It should be the first again.
+    pub end: Option<Name>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// A vertex and what leaves it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoopItem {
+    /// The vertex.
+    pub from: Name,
+    /// `-a->`, `=P=>` or `=>`.
+    pub arrow: Arrow,
+    /// The arrow's place.
+    pub span: Span,
+}
+
+/// `-a->`, `=P=>` or `=>`
+#[derive(Clone, Debug, PartialEq)]
+pub enum Arrow {
+    /// One halfedge.
+    Halfedge(Name),
+    /// A run of zero or more halfedges.
+    Path(Option<Name>),
+}
+
+/// `vertex v: a b *S` or `vertex v: each i { h[i] }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Star {
+    /// The vertex.
+    pub name: Name,
+    /// The index variable, if written with `each`.
+    pub each: Option<Ident>,
+    /// Its spokes, counterclockwise.
+    pub spokes: Vec<Spoke>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// A spoke or a run of spokes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spoke {
+    /// One halfedge.
+    Halfedge(Name),
+    /// `*S` or `*`
+    Fan(Option<Name>, Span),
+}

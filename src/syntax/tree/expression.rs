@@ -1,0 +1,92 @@
+//! Words and expressions.
+
+use super::{Block, Name};
+use crate::source::Span;
+
+/// A word with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ident {
+    /// The word, with its primes.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// An operator with one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOp {
+    /// `-x`
+    Negate,
+    /// `not x`
+    Not,
+}
+
+/// An operator with two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum BinaryOp {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Div,
+    Mod,
+    Equal,
+    NotEqual,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    And,
+    Or,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExprKind {
+    /// `true`, `false`
+    Bool(bool),
+    /// `3`
+    Int(i64),
+    /// `0.5`, `1e-3`
+    Real(f64),
+    /// `"text"`, escapes undone
+    Text(String),
+    /// `x`, `v[i+1]`
+    Name(Name),
+    /// `x.field`
+    Field(Box<Expr>, Ident),
+    /// `f(x, y)`
+    Call { function: Ident, args: Vec<Expr> },
+    /// `must f(x)`
+    Must(Box<Expr>),
+    /// `-x`, `not x`
+    Unary(UnaryOp, Box<Expr>),
+    /// `x + y`
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `if c { x } else { y }`
+    If {
+        condition: Box<Expr>,
+        then: Box<Block>,
+        otherwise: Box<Block>,
+    },
+    /// `mean(x for e in edges where c)`
+    Aggregate {
+        function: Ident,
+        body: Box<Expr>,
+        variable: Ident,
+        sequence: Box<Expr>,
+        filter: Option<Box<Expr>>,
+    },
+    /// Something that could not be read.
+    Broken,
+}

@@ -1,0 +1,202 @@
+//! What stands at the top level of a file.
+
+use super::{Block, Expr, Ident, Name, Side};
+use crate::source::Span;
+
+/// A file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct File {
+    /// Doc comments at the head of the file (`//!`), a line each.
+    pub docs: Vec<String>,
+    /// Its items, in order.
+    pub items: Vec<Item>,
+}
+
+/// What stands at the top level.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// `use "path"`
+    Use(Use),
+    /// `attr name: vertex real = 0`
+    Attr(Attr),
+    /// `fn name(…) -> type { … }`
+    Fn(Fn),
+    /// `op name(…) { … }`
+    Op(Op),
+    /// `script name(…) { … }`
+    Script(Script),
+    /// `test "…" { … }`
+    Test(Test),
+    /// Something that could not be read.
+    Broken(Span),
+}
+
+/// `use "path"`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Use {
+    /// The path, without quotes.
+    pub path: String,
+    /// Where the path stands, with its quotes.
+    pub path_span: Span,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// `attr name: vertex real = 0`, perhaps `private`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attr {
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Whether it is a scratch attribute, never saved.
+    pub private: bool,
+    /// Its name.
+    pub name: Ident,
+    /// The kind of element that has it, as written.
+    pub kind: Ident,
+    /// The type of its values, as written.
+    pub ty: Ident,
+    /// The value it begins with.
+    pub default: Option<Expr>,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// A parameter: `e: edge`, `a[0]: halfedge`, `t: real = 0.5`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Param {
+    /// Its name, perhaps with the index where a family begins.
+    pub name: Name,
+    /// Its type, as written; an empty word where there is none, which is a mistake.
+    pub ty: Ident,
+    /// Its default.
+    pub default: Option<Expr>,
+    /// The whole parameter.
+    pub span: Span,
+}
+
+/// `fn name(…) -> type { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fn {
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Ident,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// The type of its result, as written.
+    pub result: Option<Ident>,
+    /// Its body.
+    pub body: Block,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// `script name(…) { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Script {
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Ident,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// Its body.
+    pub body: Block,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// `test "…" { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Test {
+    /// What it is called.
+    pub name: String,
+    /// Its body.
+    pub body: Block,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// `op name(…) -> result keeps … { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Op {
+    /// Its doc comment, a line each, without `///`.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Ident,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// What it returns: a name that it draws; of an op in steps, a type.
+    pub result: Option<Ident>,
+    /// The properties it must keep.
+    pub keeps: Vec<Ident>,
+    /// Its alternatives; an op without `rule` has one, unnamed, and one in steps has none.
+    pub rules: Vec<Rule>,
+    /// What it does instead of drawing.
+    pub steps: Option<Steps>,
+    /// The whole item, from `op` to the closing brace.
+    pub span: Span,
+}
+
+/// `steps { … }`: an op that calls others, all or nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    /// What is asked before.
+    pub conditions: Vec<Condition>,
+    /// What is done.
+    pub body: Block,
+}
+
+/// One alternative of an op.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    /// Its name, if it is written `rule name { … }`.
+    pub name: Option<Ident>,
+    /// The drawing before.
+    pub before: Option<Side>,
+    /// What is asked between the drawings.
+    pub conditions: Vec<Condition>,
+    /// The drawing after.
+    pub after: Option<Side>,
+    /// The whole rule; without `rule`, the braces of the op.
+    pub span: Span,
+}
+
+/// `require …` or `guard …`
+#[derive(Clone, Debug, PartialEq)]
+pub enum Condition {
+    /// `require CONDITION else "REASON"`
+    Require {
+        /// What must hold.
+        condition: Expr,
+        /// The reason for a refusal.
+        reason: Option<(String, Span)>,
+        /// The whole statement.
+        span: Span,
+    },
+    /// `guard LEVEL`
+    Guard {
+        /// The level.
+        level: Ident,
+        /// The whole statement.
+        span: Span,
+    },
+    /// `alias v2 v3`
+    Alias {
+        /// The names that may stand for one element.
+        names: Vec<Name>,
+        /// The whole statement.
+        span: Span,
+    },
+}
+
+impl Condition {
+    /// The whole statement.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Require { span, .. } | Self::Guard { span, .. } | Self::Alias { span, .. } => {
+                *span
+            }
+        }
+    }
+}
