@@ -117,8 +117,9 @@ pub(super) struct ApplyArguments {
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
     /// with the numbers of the file (from 1 in .obj, ids in
-    /// .halfedges); several in the order of the parameters, or
-    /// by name: --at a=halfedge:1-2
+    /// .halfedges, where edge:N is one too); edge:A-B#2 is the
+    /// second edge between A and B; several in the order of the
+    /// parameters, or by name: --at a=halfedge:1-2
     #[arg(
         long = "at",
         value_name = "PLACE",
@@ -209,8 +210,11 @@ impl LevelName {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// The code, such as missing-reassignment; without one, all are listed
-    pub code: Option<String>,
+    /// A code such as missing-reassignment, or a word such as degree
+    ///
+    /// `functions` lists the functions of the language; nothing, all codes
+    #[arg(value_name = "CODE|WORD")]
+    pub word: Option<String>,
 }
 
 #[derive(Debug, Args)]
