@@ -58,4 +58,4 @@ pub use snapshot::Snapshot;
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
 pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdicts};
-pub use words::{Word, a_type, meaning, word};
+pub use words::{Word, a_type, functions, meaning, word};

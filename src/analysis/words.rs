@@ -1,6 +1,6 @@
 //! The words of the language, each explained in a sentence.
 
-use crate::resolve::{signatures, type_with_article};
+use crate::resolve::{function_words, signatures, type_with_article};
 
 /// A word of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ),
     (
         "hole",
-        "a boundary loop: a cycle of `next` with nothing in it",
+        "a boundary loop: a cycle of `next` with nothing in it; as a function: whether a face is one",
     ),
     ("loop", "a cycle of `next`: a face or a hole"),
     ("edge", "a pair of twins: `edge e: a | d`"),
@@ -173,15 +173,25 @@ const MEANINGS: &[(&str, &str)] = &[
     ("real", "a number with a fraction, of 64 bits"),
     ("vec2", "two reals"),
     ("vec3", "three reals: a point or a direction"),
-    ("mat3", "three rows of three reals"),
-    ("mat4", "four rows of four reals"),
+    ("vec4", "four reals"),
+    ("mat3", "three columns of three reals"),
+    ("mat4", "four columns of four reals"),
     ("text", "letters in quotes"),
     ("pi", "half the circumference of the unit circle"),
+    ("infinity", "more than any number"),
     ("degree", "how many spokes a vertex has, or corners a face"),
     ("adjacent", "whether an edge joins two vertices"),
     (
         "link_condition",
         "whether the ends of an edge have no common neighbours but those opposite to it: then it can be collapsed",
+    ),
+    (
+        "star_shaped",
+        "whether the border of the faces at both ends of an edge has a kernel, from which all of it is seen",
+    ),
+    (
+        "kernel_centroid",
+        "the centroid of that kernel, where one vertex for both ends turns no triangle over",
     ),
     ("length", "the length of an edge, a halfedge or a vector"),
     ("area", "the area of a face"),
@@ -199,7 +209,45 @@ const MEANINGS: &[(&str, &str)] = &[
     ("cross", "the vector product"),
     ("normalize", "the same direction, with length 1"),
     ("distance", "how far two points are apart"),
-    ("angle", "the angle between two directions, in radians"),
+    (
+        "angle",
+        "the angle between two directions, or of the corner where a halfedge starts, in radians",
+    ),
+    (
+        "cotangent",
+        "the cotangent of the angle opposite to a halfedge in its triangle",
+    ),
+    (
+        "dihedral_angle",
+        "the angle between the normals at an edge, positive where it stands out",
+    ),
+    ("outer", "a column times a row: a matrix"),
+    ("transpose", "the matrix whose columns are the rows"),
+    ("determinant", "the determinant of a matrix"),
+    (
+        "inverse",
+        "the inverse of a matrix; of a singular one it is not a number",
+    ),
+    (
+        "solve",
+        "the vector that a matrix takes to another; of a singular one it is not a number",
+    ),
+    ("is_nan", "whether a component is not a number"),
+    ("is_finite", "whether all components are finite"),
+    ("abs", "the size without the sign"),
+    ("sqrt", "the square root"),
+    ("sin", "the sine of an angle in radians"),
+    ("cos", "the cosine of an angle in radians"),
+    ("tan", "the tangent of an angle in radians"),
+    ("asin", "the angle with this sine"),
+    ("acos", "the angle with this cosine"),
+    ("atan2", "the angle of the direction with this y and this x"),
+    ("exp", "e to the power of a number"),
+    ("log", "the natural logarithm"),
+    ("pow", "the first to the power of the second"),
+    ("floor", "the whole number below, as a real"),
+    ("ceil", "the whole number above, as a real"),
+    ("round", "the nearest int, of two the even one"),
     (
         "mean",
         "the mean of a value over a sequence: `mean(length(e) for e in edges)`",
@@ -207,6 +255,11 @@ const MEANINGS: &[(&str, &str)] = &[
     ("sum", "the sum of a value over a sequence"),
     ("min", "the smaller of two, or the least over a sequence"),
     ("max", "the larger of two, or the greatest over a sequence"),
+    (
+        "argmin",
+        "the element with the least value: `argmin(length(e) for e in edges)`",
+    ),
+    ("argmax", "the element with the greatest value"),
     ("count", "how many there are: `count(faces)`"),
     (
         "any",
@@ -214,6 +267,14 @@ const MEANINGS: &[(&str, &str)] = &[
     ),
     ("all", "whether a condition holds everywhere"),
 ];
+
+/// The functions of the language, in the order in which they are explained.
+pub fn functions() -> Vec<&'static str> {
+    let place = |word: &&str| MEANINGS.iter().position(|(known, _)| known == word);
+    let mut words: Vec<_> = function_words().collect();
+    words.sort_by_key(place);
+    words
+}
 
 /// What a word of the language means.
 pub fn word(text: &str) -> Option<Word> {
@@ -249,4 +310,25 @@ fn forms(text: &str) -> Vec<String> {
 /// The type in words, with its article, for what the cursor is on.
 pub fn a_type(ty: crate::diagram::Type) -> &'static str {
     type_with_article(ty)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_function_is_explained_once() {
+        let functions = functions();
+        assert!(functions.len() > 50, "{functions:?}");
+        for name in functions {
+            let found = word(name).expect("a function is a word");
+            assert!(!found.forms.is_empty(), "{name} is called somehow");
+            assert!(!found.meaning.is_empty(), "{name} means something");
+        }
+        let mut words: Vec<_> = MEANINGS.iter().map(|(word, _)| *word).collect();
+        words.sort_unstable();
+        let all = words.len();
+        words.dedup();
+        assert_eq!(words.len(), all, "a word has one meaning");
+    }
 }

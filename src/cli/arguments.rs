@@ -209,8 +209,11 @@ impl LevelName {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// The code, such as missing-reassignment; without one, all are listed
-    pub code: Option<String>,
+    /// A code such as missing-reassignment, or a word such as degree
+    ///
+    /// `functions` lists the functions of the language; nothing, all codes
+    #[arg(value_name = "CODE|WORD")]
+    pub word: Option<String>,
 }
 
 #[derive(Debug, Args)]

@@ -3,25 +3,54 @@
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
 use super::output::{say, table};
+use crate::analysis::{Word, functions, word};
 use crate::diagnostic::{explain as explanation, explained};
 
-/// Says what a diagnostic means, and what mends it.
+/// Says what a diagnostic means, and what mends it; or what a word of the language means.
 pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
-    let Some(code) = &arguments.code else {
+    let Some(asked) = arguments.word.as_deref() else {
         let rows: Vec<_> = explained()
             .map(|(code, law)| vec![code.into(), law.into()])
             .collect();
         say(&table(&rows, &[]));
         return Ok(());
     };
-    let code = bare(code);
-    let text = explanation(code).ok_or_else(|| {
+    let asked = bare(asked);
+    if asked == "functions" {
+        list_functions();
+        return Ok(());
+    }
+    let text = explanation(asked)
+        .map(str::to_owned)
+        .or_else(|| word(asked).map(described));
+    let text = text.ok_or_else(|| {
         Failure::usage(format!(
-            "there is no diagnostic `{code}`; `hedgerow explain` lists them"
+            "there is no diagnostic and no word `{asked}`; `hedgerow explain` lists the \
+             diagnostics, `hedgerow explain functions` the functions"
         ))
     })?;
-    say(&format!("{code}\n\n{text}"));
+    say(&format!("{asked}\n\n{text}"));
     Ok(())
+}
+
+/// All functions of the language, a line each.
+fn list_functions() {
+    let rows = functions().into_iter().filter_map(|name| {
+        let Word { forms, meaning } = word(name)?;
+        let (first, others) = forms.split_first()?;
+        let called = first.split(" -> ").next().unwrap_or(first);
+        let more = if others.is_empty() { "" } else { ", …" };
+        Some(vec![format!("{called}{more}"), meaning.to_owned()])
+    });
+    let rows: Vec<_> = rows.collect();
+    say(&table(&rows, &[]));
+}
+
+fn described(Word { forms, meaning }: Word) -> String {
+    match forms.is_empty() {
+        true => meaning.to_owned(),
+        false => format!("{}\n\n{meaning}", forms.join("\n")),
+    }
 }
 
 /// The code in what may be copied from a message: `error[stale-vertex]: …`.

@@ -21,7 +21,7 @@ const GRAIN: Grain = Grain {
 /// How wide it is shown, in units: hovers are small, and more than that they cut.
 const WIDEST: f64 = 460.0;
 /// How many the size of a letter has.
-const EM: f64 = 250.0;
+const EM: f64 = 125.0;
 
 impl Picture {
     /// The picture as a small SVG.
@@ -103,9 +103,10 @@ fn write_shape(text: &mut String, shape: &Shape, words: &Words) {
         return;
     }
     let (id, [x, y]) = words.used(&shape.glyphs);
+    let turn = words.turned(shape.turn);
     let _ = write!(
         text,
-        "<use class=\"{class}\" href=\"#{id}\" x=\"{x}\" y=\"{y}\"/>"
+        "<use class=\"{class}\" href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>"
     );
 }
 

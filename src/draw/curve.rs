@@ -201,6 +201,13 @@ pub(super) fn inside(point: DVec2, polygon: &[DVec2]) -> bool {
     inside
 }
 
+/// Twice the area of a polygon, positive if it runs counterclockwise.
+pub(super) fn area(outline: &[DVec2]) -> f64 {
+    let count = outline.len();
+    let pieces = (0..count).map(|at| outline[(at + 1) % count].perp_dot(outline[at]));
+    pieces.sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::curve::{area, inside};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
 use super::panel::{LETTERS, Panel};
@@ -18,7 +19,8 @@ impl Panel<'_> {
         let in_faces = |at: usize| {
             let mut faces = self.side.loops.iter();
             faces.any(|orbit| {
-                orbit.kind != LoopKind::Hole && orbit.darts.iter().any(|dart| dart.strand == at)
+                let is_beside = orbit.darts.iter().any(|dart| dart.strand == at);
+                orbit.kind != LoopKind::Hole && is_beside && area(&self.outline(orbit)) > 0.0
             })
         };
         match at {
@@ -42,14 +44,24 @@ impl Panel<'_> {
         let outline = self.outline(orbit);
         let is_hole = orbit.kind == LoopKind::Hole;
         let is_inside = area(&outline) > 0.0;
+        let islands = match is_inside {
+            true => self.islands(&outline),
+            false => Vec::new(),
+        };
         if is_inside && !is_hole {
             self.groups[group].fill(Path::around(&outline), Ink::Face);
+            for island in &islands {
+                self.groups[group].fill(Path::around(island), Ink::Paper);
+            }
         }
         if is_hole {
             let lines = match is_inside {
-                true => hatch(&outline),
+                true => hatch(&outline, &islands),
                 false => ticks(&outline),
             };
+            if is_inside {
+                self.holes.push((group, outline.clone()));
+            }
             for line in lines {
                 let stroke = Stroke::solid(Ink::Muted, 0.9);
                 self.groups[group].stroke(Path::along(&line), stroke);
@@ -59,27 +71,22 @@ impl Panel<'_> {
         let middle = outline.iter().copied().sum::<DVec2>() / outline.len().max(1) as f64;
         self.text(group, orbit.face, LETTERS, |label| {
             if is_inside {
-                inner_spots(&outline)
-            } else {
-                let below = DVec2::new(middle.x, low.max(middle.y) + 34.0 + label.half.y);
-                let steps = (-8..=8).map(f64::from);
-                steps
-                    .map(|step| Spot {
-                        at: below + DVec2::X * (step * 14.0),
-                        cost: step.abs(),
-                    })
-                    .collect()
+                return (label, inner_spots(&outline, &islands));
             }
+            let below = DVec2::new(middle.x, low.max(middle.y) + 40.0 + label.half.y);
+            let spot = |step: f64| Spot {
+                at: below + DVec2::X * (step * 14.0),
+                cost: step.abs(),
+            };
+            (label, (-8..=8).map(f64::from).map(spot).collect())
         });
-        if is_hole && let Some(text) = self.texts.last_mut() {
-            text.ground = Some(Ink::Paper);
-        }
     }
-}
 
-/// Twice the area of a polygon, positive if it runs counterclockwise.
-fn area(outline: &[DVec2]) -> f64 {
-    let count = outline.len();
-    let pieces = (0..count).map(|at| outline[(at + 1) % count].perp_dot(outline[at]));
-    pieces.sum()
+    /// The outlines of the loops that run around something inside of a polygon.
+    fn islands(&self, outline: &[DVec2]) -> Vec<Vec<DVec2>> {
+        let outlines = self.side.loops.iter().map(|orbit| self.outline(orbit));
+        let is_island =
+            |other: &Vec<DVec2>| area(other) < 0.0 && other.iter().all(|&at| inside(at, outline));
+        outlines.filter(is_island).collect()
+    }
 }

@@ -8,15 +8,29 @@ use crate::diagram::{NameId, Spoke, Star};
 /// How far a fan reaches.
 pub(super) const FAN: f64 = 34.0;
 /// How much is left free beside a spoke, and how wide a fan spreads at most.
-const FREE: f64 = 0.4;
+const FREE: f64 = 0.32;
 const WIDEST: f64 = 2.0;
 
-/// For each fan of a vertex with a name the angles it spreads between. `drawn` are the
-/// directions of all that is drawn there, `spoke` tells that of a halfedge, `wish` one that a
-/// fan would like.
+/// What is drawn around a vertex.
+pub(super) struct Around {
+    /// The directions of all that ends there.
+    pub drawn: Vec<f64>,
+    /// The sectors that lie in loops, counterclockwise from one angle to another: no fan does.
+    pub corners: Vec<[f64; 2]>,
+}
+
+impl Around {
+    fn is_in_loop(&self, angle: f64) -> bool {
+        let mut corners = self.corners.iter();
+        corners.any(|&[start, end]| turn(start, angle) < turn(start, end))
+    }
+}
+
+/// For each fan of a vertex with a name the angles it spreads between. `spoke` tells the
+/// direction of a halfedge, `wish` one that a fan would like.
 pub(super) fn fans(
     star: &Star,
-    drawn: &[f64],
+    around: &Around,
     spoke: impl Fn(NameId) -> Option<f64>,
     wish: impl Fn(NameId) -> Option<f64>,
 ) -> Vec<(NameId, [f64; 2])> {
@@ -35,40 +49,56 @@ pub(super) fn fans(
         let behind = (1..=count).find_map(|step| known((at + step) % count));
         let (from, width) = match (before, behind) {
             (Some(from), Some(to)) => (from, turn(from, to)),
-            _ => (drawn.first().copied().unwrap_or(0.0), TAU),
+            _ => (around.drawn.first().copied().unwrap_or(0.0), TAU),
         };
-        let mut cuts: Vec<_> = drawn
-            .iter()
-            .chain(&taken)
-            .map(|&angle| turn(from, angle))
-            .filter(|&cut| cut < width - 1e-6)
-            .collect();
-        cuts.extend([0.0, width]);
-        cuts.sort_by(f64::total_cmp);
-        let worth = |pair: &[f64]| {
+        let worth = |pair: &[f64; 2]| {
             let gap = (pair[1] - pair[0]).min(WIDEST);
             let middle = from + (pair[0] + pair[1]) / 2.0;
             let off = wish(fan.name).map_or(0.0, |wish| {
                 let off = turn(wish, middle);
                 off.min(TAU - off)
             });
-            if gap < 0.5 {
+            if around.is_in_loop(middle) {
+                gap - 2.0 * TAU
+            } else if gap < 0.5 {
                 gap - TAU
             } else {
                 gap - 0.8 * off
             }
         };
-        let mut best = (0.0, width, f64::MIN);
-        for pair in cuts.windows(2) {
-            let worth = worth(pair);
-            if worth > best.2 + 1e-6 {
-                best = (pair[0], pair[1], worth);
+        // Between two spokes, as many gaps as fans and rests: each has its own.
+        let is_known = |at: usize| known(at % count).is_some();
+        let earlier = (1..count).take_while(|step| !is_known(at + count - step));
+        let later = (1..count).take_while(|step| !is_known(at + step));
+        let (earlier, later) = (earlier.count(), later.count());
+        let mut open = gaps(from, width, around.drawn.iter());
+        open.retain(|[low, high]| !around.is_in_loop(from + (low + high) / 2.0));
+        let mut best = ([0.0, width], f64::MIN);
+        if open.len() == earlier + 1 + later {
+            best.0 = open[earlier];
+        } else {
+            for pair in gaps(from, width, around.drawn.iter().chain(&taken)) {
+                let worth = worth(&pair);
+                if worth > best.1 + 1e-6 {
+                    best = (pair, worth);
+                }
             }
         }
-        let middle = from + (best.0 + best.1) / 2.0;
-        let spread = (best.1 - best.0 - 2.0 * FREE).clamp(0.3, WIDEST);
+        let [low, high] = best.0;
+        let middle = from + (low + high) / 2.0;
+        let spread = (high - low - 2.0 * FREE).clamp(0.3, WIDEST);
         taken.push(middle);
         fans.push((fan.name, [middle - spread / 2.0, middle + spread / 2.0]));
     }
     fans
+}
+
+/// The gaps that some angles leave in a sector, each as where it begins and ends, from `from` on.
+fn gaps<'a>(from: f64, width: f64, angles: impl Iterator<Item = &'a f64>) -> Vec<[f64; 2]> {
+    let cuts = angles.map(|&angle| turn(from, angle));
+    let mut cuts: Vec<_> = cuts.filter(|&cut| cut < width - 1e-6).collect();
+    cuts.extend([0.0, width]);
+    cuts.sort_by(f64::total_cmp);
+    let pairs = cuts.windows(2).map(|pair| [pair[0], pair[1]]);
+    pairs.filter(|[low, high]| high - low > 1e-6).collect()
 }

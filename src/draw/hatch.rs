@@ -7,8 +7,8 @@ use super::curve::{Curve, left};
 /// How far apart the lines are.
 const APART: f64 = 8.0;
 
-/// Slanted lines inside a polygon.
-pub(super) fn hatch(outline: &[DVec2]) -> Vec<Curve> {
+/// Slanted lines inside a polygon, but for the islands in it.
+pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
     let slant = DVec2::new(1.0, -1.0).normalize();
     let across = DVec2::new(1.0, 1.0).normalize();
     let heights = outline.iter().map(|at| at.dot(across));
@@ -19,14 +19,20 @@ pub(super) fn hatch(outline: &[DVec2]) -> Vec<Curve> {
     if !(high - low).is_finite() {
         return lines;
     }
+    let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
+    let sides = outlines.flat_map(|outline| {
+        let next = outline.iter().cycle().skip(1);
+        outline.iter().copied().zip(next.copied())
+    });
+    let sides: Vec<_> = sides.collect();
     // Half a line off, so that no line runs through a corner of a tidy picture.
     let first = (low / APART).floor() as i64;
     let last = (high / APART).ceil() as i64;
     for step in first..=last {
         let height = (step as f64 + 0.5) * APART;
-        let mut cuts: Vec<f64> = (0..outline.len())
-            .filter_map(|at| {
-                let (a, b) = (outline[at], outline[(at + 1) % outline.len()]);
+        let mut cuts: Vec<f64> = sides
+            .iter()
+            .filter_map(|&(a, b)| {
                 let (from, to) = (a.dot(across) - height, b.dot(across) - height);
                 let crosses = (from < 0.0) != (to < 0.0);
                 crosses.then(|| a.lerp(b, from / (from - to)).dot(slant))

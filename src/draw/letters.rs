@@ -86,10 +86,49 @@ pub(super) fn letter(style: Style, code: char) -> Path {
 pub(super) struct Label {
     /// The outline.
     pub path: Path,
-    /// The same letter by letter.
+    /// The same letter by letter, not turned.
     pub glyphs: Vec<Glyph>,
-    /// Half its width and half its height.
+    /// Half its width and half its height, not turned.
     pub half: DVec2,
+    /// By how many degrees it is turned, with the hands of a clock.
+    pub turn: i32,
+}
+
+impl Label {
+    /// The same text turned so that it runs along a direction, but never upside down.
+    pub fn turned_along(mut self, way: DVec2) -> Self {
+        let way = match way.x < -1e-6 || (way.x.abs() <= 1e-6 && way.y > 0.0) {
+            true => -way,
+            false => way,
+        };
+        self.turn = way.y.atan2(way.x).to_degrees().round() as i32;
+        self.path = self.path.turned(self.rotation());
+        self
+    }
+
+    /// The rotation by which it is turned.
+    pub fn rotation(&self) -> DVec2 {
+        DVec2::from_angle(f64::from(self.turn).to_radians())
+    }
+
+    /// The boxes it fills side by side, as middles and halves: one, or several if it is slanted.
+    pub fn boxes(&self) -> Vec<(DVec2, DVec2)> {
+        let along = self.rotation();
+        let wide = along.abs() * self.half.x + along.perp().abs() * self.half.y;
+        if self.turn % 90 == 0 {
+            return vec![(DVec2::ZERO, wide)];
+        }
+        let count = (2.0 * self.half.x / self.half.y).ceil().max(1.0);
+        let piece = along * (2.0 * self.half.x / count);
+        let half = match piece.x > piece.y.abs() {
+            true => DVec2::new(piece.x / 2.0, wide.y.min(self.half.y + piece.y.abs() / 2.0)),
+            false => DVec2::new(wide.x.min(self.half.y + piece.x / 2.0), piece.y.abs() / 2.0),
+        };
+        // A little less than a piece each, so that they do not overlap.
+        let half = half - 1e-6;
+        let middle = |at: usize| piece * (at as f64 - (count - 1.0) / 2.0);
+        (0..count as usize).map(|at| (middle(at), half)).collect()
+    }
 }
 
 /// The same letters elsewhere.
@@ -197,6 +236,7 @@ impl Setting {
             path: self.path.moved(-middle),
             glyphs: moved(&self.glyphs, -middle),
             half,
+            turn: 0,
         }
     }
 }

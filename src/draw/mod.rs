@@ -9,8 +9,10 @@
 
 // What is drawn.
 mod assigned;
+mod bends;
 mod figure;
 mod outer;
+mod pieces;
 mod place;
 mod sector;
 mod status;

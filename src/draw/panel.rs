@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, cross};
+use super::curve::{Curve, angle, cross, inside};
 use super::figure::{Dart, Figure, Node, Side, Strand};
 use super::letters::{Label, name};
 use super::room::{Room, Spot};
@@ -14,8 +14,6 @@ use super::shape::{Group, Ink, Path};
 use super::status::Status;
 use crate::diagram::{Kind, NameId};
 
-/// How much ground is shown around a text that stands on a line.
-const AIR: f64 = 2.0;
 /// The size of the letters.
 pub(super) const LETTERS: f64 = 17.0;
 pub(super) const SMALL_LETTERS: f64 = 14.0;
@@ -36,6 +34,8 @@ pub(super) struct Panel<'a> {
     pub fans: Vec<(usize, NameId, [f64; 2])>,
     pub groups: Vec<Group>,
     pub texts: Vec<Text>,
+    /// The holes that are hatched, each with its group.
+    pub holes: Vec<(usize, Vec<DVec2>)>,
     /// What is drawn where.
     pub room: Room,
 }
@@ -46,7 +46,6 @@ pub(super) struct Text {
     name: NameId,
     label: Label,
     spots: Vec<Spot>,
-    ink: Ink,
     /// What it is set off with from the lines below it.
     pub ground: Option<Ink>,
 }
@@ -81,6 +80,7 @@ impl<'a> Panel<'a> {
             fans: Vec::new(),
             groups: Vec::new(),
             texts: Vec::new(),
+            holes: Vec::new(),
             room: Room::default(),
         };
         panel.fans = panel.spread();
@@ -125,47 +125,77 @@ impl<'a> Panel<'a> {
         count
     }
 
-    /// The directions in which strands leave a node.
-    pub fn directions(&self, node: usize) -> Vec<f64> {
-        let mut angles = Vec::new();
+    /// The curves of the strands that end at a node, each from there.
+    pub fn spokes(&self, node: usize) -> Vec<Curve> {
+        let mut spokes = Vec::new();
         for (strand, curve) in self.side.strands.iter().zip(&self.curves) {
             let [from, to] = strand.ends();
             if from == node {
-                angles.push(angle(curve.start_direction()));
+                spokes.push(curve.clone());
             }
             if to == node {
-                angles.push(angle(-curve.end_direction()));
+                spokes.push(curve.reversed());
             }
         }
-        angles
+        spokes
+    }
+
+    /// The directions in which strands leave a node.
+    pub fn directions(&self, node: usize) -> Vec<f64> {
+        let spokes = self.spokes(node).into_iter();
+        spokes.map(|spoke| angle(spoke.start_direction())).collect()
+    }
+
+    /// The sectors at a node that lie in loops, counterclockwise from one angle to another.
+    pub fn corners(&self, node: usize) -> Vec<[f64; 2]> {
+        let mut corners = Vec::new();
+        for orbit in &self.side.loops {
+            let next = orbit.darts.iter().cycle().skip(1);
+            for (&dart, &next) in orbit.darts.iter().zip(next) {
+                if self.side.nodes(next)[0] == node {
+                    let [into, out] = [self.along(dart), self.along(next)];
+                    corners.push([angle(out.start_direction()), angle(-into.end_direction())]);
+                }
+            }
+        }
+        corners
     }
 
     /// Puts the texts, the vertices' at their places, and hands out what was drawn.
-    pub fn finish(mut self, vertices: &[(usize, Label, DVec2)]) -> (Vec<Group>, Room) {
+    pub fn finish(mut self, vertices: &[(usize, Label, [DVec2; 2])]) -> (Vec<Group>, Room) {
+        let side = usize::from(self.is_after);
         for &vertex in &self.side.shown {
             let group = self.vertex(vertex);
             let dots = self.dots(vertex);
             for (_, label, at) in vertices.iter().filter(|(node, ..)| dots.contains(node)) {
-                let ink = Ink::Of(self.status(vertex));
-                self.groups[group].write(label, *at, ink);
-                let word = &self.figure.drawing.rule.name(vertex).text;
-                self.room.put(word, label, *at);
+                self.write(group, vertex, label, at[side]);
             }
         }
         let mut texts = std::mem::take(&mut self.texts);
         // Those with the fewest places to go come first.
         texts.sort_by_key(|text| text.spots.len());
         for text in texts {
-            let at = self.room.best(text.label.half, &text.spots);
-            let word = self.figure.drawing.rule.name(text.name).text.clone();
-            self.room.put(&word, &text.label, at);
-            let group = &mut self.groups[text.group];
+            let at = self.room.best(&text.label, &text.spots).at;
             if let Some(ground) = text.ground {
-                group.fill(Path::plate(at, text.label.half + AIR, 2.0 * AIR), ground);
+                self.groups[text.group].fill(Path::plate(&text.label).moved(at), ground);
             }
-            group.write(&text.label, at, text.ink);
+            self.write(text.group, text.name, &text.label, at);
         }
         (self.groups, self.room)
+    }
+
+    /// Writes the name of something; where it stands, a hole is not hatched.
+    pub fn write(&mut self, group: usize, of: NameId, label: &Label, at: DVec2) {
+        let word = &self.figure.drawing.rule.name(of).text;
+        self.room.put(word, label, at);
+        for (hole, outline) in &self.holes {
+            if inside(at, outline) {
+                let plate = Path::plate(label).moved(at);
+                self.groups[*hole].fill(plate, Ink::Paper);
+            }
+        }
+        let ink = Ink::Of(self.status(of));
+        self.groups[group].write(label, at, ink);
     }
 
     /// What becomes of a name.
@@ -200,20 +230,19 @@ impl<'a> Panel<'a> {
         group: usize,
         of: NameId,
         size: f64,
-        spots: impl Fn(&Label) -> Vec<Spot>,
+        spots: impl Fn(Label) -> (Label, Vec<Spot>),
     ) {
         let word = self.figure.drawing.rule.name(of);
         if !word.named || !self.stands_out(of) {
             return;
         }
         let label = name(&word.text, size);
-        let spots = spots(&label);
+        let (label, spots) = spots(label);
         self.texts.push(Text {
             group,
             name: of,
             label,
             spots,
-            ink: Ink::Of(self.status(of)),
             ground: (word.kind == Kind::Edge).then(|| self.ground(of)),
         });
     }

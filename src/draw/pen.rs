@@ -28,11 +28,16 @@ pub(super) fn draw(group: &mut Group, path: Path, status: Status, width: f64) {
 /// A halfedge: a line with half an arrowhead, on the side of its face.
 pub(super) fn harpoon(group: &mut Group, curve: &Curve, status: Status) {
     draw(group, Path::along(curve), status, 1.6);
-    let tip = curve.at(f64::MAX).0;
-    let way = curve.end_direction();
+    let (tip, way) = curve.at(f64::MAX);
     let base = tip - way * 10.0;
     let corners = [tip + way * 1.5, base + left(way) * 5.5, base + way * 2.5];
     group.fill(Path::around(&corners), Ink::Of(status));
+}
+
+/// Where a head stands out on the side of the face.
+pub(super) fn head(curve: &Curve) -> Curve {
+    let (tip, way) = curve.at(f64::MAX);
+    Curve::through([tip - way * 10.0 + left(way) * 5.5, tip])
 }
 
 /// A path: a double line with an open arrowhead.

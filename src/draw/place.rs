@@ -11,9 +11,11 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec2;
 
 use super::assigned::assigned;
-use super::curve::{direction, left};
+use super::bends::{bend_beside, bend_paths};
+use super::curve::direction;
 use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
+use super::pieces::{blocks, parts};
 use super::sector::sector;
 use crate::diagram::NameId;
 
@@ -21,9 +23,6 @@ use crate::diagram::NameId;
 const SWEEPS: usize = 600;
 /// How much longer than an edge a path is.
 const PATH_WEIGHT: f64 = 2.0;
-/// How long and how wide the petal of a path is that closes.
-const PETAL: f64 = 1.35;
-const SPREAD: f64 = 0.9;
 /// How long a spur is.
 const SPUR: f64 = 0.62;
 /// Nodes nearer to each other than this look like one.
@@ -88,38 +87,6 @@ fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
     }
 }
 
-/// The nodes of a side that hang together.
-fn parts(figure: &Figure, side: &Side) -> Vec<Vec<usize>> {
-    let mut part: Vec<usize> = (0..figure.nodes.len()).collect();
-    let mut join = |a: usize, b: usize| {
-        let (a, b) = (part[a], part[b]);
-        for of in &mut part {
-            if *of == a.max(b) {
-                *of = a.min(b);
-            }
-        }
-    };
-    for strand in &side.strands {
-        strand
-            .nodes
-            .windows(2)
-            .for_each(|pair| join(pair[0], pair[1]));
-    }
-    let shown = |node: usize| match figure.nodes[node] {
-        Node::Vertex(name) => side.shown.contains(&name),
-        _ => side
-            .strands
-            .iter()
-            .any(|strand| strand.nodes.contains(&node)),
-    };
-    let roots = (0..part.len()).filter(|&node| part[node] == node);
-    let nodes = |root: usize| {
-        let nodes = (0..part.len()).filter(|&node| part[node] == root);
-        nodes.filter(|&node| shown(node)).collect::<Vec<_>>()
-    };
-    roots.map(nodes).filter(|nodes| !nodes.is_empty()).collect()
-}
-
 /// The dart that lies across: that of the first parameter that has one.
 fn main_dart(figure: &Figure) -> Option<Dart> {
     let rule = figure.drawing.rule;
@@ -163,46 +130,6 @@ fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
             places[node] = places[node].or(place);
         }
     }
-}
-
-/// The loops that hang together along strands, each with the nodes around them.
-fn blocks(side: &Side, part: &[usize]) -> Vec<(Side, Vec<usize>)> {
-    let mut blocks: Vec<Vec<usize>> = Vec::new();
-    for (at, orbit) in side.loops.iter().enumerate() {
-        let inside = orbit
-            .darts
-            .first()
-            .is_some_and(|&dart| part.contains(&side.nodes(dart)[0]));
-        if !inside {
-            continue;
-        }
-        let touches = |other: &usize| {
-            let mut darts = side.loops[*other].darts.iter();
-            darts.any(|dart| orbit.darts.iter().any(|here| here.strand == dart.strand))
-        };
-        let (joined, apart): (Vec<_>, Vec<_>) = blocks
-            .into_iter()
-            .partition(|block| block.iter().any(touches));
-        blocks = apart;
-        blocks.push(joined.into_iter().flatten().chain([at]).collect());
-    }
-    blocks.sort_by_key(|block| block.iter().min().copied());
-    let side_of = |block: Vec<usize>| {
-        let mut nodes: Vec<_> = block
-            .iter()
-            .flat_map(|&at| side.around(&side.loops[at].darts))
-            .collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        let loops = side.loops.iter().enumerate();
-        let loops = loops.filter(|(at, _)| block.contains(at));
-        let side = Side {
-            loops: loops.map(|(_, orbit)| orbit.clone()).collect(),
-            ..side.clone()
-        };
-        (side, nodes)
-    };
-    blocks.into_iter().map(side_of).collect()
 }
 
 fn place_part(
@@ -289,7 +216,7 @@ fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -
             _ if strand.is_path && from != to => continue,
             [] if degree(to) == 1 => (from, vec![to], &[0.0]),
             [] if degree(from) == 1 => (to, vec![from], &[0.0]),
-            [_, _] if from == to => (from, bends.to_vec(), &[0.5, -0.5]),
+            [_, _] if from == to => (from, bends.to_vec(), &[0.3, -0.3]),
             [_, _, _] if from == to => (from, bends.to_vec(), &[0.6, 0.0, -0.6]),
             _ => continue,
         };
@@ -424,6 +351,7 @@ fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
             places[node] = Some(at);
         }
     }
+    cut_edges(figure, places);
     bend_paths(figure, places);
     let side = &figure.after;
     let mut all = places.to_vec();
@@ -444,100 +372,33 @@ fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
     bend_beside(figure, places);
 }
 
-/// Bends the paths that get other ends: like before, but drawn along with the end that moves;
-/// a path that closes becomes a petal on the side where it was.
-fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
-    for strand in figure.after.strands.iter().filter(|strand| strand.is_path) {
+/// Places the new vertices that part an edge in two, on it.
+fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
+    for strand in figure.after.strands.iter().filter(|strand| !strand.is_path) {
         let mut earlier = figure.before.strands.iter();
-        let Some(old) = earlier.find(|other| other.items == strand.items) else {
-            continue;
-        };
-        let ([from, to], [old_from, old_to]) = (strand.ends(), old.ends());
-        let ends = [places[from], places[to], places[old_from], places[old_to]];
-        let [Some(a), Some(b), Some(old_a), Some(old_b)] = ends else {
-            continue;
-        };
-        if strand.nodes == old.nodes {
-            continue;
-        }
-        let count = old.nodes.len();
-        let inner = 1..count - 1;
-        let olds: Vec<_> = inner
-            .clone()
-            .filter_map(|at| places[old.nodes[at]])
-            .collect();
-        let middle = olds.iter().copied().sum::<DVec2>() / olds.len().max(1) as f64;
-        // Also away from the middle of the figure, which leaves room between two petals.
-        let away = (middle - a).normalize_or(DVec2::X) + middle.normalize_or_zero();
-        let away = away.normalize_or(DVec2::X);
-        for (at, &old_place) in inner.zip(&olds) {
-            let t = at as f64 / (count - 1) as f64;
-            let place = if from == to {
-                let length = PETAL * (PI * t).sin().sqrt();
-                a + away.rotate(DVec2::from_angle((0.5 - t) * SPREAD)) * length
-            } else {
-                old_place + (a - old_a) * (1.0 - t).powi(2) + (b - old_b) * t.powi(2)
-            };
-            if let Some(&node) = strand.nodes.get(at) {
-                places[node] = Some(place);
-            }
-        }
-    }
-}
-
-/// Bends what is bent in `after` only: strands side by side apart, strands from a vertex
-/// to itself away from the middle.
-fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
-    let side = &figure.after;
-    let is_new = |node: &usize| {
-        figure.nodes[*node] == Node::Bend
-            && !figure
-                .before
-                .strands
-                .iter()
-                .any(|strand| strand.nodes.contains(node))
-    };
-    let loops = side.loop_of();
-    let mut seen: Vec<([usize; 2], usize)> = Vec::new();
-    for (at, strand) in side.strands.iter().enumerate() {
-        let bends = &strand.nodes[1..strand.nodes.len() - 1];
+        let old = earlier.find(|old| strand.edge.is_some() && old.edge == strand.edge);
+        let Some(old) = old else { continue };
+        let [a, b] = old.ends();
         let [from, to] = strand.ends();
-        let (Some(a), Some(b)) = (places[from], places[to]) else {
-            continue;
+        let (cut, far) = match () {
+            () if from == a => (to, b),
+            () if to == a => (from, b),
+            () if from == b => (to, a),
+            () if to == b => (from, a),
+            () => continue,
         };
-        let is_placed = strand.is_path && bends.iter().all(|&bend| places[bend].is_some());
-        if bends.is_empty() || is_placed || !bends.iter().all(is_new) {
-            continue;
-        }
-        let ends = [from.min(to), from.max(to)];
-        let before = seen.iter().filter(|(other, _)| *other == ends).count();
-        seen.push((ends, at));
-        if from == to {
-            let away = a
-                .normalize_or(DVec2::X)
-                .rotate(DVec2::from_angle(before as f64 * 1.2));
-            for (&bend, angle) in bends.iter().zip([0.5, -0.5]) {
-                places[bend] = Some(a + away.rotate(DVec2::from_angle(angle)) * 0.6);
-            }
-        } else {
-            // Away from a loop on one side only; else in turns.
-            let drawn = [2 * at, 2 * at + 1].map(|dart| loops[dart].is_some());
-            let sign = match (drawn, before) {
-                ([true, false], 0) => -1.0,
-                ([false, true], 0) => 1.0,
-                (_, turn) if turn.is_multiple_of(2) => 1.0,
-                _ => -1.0,
-            };
-            let sign = if from < to || drawn[0] != drawn[1] {
-                sign
-            } else {
-                -sign
-            };
-            let away = left(b - a) * (sign * (0.22 + 0.22 * (before / 2) as f64));
-            for (place, &bend) in bends.iter().enumerate() {
-                let t = (place + 1) as f64 / (bends.len() + 1) as f64;
-                places[bend] = Some(a.lerp(b, t) + away);
-            }
+        let mut others = figure.after.strands.iter();
+        let is_parted = others
+            .any(|other| matches!(other.ends(), ends if ends == [cut, far] || ends == [far, cut]));
+        let middle = old.nodes.len() / 2;
+        if let (Some(a), Some(b)) = (places[old.nodes[middle - 1]], places[old.nodes[middle]])
+            && is_parted
+            && places[cut].is_none()
+        {
+            places[cut] = Some(match old.nodes.len() % 2 {
+                0 => (a + b) / 2.0,
+                _ => b,
+            });
         }
     }
 }

@@ -9,8 +9,11 @@ use super::shape::TextBox;
 /// What a box on a box costs, a box on a line, and a unit of distance from the best place.
 const ON_BOX: f64 = 1000.0;
 const ON_LINE: f64 = 40.0;
-/// How much air a box has around it.
+/// How much air a box has around it, and how much it would like to have between it and others.
 const AIR: f64 = 1.5;
+const WIDE_AIR: f64 = 8.0;
+/// What it costs to have none of that.
+const CLOSE: f64 = 10.0;
 
 /// A place a text may have, and what it costs to stand there.
 #[derive(Clone, Copy, Debug)]
@@ -35,41 +38,56 @@ impl Room {
             .extend(curve.segments().map(|segment| (segment, half_width)));
     }
 
-    /// What it costs to put a box somewhere.
-    pub fn cost(&self, at: DVec2, half: DVec2) -> f64 {
+    /// What it costs to put a text somewhere.
+    pub fn cost(&self, at: DVec2, label: &Label) -> f64 {
+        let boxes = label.boxes().into_iter();
+        boxes
+            .map(|(by, half)| self.cost_of_box(at + by, half))
+            .sum()
+    }
+
+    fn cost_of_box(&self, at: DVec2, half: DVec2) -> f64 {
+        let near = |(other, other_half): &(DVec2, DVec2)| {
+            let apart = (at - *other).abs() - half - *other_half;
+            match apart.max_element() {
+                gap if gap < AIR => ON_BOX,
+                gap => CLOSE * (1.0 - gap / WIDE_AIR).max(0.0),
+            }
+        };
+        let boxes: f64 = self.boxes.iter().map(near).sum();
         let half = half + AIR;
-        let boxes = self.boxes.iter().filter(|(other, other_half)| {
-            let apart = (at - *other).abs();
-            let reach = half + *other_half;
-            apart.x < reach.x && apart.y < reach.y
-        });
         let lines = self
             .lines
             .iter()
             .filter(|(segment, width)| touches(*segment, at, half + *width));
-        ON_BOX * boxes.count() as f64 + ON_LINE * (lines.count().min(6) as f64)
+        boxes + ON_LINE * (lines.count().min(6) as f64)
     }
 
     /// The best of some spots.
-    pub fn best(&self, half: DVec2, spots: &[Spot]) -> DVec2 {
-        let mut best = (f64::MAX, DVec2::ZERO);
+    pub fn best(&self, label: &Label, spots: &[Spot]) -> Spot {
+        let mut best = Spot {
+            at: DVec2::ZERO,
+            cost: f64::MAX,
+        };
         for spot in spots {
-            let cost = spot.cost + self.cost(spot.at, half);
-            if cost < best.0 - 1e-9 {
-                best = (cost, spot.at);
+            let cost = spot.cost + self.cost(spot.at, label);
+            if cost < best.cost - 1e-9 {
+                best = Spot { cost, ..*spot };
             }
         }
-        best.1
+        best
     }
 
     /// Puts a text.
     pub fn put(&mut self, text: &str, label: &Label, at: DVec2) {
-        self.boxes.push((at, label.half));
-        self.texts.push(TextBox {
-            text: text.to_string(),
-            from: (at - label.half).to_array(),
-            to: (at + label.half).to_array(),
-        });
+        for (by, half) in label.boxes() {
+            self.boxes.push((at + by, half));
+            self.texts.push(TextBox {
+                text: text.to_string(),
+                from: (at + by - half).to_array(),
+                to: (at + by + half).to_array(),
+            });
+        }
     }
 
     /// Whether no two texts overlap.
@@ -79,7 +97,7 @@ impl Room {
             boxes[..at].iter().all(|(other, other_half)| {
                 let apart = (boxes[at].0 - *other).abs();
                 let reach = boxes[at].1 + *other_half;
-                apart.x >= reach.x || apart.y >= reach.y
+                apart.x >= reach.x - 1e-6 || apart.y >= reach.y - 1e-6
             })
         })
     }
@@ -112,16 +130,18 @@ pub(super) fn reach(half: DVec2, direction: DVec2) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::letters::{Style, words};
     use super::*;
 
     #[test]
     fn a_box_on_a_line_costs() {
         let mut room = Room::default();
+        let label = words("a", Style::Upright, 4.0);
         room.draw(
             &Curve::through([DVec2::new(-9.0, 0.0), DVec2::new(9.0, 0.0)]),
             1.0,
         );
-        assert!(room.cost(DVec2::ZERO, DVec2::ONE) > 0.0);
-        assert_eq!(room.cost(DVec2::new(0.0, 9.0), DVec2::ONE), 0.0);
+        assert!(room.cost(DVec2::ZERO, &label) > 0.0);
+        assert_eq!(room.cost(DVec2::new(0.0, 9.0), &label), 0.0);
     }
 }

@@ -96,12 +96,13 @@ impl Path {
         path
     }
 
-    /// A box with cut corners.
-    pub fn plate(center: DVec2, half: DVec2, cut: f64) -> Self {
+    /// A box with cut corners, a little larger than a text around zero.
+    pub fn plate(label: &Label) -> Self {
         let mut path = Self::default();
+        let (half, cut) = (label.half + AIR, 2.0 * AIR);
         let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
         path.polygon(corners.into_iter().flat_map(|(x, y)| {
-            let corner = center + half * DVec2::new(x, y);
+            let corner = half * DVec2::new(x, y);
             let [across, down] = [DVec2::new(x * cut, 0.0), DVec2::new(0.0, y * cut)];
             // Each corner from the side that the way around comes from.
             match x == y {
@@ -109,7 +110,7 @@ impl Path {
                 false => [corner - across, corner - down],
             }
         }));
-        path
+        path.turned(label.rotation())
     }
 
     /// A circle.
@@ -131,10 +132,19 @@ impl Path {
 
     /// The same path elsewhere.
     pub fn moved(&self, by: DVec2) -> Self {
+        self.mapped(|at| at + by)
+    }
+
+    /// The same path turned around zero.
+    pub fn turned(&self, rotation: DVec2) -> Self {
+        self.mapped(|at| rotation.rotate(at))
+    }
+
+    fn mapped(&self, place: impl Fn(DVec2) -> DVec2) -> Self {
         let steps = self.steps.iter().map(|&step| match step {
-            Step::Move(to) => Step::Move(to + by),
-            Step::Line(to) => Step::Line(to + by),
-            Step::Curve(bend, to) => Step::Curve(bend + by, to + by),
+            Step::Move(to) => Step::Move(place(to)),
+            Step::Line(to) => Step::Line(place(to)),
+            Step::Curve(bend, to) => Step::Curve(place(bend), place(to)),
             Step::Close => Step::Close,
         });
         Self {
@@ -206,6 +216,9 @@ pub(super) enum Paint {
     Stroke(Stroke),
 }
 
+/// How much ground is shown around a text that stands on a line.
+const AIR: f64 = 2.0;
+
 /// How much of what stands back is seen.
 pub(super) const FADED: f64 = 0.28;
 
@@ -236,8 +249,10 @@ impl Stroke {
 pub(super) struct Shape {
     pub path: Path,
     pub paint: Paint,
-    /// Of a text, the letters that the path is the outline of.
+    /// Of a text, the letters that the path is the outline of, before they are turned.
     pub glyphs: Vec<Glyph>,
+    /// By how many degrees they are turned, with the hands of a clock, and around what.
+    pub turn: Option<(i32, DVec2)>,
 }
 
 /// Shapes that belong to one element.
@@ -262,8 +277,14 @@ impl Group {
         }
     }
 
+    /// An area; areas that are filled alike, one after the other, are one path.
     pub fn fill(&mut self, path: Path, ink: Ink) {
-        self.push(path, Paint::Fill(ink));
+        match self.shapes.last_mut() {
+            Some(last) if last.paint == Paint::Fill(ink) && last.glyphs.is_empty() => {
+                last.path.steps.extend(path.steps);
+            }
+            _ => self.push(path, Paint::Fill(ink)),
+        }
     }
 
     /// A text, its middle at a place.
@@ -272,6 +293,7 @@ impl Group {
             path: label.path.moved(at),
             paint: Paint::Fill(ink),
             glyphs: moved(&label.glyphs, at),
+            turn: (label.turn != 0).then_some((label.turn, at)),
         });
     }
 
@@ -288,6 +310,7 @@ impl Group {
             path,
             paint,
             glyphs: Vec::new(),
+            turn: None,
         });
     }
 
@@ -296,12 +319,13 @@ impl Group {
         for shape in &mut self.shapes {
             shape.path = shape.path.moved(by);
             shape.glyphs = moved(&shape.glyphs, by);
+            shape.turn = shape.turn.map(|(turn, at)| (turn, at + by));
         }
         self
     }
 }
 
-/// A text of a picture, and the box it fills.
+/// A text of a picture, and the box it fills; a slanted one fills several side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextBox {
     /// The text.

@@ -23,6 +23,8 @@ const BETWEEN: f64 = 112.0;
 const MOST_BETWEEN: f64 = 260.0;
 /// The size of captions.
 const CAPTION: f64 = 15.0;
+/// By how much better places on each side must be than one on both, for a name to have them.
+const APART: f64 = 14.0;
 /// How much larger a figure is made whose texts overlap, and how often.
 const GROWTH: f64 = 1.15;
 const TRIES: usize = 8;
@@ -56,24 +58,38 @@ pub fn draw_op(op: &Op) -> Picture {
             .between
             .max((2.0 * above.max(below) + 30.0).min(MOST_BETWEEN));
     }
-    let width = rows
-        .iter()
-        .map(|(_, row)| row.size().x)
-        .fold(90.0, f64::max);
+    sheet.widths = [0, 1].map(|side| {
+        let widths = rows.iter().map(|(_, row)| row.sides[side].width());
+        widths.fold(90.0, f64::max)
+    });
     for (label, row) in rows {
-        sheet.row(&op.name, label.as_deref(), row, width);
+        sheet.row(&op.name, label.as_deref(), row);
     }
-    let whole = 2.0 * width + sheet.between;
-    sheet.finish(whole)
+    sheet.finish()
 }
 
-/// The two sides of a rule, at the same places.
-struct Row {
-    sides: [(Vec<Group>, Room); 2],
+/// One side of a rule, and from where to where it reaches.
+struct Half {
+    groups: Vec<Group>,
+    texts: Vec<TextBox>,
     low: DVec2,
     high: DVec2,
+}
+
+impl Half {
+    fn width(&self) -> f64 {
+        self.high.x - self.low.x
+    }
+}
+
+/// The two sides of a rule, at the same heights.
+struct Row {
+    sides: [Half; 2],
+    low: f64,
+    high: f64,
     statuses: BTreeSet<Status>,
     crossings: usize,
+    is_tidy: bool,
 }
 
 impl Row {
@@ -84,7 +100,7 @@ impl Row {
         let mut scale = scale(&figure, &unit);
         let mut row = Self::drawn(&figure, &unit, scale, prefix);
         for _ in 0..TRIES {
-            if row.sides.iter().all(|(_, room)| room.is_tidy()) {
+            if row.is_tidy {
                 break;
             }
             scale *= GROWTH;
@@ -105,6 +121,7 @@ impl Row {
         let statuses = mentioned
             .map(|name| Status::of(&figure.drawing, name))
             .collect();
+        let mut is_tidy = true;
         let sides = panels.map(|panel| {
             let loose = panel.loose();
             let (mut groups, room) = panel.finish(&labels);
@@ -115,32 +132,33 @@ impl Row {
             if !dots.shapes.is_empty() {
                 groups.push(dots);
             }
-            (groups, room)
+            is_tidy &= room.is_tidy();
+            let (low, high) = bounds(&groups, &room).unwrap_or_default();
+            Half {
+                groups,
+                texts: room.texts,
+                low,
+                high,
+            }
         });
-        let (low, high) = sides
-            .iter()
-            .fold((DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)), bounds);
-        let (low, high) = if low.x <= high.x {
-            (low, high)
-        } else {
-            (DVec2::ZERO, DVec2::ZERO)
-        };
+        // A side with nothing on it has no height of its own.
+        let seen = sides.iter().filter(|side| side.low != side.high);
+        let low = seen.clone().map(|side| side.low.y).reduce(f64::min);
+        let high = seen.map(|side| side.high.y).reduce(f64::max);
         Self {
             sides,
-            low,
-            high,
+            low: low.unwrap_or(0.0),
+            high: high.unwrap_or(0.0),
             statuses,
             crossings,
+            is_tidy,
         }
-    }
-
-    fn size(&self) -> DVec2 {
-        self.high - self.low
     }
 }
 
-/// The names of the vertices where neither side is in their way.
-fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, DVec2)> {
+/// The names of the vertices, with their places on both sides: the same, where neither side is
+/// in the way.
+fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DVec2; 2])> {
     let rule = figure.drawing.rule;
     let mut rooms = [panels[0].room.clone(), panels[1].room.clone()];
     let mut labels = Vec::new();
@@ -158,23 +176,34 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, DVe
         let word = &rule.name(vertex).text;
         let label = name(word, LETTERS);
         let center = panels[0].places[node];
-        let spot = |step: usize, far: f64| {
-            let way = direction(wanted + TAU * step as f64 / 48.0);
-            let at = center + way * (beyond_dot(&label, way) + far);
-            let others = (0..2).filter(|&side| shown[side]);
-            let cost: f64 = others.map(|side| rooms[side].cost(at, label.half)).sum();
-            let turn = step.min(48 - step) as f64;
-            let cost = cost + turn + far * 1.2;
-            Spot { at, cost }
+        let best = |sides: &[usize], wanted: f64| {
+            let spot = |step: usize, far: f64| {
+                let way = direction(wanted + TAU * step as f64 / 48.0);
+                let at = center + way * (beyond_dot(&label, way) + far);
+                let costs = sides.iter().map(|&side| rooms[side].cost(at, &label));
+                let turn = step.min(48 - step) as f64;
+                let cost = costs.sum::<f64>() + turn + far * 1.2;
+                Spot { at, cost }
+            };
+            let spots = [0.0, 6.0, 14.0, 24.0, 36.0].into_iter();
+            let spots = spots.flat_map(|far| (0..48).map(move |step| spot(step, far)));
+            Room::default().best(&label, &spots.collect::<Vec<_>>())
         };
-        let spots: Vec<_> = [0.0, 6.0, 14.0, 24.0, 36.0]
-            .into_iter()
-            .flat_map(|far| (0..48).map(move |step| (step, far)))
-            .map(|(step, far)| spot(step, far))
-            .collect();
-        let at = Room::default().best(label.half, &spots);
-        for side in (0..2).filter(|&side| shown[side]) {
-            rooms[side].put(word, &label, at);
+        let sides: Vec<_> = (0..2).filter(|&side| shown[side]).collect();
+        let common = best(&sides, wanted);
+        let mut at = [common.at; 2];
+        if sides.len() == 2 {
+            let alone = [0, 1].map(|side| {
+                let directions = panels[side].directions(node);
+                best(&[side], widest_gap(&directions))
+            });
+            let worst = alone.iter().map(|spot| spot.cost).fold(0.0, f64::max);
+            if common.cost > worst + APART {
+                at = alone.map(|spot| spot.at);
+            }
+        }
+        for side in sides {
+            rooms[side].put(word, &label, at[side]);
         }
         labels.push((node, label, at));
     }
@@ -198,8 +227,13 @@ fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
         }
         for orbit in &side.loops {
             let nodes = side.around(&orbit.darts).into_iter();
+            let mut strands = orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
+            let wide = match strands.any(|strand| strand.is_path) {
+                true => 36.0,
+                false => 52.0,
+            };
             want(
-                46.0,
+                wide,
                 widest_circle(&nodes.map(|node| places[node]).collect::<Vec<_>>()),
             );
         }
@@ -211,7 +245,8 @@ fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
     }
 }
 
-fn bounds((low, high): (DVec2, DVec2), (groups, room): &(Vec<Group>, Room)) -> (DVec2, DVec2) {
+/// The corners of the box around all that is drawn.
+fn bounds(groups: &[Group], room: &Room) -> Option<(DVec2, DVec2)> {
     let steps = groups
         .iter()
         .flat_map(|group| &group.shapes)
@@ -225,20 +260,17 @@ fn bounds((low, high): (DVec2, DVec2), (groups, room): &(Vec<Group>, Room)) -> (
         .texts
         .iter()
         .flat_map(|text| [text.from.into(), text.to.into()]);
-    // The minimum of a number and no number is the number.
-    points
-        .chain(boxes)
-        .fold((low, high), |(low, high), at: DVec2| {
-            if at.is_nan() {
-                (low, high)
-            } else {
-                (low.min(at), high.max(at))
-            }
-        })
+    let known = points.chain(boxes).filter(|at: &DVec2| !at.is_nan());
+    known.fold(None, |all, at| {
+        let (low, high) = all.unwrap_or((at, at));
+        Some((low.min(at), high.max(at)))
+    })
 }
 
 struct Sheet {
     picture: Picture,
+    /// The widths of the columns, and of what is between them.
+    widths: [f64; 2],
     between: f64,
     y: f64,
     statuses: BTreeSet<Status>,
@@ -251,35 +283,42 @@ impl Sheet {
                 title: title.to_string(),
                 ..Picture::default()
             },
+            widths: [0.0; 2],
             between: BETWEEN,
             y: MARGIN,
             statuses: BTreeSet::new(),
         }
     }
 
-    fn row(&mut self, op: &str, label: Option<&str>, row: Row, width: f64) {
-        let size = row.size();
-        let middle = self.y + size.y / 2.0;
-        for (side, (groups, room)) in row.sides.into_iter().enumerate() {
-            let left = MARGIN + (width - size.x) / 2.0 + side as f64 * (width + self.between);
-            let by = DVec2::new(left, self.y) - row.low;
+    fn row(&mut self, op: &str, label: Option<&str>, row: Row) {
+        let height = row.high - row.low;
+        let middle = self.y + height / 2.0;
+        let mut left = MARGIN;
+        for (side, half) in row.sides.into_iter().enumerate() {
+            let center = left + self.widths[side] / 2.0;
+            left += self.widths[side] + self.between;
+            if half.low == half.high {
+                let at = DVec2::new(center, middle);
+                self.words("nothing", Style::Italic, CAPTION, Ink::Muted, at);
+            }
+            let caption = ["before", "after"][side];
+            let at = DVec2::new(center, self.y + height + 24.0);
+            self.words(caption, Style::Upright, CAPTION, Ink::Muted, at);
+            let by = DVec2::new(center - half.low.midpoint(half.high).x, self.y - row.low);
             self.picture
                 .groups
-                .extend(groups.into_iter().map(|group| group.moved(by)));
+                .extend(half.groups.into_iter().map(|group| group.moved(by)));
             let moved = |text: TextBox| TextBox {
                 from: (DVec2::from(text.from) + by).to_array(),
                 to: (DVec2::from(text.to) + by).to_array(),
                 ..text
             };
-            self.picture.texts.extend(room.texts.into_iter().map(moved));
-            let caption = ["before", "after"][side];
-            let at = DVec2::new(left + size.x / 2.0, self.y + size.y + 24.0);
-            self.words(caption, Style::Upright, CAPTION, Ink::Muted, at);
+            self.picture.texts.extend(half.texts.into_iter().map(moved));
         }
-        let from = MARGIN + width + 24.0;
-        let to = MARGIN + width + self.between - 24.0;
+        let from = MARGIN + self.widths[0] + 24.0;
+        let to = from + self.between - 48.0;
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
-        let center = MARGIN + width + self.between / 2.0;
+        let center = (from + to) / 2.0;
         self.words(
             op,
             Style::Italic,
@@ -293,7 +332,7 @@ impl Sheet {
         }
         self.picture.crossings += row.crossings;
         self.statuses.extend(row.statuses);
-        self.y += size.y + 24.0 + 40.0;
+        self.y += height + 24.0 + 40.0;
     }
 
     fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
@@ -330,7 +369,8 @@ impl Sheet {
     }
 
     /// Adds the legend and takes the measure.
-    fn finish(mut self, width: f64) -> Picture {
+    fn finish(mut self) -> Picture {
+        let width = self.widths[0] + self.between + self.widths[1];
         let statuses: Vec<_> = Status::ALL
             .into_iter()
             .filter(|status| self.statuses.contains(status))

@@ -23,7 +23,7 @@ pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
     {
         let (at, way) = arrow.at(length * part);
         let aside = left(way);
-        for (far, gap) in [5.0, 8.0, 12.0, 20.0].into_iter().enumerate() {
+        for (far, gap) in [7.5, 10.0, 14.0, 20.0].into_iter().enumerate() {
             // The support of the box, so that a slanted line does not touch its corner.
             let clear = label.half.x * aside.x.abs() + label.half.y * aside.y.abs();
             let clear = clear.min(reach(label.half, aside) + 4.0);
@@ -36,14 +36,19 @@ pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
     spots
 }
 
-/// Points inside a polygon, and how far each is from its sides.
-fn inner_points(outline: &[DVec2]) -> Vec<(DVec2, f64)> {
+/// Points inside a polygon but in none of the islands in it, and how far each is from the sides.
+fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> {
     let (low, high) = outline.iter().fold(
         (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)),
         |(low, high), &at| (low.min(at), high.max(at)),
     );
-    let sides = (0..outline.len()).map(|i| [outline[i], outline[(i + 1) % outline.len()]]);
+    let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
+    let sides = outlines.flat_map(|outline| {
+        let next = outline.iter().cycle().skip(1);
+        outline.iter().zip(next).map(|(&from, &to)| [from, to])
+    });
     let sides: Vec<_> = sides.collect();
+    let in_sea = |at: DVec2| !islands.iter().any(|island| inside(at, island));
     let room = |at: DVec2| {
         let far = sides.iter().map(|side| distance(at, *side));
         far.fold(f64::MAX, f64::min)
@@ -56,28 +61,32 @@ fn inner_points(outline: &[DVec2]) -> Vec<(DVec2, f64)> {
         .map(|(column, row)| {
             low + (high - low) * DVec2::new(column.into(), row.into()) / f64::from(GRID)
         })
-        .filter(|&at| inside(at, outline))
+        .filter(|&at| inside(at, outline) && in_sea(at))
         .map(|at| (at, room(at)))
         .collect()
 }
 
 /// The radius of the widest circle inside a polygon, about.
 pub(super) fn widest_circle(outline: &[DVec2]) -> f64 {
-    let points = inner_points(outline).into_iter();
+    let points = inner_points(outline, &[]).into_iter();
     points.map(|(_, room)| room).fold(0.0, f64::max)
 }
 
-/// Spots inside a polygon, those with most room first.
-pub(super) fn inner_spots(outline: &[DVec2]) -> Vec<Spot> {
-    let points = inner_points(outline);
+/// Spots inside a polygon, but in none of the islands in it, those with most room first.
+pub(super) fn inner_spots(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Spot> {
+    let points = inner_points(outline, islands);
     let most = points.iter().map(|(_, room)| *room).fold(0.0, f64::max);
     let good = points.iter().filter(|(_, room)| *room > most - 1.0);
     let good: Vec<_> = good.map(|(at, _)| *at).collect();
     let center = good.iter().copied().sum::<DVec2>() / good.len().max(1) as f64;
-    let mut all = vec![Spot {
-        at: center,
-        cost: 0.0,
-    }];
+    let mut all = Vec::new();
+    // Of a ring the middle is no part.
+    if islands.is_empty() {
+        all.push(Spot {
+            at: center,
+            cost: 0.0,
+        });
+    }
     all.extend(points.into_iter().map(|(at, room)| Spot {
         at,
         cost: 1.0 + (most - room) * 0.5 + (at - center).length() * 0.2,

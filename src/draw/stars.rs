@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::curve::{Curve, angle, direction};
-use super::fan::{FAN, fans};
+use super::fan::{Around, FAN, fans};
 use super::letters::name;
 use super::panel::{LETTERS, Panel};
 use super::pen::stroke;
@@ -35,7 +35,11 @@ impl Panel<'_> {
                 let (_, _, [from, to]) = earlier.find(|(_, name, _)| *name == fan)?;
                 Some((from + to) / 2.0)
             };
-            let fans = fans(star, &self.directions(node), spoke, wish);
+            let around = Around {
+                drawn: self.directions(node),
+                corners: self.corners(node),
+            };
+            let fans = fans(star, &around, spoke, wish);
             all.extend(fans.into_iter().map(|(fan, sector)| (node, fan, sector)));
         }
         all
@@ -74,20 +78,19 @@ impl Panel<'_> {
             return;
         }
         let label = name(&word.text, LETTERS);
-        let spot = |step: usize| {
+        let spot = |step: usize, far: f64| {
             let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
             let way = direction(middle + sign * 0.1 * step.div_ceil(2) as f64);
             Spot {
-                at: center + way * (FAN + 6.0 + reach(label.half, way)),
-                cost: step as f64,
+                at: center + way * (FAN + far + reach(label.half, way)),
+                cost: step as f64 + far,
             }
         };
-        let at = self
-            .room
-            .best(label.half, &(0..16).map(spot).collect::<Vec<_>>());
-        self.room.put(&word.text, &label, at);
-        let ink = Ink::Of(self.status(fan));
-        self.groups[group].write(&label, at, ink);
+        let spots = [6.0, 10.0, 14.0, 22.0].into_iter();
+        let spots = spots.flat_map(|far| (0..12).map(move |step| spot(step, far)));
+        let spots: Vec<_> = spots.collect();
+        let at = self.room.best(&label, &spots).at;
+        self.write(group, fan, &label, at);
     }
 
     /// The dot of a vertex, or its dots; the number of its group.

@@ -2,20 +2,23 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::DVec2;
-
-use super::curve::{angle, turn};
+use super::curve::{Curve, angle, distance, turn};
 use super::fan::FAN;
 use super::figure::Dart;
 use super::panel::{LETTERS, Panel, SMALL_LETTERS};
-use super::pen::{double_arrow, draw, harpoon};
+use super::pen::{double_arrow, draw, harpoon, head};
 use super::room::Spot;
 use super::shape::{Group, Path};
 use super::spots::beside;
 use super::status::Status;
 
 /// How far a halfedge lies inside its face.
-const ASIDE: f64 = 10.0;
+const ASIDE: f64 = 10.5;
+/// How far arrows keep from each other at a corner.
+const BETWEEN: f64 = 5.0;
+/// How much of an arrow is left out at its ends.
+const LEAST_TRIM: u16 = 12;
+const MOST_TRIM: u16 = 140;
 
 impl Panel<'_> {
     /// The line of an edge or path, and the name of the edge.
@@ -35,7 +38,7 @@ impl Panel<'_> {
             },
         };
         let line = if strand.is_path {
-            Path::waved(&curve, 2.4, 15.0)
+            Path::waved(&curve, 2.4, 17.0)
         } else {
             Path::along(&curve)
         };
@@ -55,13 +58,24 @@ impl Panel<'_> {
             .draw(&curve, if strand.is_path { 4.0 } else { 1.5 });
         if let Some(edge) = strand.edge {
             let length = curve.length();
-            self.text(group, edge, SMALL_LETTERS, |_| {
+            let is_straight = strand.nodes.len() == 2;
+            self.text(group, edge, SMALL_LETTERS, |label| {
+                // What is too wide to stand between the halfedges runs along them.
+                let way = curve.start_direction();
+                let [wide, high] = [label.half.x * way.y.abs(), label.half.y * way.x.abs()];
+                let is_wide = wide > ASIDE - 4.0 || wide + high > ASIDE - 2.0;
+                let mut label = match is_straight && is_wide {
+                    true => label.turned_along(way),
+                    false => label,
+                };
+                // Only descenders fill the rest of the line.
+                label.half.y *= 0.85;
                 let parts = [0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74];
                 let spot = |(place, part): (usize, f64)| Spot {
                     at: curve.at(length * part).0,
                     cost: 3.0 * place as f64,
                 };
-                parts.into_iter().enumerate().map(spot).collect()
+                (label, parts.into_iter().enumerate().map(spot).collect())
             });
         }
     }
@@ -93,8 +107,12 @@ impl Panel<'_> {
             } else {
                 harpoon(&mut self.groups[group], &arrow, status);
             }
-            self.room.draw(&arrow, 2.5);
-            self.text(group, item, LETTERS, |label| beside(&arrow, label));
+            self.room.draw(&arrow, 1.5);
+            self.room.draw(&head(&arrow), 0.5);
+            self.text(group, item, LETTERS, |label| {
+                let spots = beside(&arrow, &label);
+                (label, spots)
+            });
         }
     }
 
@@ -110,10 +128,14 @@ impl Panel<'_> {
         let count = orbit.darts.len();
         let neighbor = |step: usize| self.along(orbit.darts[(at + step) % count]);
         let (here, before, behind) = (self.along(dart), neighbor(count - 1), neighbor(1));
-        let corner = |into: DVec2, out: DVec2| clear(turn(angle(out), angle(-into)));
+        // Of the neighbours, which may be itself, the halves that are near.
+        let (middle, end) = (before.length() / 2.0, before.length());
+        let before = before.cut(middle, end);
+        let behind = behind.cut(0.0, behind.length() / 2.0);
+        let aside = here.offset(ASIDE);
         [
-            corner(before.end_direction(), here.start_direction()) + 5.0,
-            corner(here.end_direction(), behind.start_direction()) + 5.0,
+            clear(&aside, &before, ASIDE),
+            clear(&aside.reversed(), &behind, ASIDE),
         ]
     }
 
@@ -125,26 +147,37 @@ impl Panel<'_> {
             angle(curve.start_direction()),
             angle(-curve.end_direction()),
         );
-        let trim = |node: usize, open: &dyn Fn(f64) -> f64| {
-            let angles = self.directions(node);
-            let gap = angles.into_iter().map(open).fold(TAU, f64::min);
+        let aside = curve.offset(ASIDE);
+        let trim = |node: usize, aside: &Curve, side: f64, open: &dyn Fn(f64) -> f64| {
+            let spokes = self.spokes(node).into_iter();
+            let spokes = spokes.map(|spoke| (open(angle(spoke.start_direction())), spoke));
+            let next = spokes.min_by(|(a, _), (b, _)| a.total_cmp(b));
+            let (gap, clear) =
+                next.map_or((TAU, 0.0), |(gap, spoke)| (gap, clear(aside, &spoke, side)));
             let mut fans = self.fans.iter().filter(|(at, ..)| *at == node);
             let fan = fans.any(|(_, _, [from, to])| open((from + to) / 2.0) < gap && gap < PI);
-            clear(gap).max(if fan { FAN } else { 10.0 }) + 5.0
+            clear.max(if fan { FAN + 5.0 } else { 15.0 })
         };
+        let last = nodes[nodes.len() - 1];
         [
-            trim(nodes[0], &|other| turn(start, other)),
-            trim(nodes[nodes.len() - 1], &|other| turn(other, end)),
+            trim(nodes[0], &aside, -ASIDE, &|other| turn(start, other)),
+            trim(last, &aside.reversed(), ASIDE, &|other| turn(other, end)),
         ]
     }
 }
 
-/// How much of two halfedges is left out at a corner that is open so wide.
-fn clear(open: f64) -> f64 {
-    let trim = if open < PI {
-        (ASIDE + 1.0) / (open / 2.0).tan()
-    } else {
-        0.0
+/// How much of an arrow is left out at a corner, until it is as far from the neighbour as from
+/// its own edge, and clear of the arrow on that side of the neighbour.
+fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
+    let other = neighbor.offset(side);
+    let is_clear = |trim: &f64| {
+        let at = arrow.at(*trim).0;
+        let far = |curve: &Curve| {
+            let far = curve.segments().map(|segment| distance(at, segment));
+            far.fold(f64::MAX, f64::min)
+        };
+        far(neighbor) > ASIDE - 0.1 && far(&other) > BETWEEN
     };
-    trim.clamp(7.0, 60.0)
+    let mut trims = (LEAST_TRIM..MOST_TRIM).map(f64::from);
+    trims.find(is_clear).unwrap_or(MOST_TRIM.into())
 }

@@ -85,9 +85,10 @@ fn write_fill(text: &mut String, shape: &Shape, ink: Ink, words: &Words) {
         return;
     }
     let (id, [x, y]) = words.used(&shape.glyphs);
+    let turn = words.turned(shape.turn);
     let _ = writeln!(
         text,
-        "<use {fill} xlink:href=\"#{id}\" x=\"{x}\" y=\"{y}\"/>"
+        "<use {fill} xlink:href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>"
     );
 }
 

@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use super::figure::{Dart, Figure, Node, Side};
+use super::pieces::{join, strand_blocks};
 use crate::diagram::NameId;
 
 /// Where the start (`true`) and the end of each item at such a vertex lie.
@@ -15,7 +16,7 @@ pub(super) type Copies = BTreeMap<(NameId, bool), usize>;
 
 /// Gives the vertices of `before` that are drawn twice a second node, and strands to it.
 pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
-    let (sector, block) = (sectors(side), blocks(side));
+    let (sector, block) = (sectors(side), strand_blocks(side));
     let rule = figure.drawing.rule;
     let stars = rule.before.stars.iter().chain(&rule.after.stars);
     let listed: Vec<_> = stars.map(|star| star.vertex.name).collect();
@@ -112,25 +113,4 @@ fn sectors(side: &Side) -> Vec<usize> {
         }
     }
     sector
-}
-
-/// For each strand the block of loops it lies in.
-fn blocks(side: &Side) -> Vec<usize> {
-    let mut block: Vec<usize> = (0..side.strands.len()).collect();
-    for orbit in &side.loops {
-        for pair in orbit.darts.windows(2) {
-            join(&mut block, pair[0].strand, pair[1].strand);
-        }
-    }
-    block
-}
-
-/// Makes one of two groups.
-fn join(group: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (group[a], group[b]);
-    for of in group {
-        if *of == a.max(b) {
-            *of = a.min(b);
-        }
-    }
 }

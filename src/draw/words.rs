@@ -67,18 +67,23 @@ impl<'a> Words<'a> {
         }
         for (word, number) in &self.numbers {
             let _ = write!(text, "<g id=\"{prefix}w{number}\">");
-            for &(style, code, [x, y, size]) in word {
-                let [x, y] = [x, y].map(|tenths| tenths as f64 * steps / 10.0);
-                let place = match (x, y) {
-                    (0.0, 0.0) => String::new(),
-                    _ => format!("translate({x} {y})"),
-                };
-                let scale = (size as f64 * steps / em * 1000.0).round() / 10_000.0;
-                let id = letter_id(style, code);
-                let _ = write!(
-                    text,
-                    "<use {link}=\"#{prefix}{id}\" transform=\"{place}scale({scale})\"/>"
-                );
+            // Letters of one size are scaled together, and stand where they do before that.
+            for run in word.chunk_by(|(_, _, a), (_, _, b)| a[2] == b[2]) {
+                let size = run[0].2[2] as f64;
+                let scale = (size * steps / em * 1000.0).round() / 10_000.0;
+                let _ = write!(text, "<g transform=\"scale({scale})\">");
+                for &(style, code, [x, y, _]) in run {
+                    let id = letter_id(style, code);
+                    let _ = write!(text, "<use {link}=\"#{prefix}{id}\"");
+                    for (axis, tenths) in [("x", x), ("y", y)] {
+                        let place = (tenths as f64 * em / size).round();
+                        if place != 0.0 {
+                            let _ = write!(text, " {axis}=\"{place}\"");
+                        }
+                    }
+                    text.push_str("/>");
+                }
+                text.push_str("</g>");
             }
             text.push_str("</g>\n");
         }
@@ -90,11 +95,22 @@ impl<'a> Words<'a> {
     pub fn used(&self, glyphs: &[Glyph]) -> (String, [f64; 2]) {
         let number = self.numbers.get(&set(glyphs)).copied().unwrap_or(0);
         let at = glyphs.first().map_or(DVec2::ZERO, |first| first.at);
-        let at = at.to_array().map(|length| {
-            // In tenths, as everything; adding zero makes an end of `-0`.
-            (length * 10.0).round() * self.steps / 10.0 + 0.0
-        });
-        (format!("{}w{number}", self.prefix), at)
+        (format!("{}w{number}", self.prefix), self.place(at))
+    }
+
+    /// How a word is turned where it is used, if it is.
+    pub fn turned(&self, turn: Option<(i32, DVec2)>) -> String {
+        turn.map_or_else(String::new, |(turn, around)| {
+            let [x, y] = self.place(around);
+            format!(" transform=\"rotate({turn} {x} {y})\"")
+        })
+    }
+
+    /// A place in steps: tenths of a unit, as everything.
+    fn place(&self, at: DVec2) -> [f64; 2] {
+        // Adding zero makes an end of `-0`.
+        at.to_array()
+            .map(|length| (length * 10.0).round() * self.steps / 10.0 + 0.0)
     }
 }
 

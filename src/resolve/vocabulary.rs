@@ -47,6 +47,13 @@ pub fn signatures(function: &str) -> Vec<Signature> {
             return vec![Signature { takes, gives }];
         }
     }
+    for (ty, column, count) in [(Type::Mat3, Type::Vec3, 3), (Type::Mat4, Type::Vec4, 4)] {
+        if function == ty.word() {
+            let takes = vec![column.word(); count];
+            let gives = Some(ty);
+            return vec![Signature { takes, gives }];
+        }
+    }
     let mut ways: Vec<_> = overloads(function)
         .iter()
         .map(|way| Signature {

@@ -17,6 +17,15 @@ pub(super) fn gone(kind: ElementKind, id: u32) -> Message {
     }
 }
 
+/// Whether there is such an element.
+#[inline]
+pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<(), Message> {
+    match mesh.is_alive(kind, id) {
+        true => Ok(()),
+        false => Err(gone(kind, id)),
+    }
+}
+
 /// The living vertex of a number.
 #[inline]
 pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Message> {

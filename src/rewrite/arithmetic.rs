@@ -41,6 +41,7 @@ pub(super) fn round(value: f64) -> Result<i64, Message> {
     let rounded = value.round_ties_even();
     match (-END..END).contains(&rounded) {
         true => Ok(rounded as i64),
+        false if rounded.is_nan() => Err(Message::RoundsNaN),
         false => Err(Message::IntOverflow),
     }
 }
@@ -105,7 +106,8 @@ mod tests {
     #[test]
     fn rounding_is_half_to_even() {
         assert_eq!([0.5, 1.5, -2.5].map(round), [Ok(0), Ok(2), Ok(-2)]);
-        for wild in [9.3e18, f64::NAN, f64::INFINITY] {
+        assert_eq!(round(f64::NAN), Err(Message::RoundsNaN));
+        for wild in [9.3e18, f64::INFINITY] {
             assert_eq!(round(wild), Err(Message::IntOverflow));
         }
         assert_eq!(round(-9_223_372_036_854_775_808.0), Ok(i64::MIN));

@@ -15,7 +15,7 @@ use super::question::ask;
 use super::wide;
 use super::window::{Window, reserve};
 use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Watch};
-use crate::mesh::{ElementKind, Mesh, VertexId, same_up_to_renumbering};
+use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// How far apart the coordinates of meshes may lie that count as the same.
 const NEAR: f64 = 1e-9;
@@ -728,6 +728,9 @@ impl Machine<'_> {
                     &mut self.line,
                     WideText(wide::columns(&w, from, size, columns), digits),
                 ),
+                ExpectAlive { kind, from } => {
+                    or_trap!(access::expect_alive(mesh, kind, w.id(from)))
+                }
                 PrintElement { kind, from } => {
                     append(&mut self.line, ElementText(kind, w.id(from)));
                 }
@@ -755,6 +758,10 @@ impl Machine<'_> {
                 }
                 MeshKeep { mesh: number } => match self.meshes.get_mut(usize::from(number)) {
                     Some(kept) => kept.clone_from(mesh),
+                    None => break Message::Malformed,
+                },
+                PrintDifference { mesh: number } => match self.meshes.get(usize::from(number)) {
+                    Some(kept) => append(&mut self.line, difference(mesh, kept, NEAR)),
                     None => break Message::Malformed,
                 },
                 MeshSame { mesh: number, to } => match self.meshes.get(usize::from(number)) {

@@ -247,11 +247,15 @@ pub enum Inst {
     /// Prints a vector or matrix with columns of this size.
     PrintWide { from: Reg, size: u8, columns: u8, digits: RealDigits },
     PrintElement { kind: ElementKind, from: Reg },
+    /// Stops unless the element is there.
+    ExpectAlive { kind: ElementKind, from: Reg },
     PrintEnd,
     /// Prints why an op refused that was called last.
     PrintReason { op: u16 },
     /// Whether the op that was called last refused for this reason.
     RefusedFor { op: u16, text: u32, to: Reg },
+    /// Prints how the mesh differs from a kept one (tests).
+    PrintDifference { mesh: u16 },
     /// Keeps the mesh as it is now, to compare it later (tests).
     MeshKeep { mesh: u16 },
     /// Whether the mesh is one that is kept, up to renumbering (tests).

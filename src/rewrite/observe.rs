@@ -286,6 +286,7 @@ impl Drains {
             | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
             | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintVec { .. } | Inst::PrintWide { .. } | Inst::PrintElement { .. }
+            | Inst::ExpectAlive { .. } | Inst::PrintDifference { .. }
             | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
             | Inst::MeshKeep { .. } | Inst::MeshSame { .. }
             | Inst::Fail { .. } | Inst::FailShowing { .. }

@@ -38,6 +38,8 @@ pub enum Message {
     DivisionByZero,
     /// An int is out of range.
     IntOverflow,
+    /// What has no nearest int is rounded.
+    RoundsNaN,
     /// A position would get a component that is no number.
     NotFinite,
     /// The key of a drained element is not a number.
@@ -90,6 +92,7 @@ impl fmt::Display for Message {
             Message::Missing(kind) => write!(f, "there is no {kind} here"),
             Message::DivisionByZero => f.write_str("division by zero"),
             Message::IntOverflow => f.write_str("the number is too large for an int"),
+            Message::RoundsNaN => f.write_str("what is rounded is not a number"),
             Message::NotFinite => f.write_str("the new position is not finite"),
             Message::KeyNotANumber => f.write_str("the key of an element is not a number"),
             Message::NoRoom(kind) => write!(f, "there is no room for another {kind}"),

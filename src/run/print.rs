@@ -1,6 +1,7 @@
 //! `print`: pieces of text and values, then the end of the line.
 
 use super::lower::Lowering;
+use crate::compile::element_kind;
 use crate::diagram::Type;
 use crate::mesh::ElementKind::{Edge, Face, Halfedge, Vertex};
 use crate::resolve::{Digits, Print};
@@ -12,7 +13,13 @@ impl Lowering<'_> {
         // A function among them may print lines of its own, so all are computed first.
         let values = pieces.iter().map(|piece| match piece {
             Print::Text(_) => None,
-            Print::Value(value, _) => Some(self.value(value)),
+            Print::Value(value, _) => {
+                let from = self.value(value);
+                if let Some(kind) = element_kind(value.ty) {
+                    self.trap_at(value.span, Inst::ExpectAlive { kind, from });
+                }
+                Some(from)
+            }
         });
         let values: Vec<_> = values.collect();
         for (piece, from) in pieces.iter().zip(values) {

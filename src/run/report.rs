@@ -244,7 +244,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::Gone(_) => "element-gone",
         Message::Missing(_) => "no-element",
         Message::DivisionByZero => "division-by-zero",
-        Message::IntOverflow => "int-overflow",
+        Message::IntOverflow | Message::RoundsNaN => "int-overflow",
         Message::NotFinite => "not-finite",
         Message::KeyNotANumber => "key-not-a-number",
         Message::NoRoom(_) => "no-room",

@@ -123,6 +123,9 @@ impl Lowering<'_> {
                 to: fine,
             },
         });
+        if same {
+            self.asm.emit(Inst::PrintDifference { mesh });
+        }
         self.fail(reason, span);
         self.asm.bind(fine);
     }

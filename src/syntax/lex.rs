@@ -140,7 +140,11 @@ impl Lexed {
                 TokenKind::Int
             }
             TokenKind::Int if word.parse::<i64>().is_err() => {
-                self.too_large(span, "an int", "9223372036854775807");
+                self.too_large(
+                    span,
+                    "an int",
+                    "9223372036854775807, and at least -9223372036854775807 - 1",
+                );
                 kind
             }
             TokenKind::Real if !word.parse::<f64>().is_ok_and(f64::is_finite) => {

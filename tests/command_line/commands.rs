@@ -23,6 +23,36 @@ fn check_tells_what_was_proved() {
 }
 
 #[test]
+fn explain_tells_of_codes_words_and_functions() {
+    let bench = Bench::new();
+    let told = bench.succeeds(&["explain", "functions"]);
+    assert!(told.contains("degree(vertex), …"), "{told}");
+    assert!(told.lines().count() > 50, "{told}");
+    let told = bench.succeeds(&["explain", "degree"]);
+    assert!(told.contains("degree(face) -> int"), "{told}");
+    let told = bench.succeeds(&["explain", "missing-reassignment"]);
+    assert!(told.starts_with("missing-reassignment"), "{told}");
+    bench.fails(2, &["explain", "nothing"], "explain functions");
+}
+
+#[test]
+fn a_test_tells_how_meshes_differ() {
+    let bench = Bench::new();
+    bench.write(
+        "differ.hedge",
+        "test \"a\" { mesh = cube()  assert mesh == octahedron() }",
+    );
+    let said = bench.run(&["test", "differ.hedge"]);
+    assert_eq!(said.code, 1);
+    let counts = "the mesh has 8 vertices, the other 6; the mesh has 6 faces, the other 8";
+    assert!(
+        said.out.contains(counts) || said.err.contains(counts),
+        "{}",
+        said.err
+    );
+}
+
+#[test]
 fn check_tells_what_is_wrong() {
     let bench = Bench::new();
     let flip = std::fs::read_to_string(example("flip.hedge")).unwrap();

@@ -47,6 +47,34 @@ fn numbers() {
     );
 }
 
+/// The root of `x` is a number at four corners of the eight.
+#[test]
+fn what_is_not_a_number_is_neither_least_nor_greatest() {
+    let root = "sqrt(v.position.x) for v in vertices";
+    let all = "sqrt(-1) for v in vertices";
+    let cases = [
+        ("min(sqrt(-1), 1.0), max(1.0, sqrt(-1))", "1 1"),
+        (
+            &*format!("is_nan(min({root})), is_nan(max({root}))"),
+            "false false",
+        ),
+        (
+            &*format!("is_nan(sqrt(argmin({root}).position.x))"),
+            "false",
+        ),
+        (
+            &*format!("is_nan(sqrt(argmax({root}).position.x))"),
+            "false",
+        ),
+        (
+            &*format!("is_nan(min({all})), argmin({all})"),
+            "true vertex 0",
+        ),
+        ("count(is_nan(sqrt(v.position.x)) for v in vertices)", "4"),
+    ];
+    check(&mut shape::cube(), &cases);
+}
+
 #[test]
 fn truth() {
     check(

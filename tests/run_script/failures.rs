@@ -90,6 +90,18 @@ fn a_failure_points_at_its_place() {
             ["element-gone", "the edge no longer exists", "length(e)"],
         ),
         (
+            "for e in edges { collapse(e, 100.0)  print e }",
+            ["element-gone", "the edge no longer exists", "e"],
+        ),
+        (
+            "print round(sqrt(-1))",
+            [
+                "int-overflow",
+                "what is rounded is not a number",
+                "round(sqrt(-1))",
+            ],
+        ),
+        (
             "for e in edges { must collapse(e, 0.0) }",
             [
                 "op-refused",

@@ -173,7 +173,8 @@ impl Sum {
         });
     }
 
-    /// Keeps the element with the better value; of equal values, the first.
+    /// Keeps the element with the better value; of equal values, the first. What is not a
+    /// number is worse than any number, as it is for the least and the greatest value.
     fn take_element(
         self,
         asm: &mut Assembler,
@@ -197,8 +198,22 @@ impl Sum {
         };
         let to = better;
         asm.emit(Inst::LessReal { to, left, right });
+        let condition = better;
+        asm.emit(Inst::JumpIf {
+            condition,
+            to: take,
+        });
+        // Only what is not a number differs from itself.
+        let (left, right) = (self.best, self.best);
+        asm.emit(Inst::EqualReal { to, left, right });
+        asm.emit(Inst::JumpIf {
+            condition,
+            to: next,
+        });
+        let (left, right) = (value, value);
+        asm.emit(Inst::EqualReal { to, left, right });
         asm.emit(Inst::JumpUnless {
-            condition: better,
+            condition,
             to: next,
         });
         asm.bind(take);

@@ -1,0 +1,274 @@
+//! How two meshes differ that are not the same, in the order in which a person would look:
+//! how many elements there are, where vertices lie, which edges and faces are between them.
+
+use std::collections::{HashMap, HashSet};
+use std::fmt;
+
+use glam::DVec3;
+
+use super::connectivity::Mesh;
+use super::id::{EdgeId, FaceId, VertexId};
+
+/// The first difference between two meshes, told of the first one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Difference {
+    /// There are more or fewer of some elements.
+    Counts(Vec<Count>),
+    /// Vertices lie where the other mesh has none.
+    Elsewhere {
+        /// How many.
+        vertices: usize,
+        /// The first of them.
+        first: VertexId,
+        /// Where it lies.
+        position: DVec3,
+    },
+    /// A vertex of the other mesh lies where this one has none.
+    Missing {
+        /// The first of them.
+        first: VertexId,
+        /// Where it lies.
+        position: DVec3,
+    },
+    /// The other mesh has no edge between such ends.
+    Edge(EdgeId, [VertexId; 2]),
+    /// The other mesh has no such face, or hole, between such corners.
+    Face(FaceId, Vec<VertexId>),
+    /// Vertices, edges and faces are the same, but hang together in another way; or vertices lie
+    /// on one another, so that nothing can be told apart by where it is.
+    Connected,
+}
+
+/// How many there are, in the one mesh and the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    what: &'static str,
+    ours: usize,
+    theirs: usize,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Counts(counts) => {
+                let each = counts.iter().map(|Count { what, ours, theirs }| {
+                    format!("the mesh has {ours} {what}, the other {theirs}")
+                });
+                f.write_str(&each.collect::<Vec<_>>().join("; "))
+            }
+            Self::Elsewhere {
+                vertices,
+                first,
+                position: DVec3 { x, y, z },
+            } => {
+                let them = match vertices {
+                    1 => "a vertex lies".to_owned(),
+                    several => format!("{several} vertices lie"),
+                };
+                let first = first.0;
+                write!(
+                    f,
+                    "{them} where the other mesh has none; the first is vertex {first}, at ({x}, {y}, {z})"
+                )
+            }
+            Self::Missing {
+                first,
+                position: DVec3 { x, y, z },
+            } => {
+                let first = first.0;
+                write!(
+                    f,
+                    "no vertex lies where the other mesh has vertex {first}, at ({x}, {y}, {z})"
+                )
+            }
+            Self::Edge(edge, [v, w]) => write!(
+                f,
+                "the other mesh has no edge where edge {} is, between vertices {} and {}",
+                edge.0, v.0, w.0
+            ),
+            Self::Face(face, corners) => {
+                let corners: Vec<_> = corners.iter().map(|v| v.0.to_string()).collect();
+                write!(
+                    f,
+                    "the other mesh has no such face as face {}, around vertices {}",
+                    face.0,
+                    corners.join(", ")
+                )
+            }
+            Self::Connected => f.write_str("the meshes hang together in another way"),
+        }
+    }
+}
+
+/// The first difference between two meshes of which it is known that they are not the same,
+/// where each coordinate may be off by `tolerance`.
+pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
+    let counts = [
+        ("vertices", Mesh::vertex_count as fn(&Mesh) -> usize),
+        ("edges", Mesh::edge_count),
+        ("faces", Mesh::face_count),
+        ("boundary loops", Mesh::hole_count),
+    ];
+    let counts = counts.map(|(what, count)| Count {
+        what,
+        ours: count(ours),
+        theirs: count(theirs),
+    });
+    let differ: Vec<_> = counts.into_iter().filter(|c| c.ours != c.theirs).collect();
+    if !differ.is_empty() {
+        return Difference::Counts(differ);
+    }
+    let cells = Cells::of(theirs, tolerance);
+    let pairs = ours.vertices().map(|v| (v, cells.near(ours.position(v))));
+    let pairs: Vec<_> = pairs.collect();
+    let mut alone = pairs.iter().filter(|(_, near)| near.is_none());
+    if let Some((first, _)) = alone.next() {
+        return Difference::Elsewhere {
+            vertices: 1 + alone.count(),
+            first: *first,
+            position: ours.position(*first),
+        };
+    }
+    let partner: HashMap<_, _> = pairs
+        .into_iter()
+        .filter_map(|(v, near)| Some((v, near?)))
+        .collect();
+    let taken: HashSet<_> = partner.values().collect();
+    if taken.len() < partner.len() {
+        let here = Cells::of(ours, tolerance);
+        let is_missing = |v: &VertexId| here.near(theirs.position(*v)).is_none();
+        return match theirs.vertices().find(is_missing) {
+            Some(first) => Difference::Missing {
+                first,
+                position: theirs.position(first),
+            },
+            None => Difference::Connected,
+        };
+    }
+    other_edge(ours, theirs, &partner)
+        .or_else(|| other_face(ours, theirs, &partner))
+        .unwrap_or(Difference::Connected)
+}
+
+type Partners = HashMap<VertexId, VertexId>;
+
+fn other_edge(ours: &Mesh, theirs: &Mesh, partner: &Partners) -> Option<Difference> {
+    let sorted = |[v, w]: [VertexId; 2]| [v.min(w), v.max(w)];
+    let known: HashSet<_> = theirs.edges().map(|e| sorted(ends(theirs, e))).collect();
+    let mut edges = ours.edges().map(|e| (e, ends(ours, e)));
+    let (edge, between) = edges.find(|(_, between)| {
+        let there = between.map(|v| partner.get(&v).copied().unwrap_or(v));
+        !known.contains(&sorted(there))
+    })?;
+    Some(Difference::Edge(edge, between))
+}
+
+fn ends(mesh: &Mesh, e: EdgeId) -> [VertexId; 2] {
+    let h = mesh.edge_halfedge(e);
+    [mesh.vertex(h), mesh.vertex(mesh.twin(h))]
+}
+
+fn other_face(ours: &Mesh, theirs: &Mesh, partner: &Partners) -> Option<Difference> {
+    let known: HashSet<_> = theirs
+        .faces()
+        .map(|f| from_the_least(theirs.face_vertices(f).collect()))
+        .collect();
+    let mut faces = ours.faces().map(|f| (f, ours.face_vertices(f)));
+    let (face, _) = faces.find(|(f, _)| {
+        let corners = ours.face_vertices(*f);
+        let there = corners.map(|v| partner.get(&v).copied().unwrap_or(v));
+        !known.contains(&from_the_least(there.collect()))
+    })?;
+    Some(Difference::Face(face, ours.face_vertices(face).collect()))
+}
+
+/// The corners of a face, turned so that the least comes first.
+fn from_the_least(mut corners: Vec<VertexId>) -> Vec<VertexId> {
+    let least = (0..corners.len()).min_by_key(|&at| corners[at]);
+    corners.rotate_left(least.unwrap_or(0));
+    corners
+}
+
+/// The vertices of a mesh by the cell of a grid in which they lie, to find those near a point.
+struct Cells<'m> {
+    mesh: &'m Mesh,
+    tolerance: f64,
+    inside: HashMap<[i64; 3], Vec<VertexId>>,
+}
+
+impl<'m> Cells<'m> {
+    fn of(mesh: &'m Mesh, tolerance: f64) -> Self {
+        let mut cells = Self {
+            mesh,
+            tolerance,
+            inside: HashMap::new(),
+        };
+        for v in mesh.vertices() {
+            let cell = cells.cell(mesh.position(v));
+            cells.inside.entry(cell).or_default().push(v);
+        }
+        cells
+    }
+
+    /// A cell is wider than the tolerance, so what is near lies in it or in one beside it.
+    fn cell(&self, p: DVec3) -> [i64; 3] {
+        let width = 2.0 * self.tolerance.max(f64::MIN_POSITIVE);
+        p.to_array().map(|x| (x / width).floor() as i64)
+    }
+
+    /// The first vertex that lies near a point.
+    fn near(&self, p: DVec3) -> Option<VertexId> {
+        let [x, y, z] = self.cell(p);
+        let steps = [-1_i64, 0, 1];
+        let beside = steps.into_iter().flat_map(|i| {
+            let rows = steps.into_iter().flat_map(move |j| steps.map(|k| (j, k)));
+            rows.map(move |(j, k)| [x, y, z].into_iter().zip([i, j, k]))
+        });
+        let cells = beside.filter_map(|moved| {
+            let cell: Vec<_> = moved.map(|(at, by)| at.saturating_add(by)).collect();
+            self.inside
+                .get(<&[i64; 3]>::try_from(cell.as_slice()).ok()?)
+        });
+        let is_near =
+            |v: &&VertexId| (self.mesh.position(**v) - p).abs().max_element() <= self.tolerance;
+        let near = cells.filter_map(|inside| inside.iter().find(is_near));
+        near.min().copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shape;
+
+    #[test]
+    fn each_difference_is_found_in_its_order() {
+        let told = |a: &Mesh, b: &Mesh| difference(a, b, 1e-9).to_string();
+        let (cube, octahedron) = (shape::cube(), shape::octahedron());
+        assert_eq!(
+            told(&cube, &octahedron),
+            "the mesh has 8 vertices, the other 6; the mesh has 6 faces, the other 8"
+        );
+        let mut moved = cube.clone();
+        let v = moved.vertices().nth(3).expect("a cube has corners");
+        moved.set_position(v, DVec3::new(0.5, 2.0, 0.0));
+        assert_eq!(
+            told(&moved, &cube),
+            "a vertex lies where the other mesh has none; the first is vertex 3, at (0.5, 2, 0)"
+        );
+        let mut laid = cube.clone();
+        laid.set_position(v, cube.position(cube.vertices().next().expect("a corner")));
+        assert!(told(&laid, &cube).starts_with("no vertex lies where the other mesh has vertex 3"));
+        // The same corners, but two of them have changed places.
+        let mut swapped = cube.clone();
+        let w = swapped.vertices().next().expect("a cube has corners");
+        let (p, q) = (cube.position(v), cube.position(w));
+        swapped.set_position(v, q);
+        swapped.set_position(w, p);
+        assert!(
+            told(&swapped, &cube).starts_with("the other mesh has no edge where edge"),
+            "{}",
+            told(&swapped, &cube)
+        );
+    }
+}
