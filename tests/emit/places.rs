@@ -153,9 +153,9 @@ pub fn compare(
             };
             assert!(same, "{}: another mesh", place());
             let [ours, theirs] = [expected, mesh].map(columns::all_numbers);
-            let pairs = ours.iter().zip(&theirs);
+            let mut pairs = ours.iter().zip(&theirs);
             let close = |(x, y): (&f64, &f64)| (x - y).abs() <= tolerance * (1.0 + x.abs());
-            let same = ours.len() == theirs.len() && pairs.map(close).all(|close| close);
+            let same = ours.len() == theirs.len() && pairs.all(close);
             assert!(same, "{}: other attributes", place());
             assert_eq!(result.is_some(), emitted_result.is_some(), "{}", place());
         }
