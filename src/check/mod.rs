@@ -62,6 +62,7 @@ mod ring_problems;
 mod stale;
 mod star_order;
 mod start;
+mod taken;
 mod twin_is_involution;
 mod unknown_names;
 mod vertices_are_orbits;
