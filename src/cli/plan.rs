@@ -9,6 +9,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
+use crate::check::Proved;
 use crate::emit::{NotEmitted, Style, cpp, rust};
 use crate::mesh::Level;
 use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
@@ -65,6 +66,9 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         plans.push(plan);
         proved.push(proof);
     }
+    if name.is_none() {
+        leave_out(&mut proved, arguments.shown, &style);
+    }
     let text = match arguments.shown {
         Shown::Table => tables(&plans),
         Shown::Json => data(&program, &ops, &plans)?,
@@ -100,6 +104,30 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
 fn tables(plans: &[&Plan]) -> String {
     let plans: Vec<_> = plans.iter().map(|plan| show(plan)).collect();
     plans.join("\n\n\n") + "\n"
+}
+
+/// Leaves out the ops of a file that cannot be emitted, and says so, if others can.
+fn leave_out(proved: &mut Vec<&Proved>, shown: Shown, style: &Style) {
+    let refused = |op: &&Proved| match shown {
+        Shown::Cpp => cpp(&[op], style).err(),
+        Shown::Rust => rust(&[op]).err(),
+        Shown::Table | Shown::Json => None,
+    };
+    let refused: Vec<_> = proved.iter().map(refused).collect();
+    if refused.iter().all(Option::is_some) {
+        return;
+    }
+    let mut refused = refused.into_iter();
+    proved.retain(|proved| match refused.next().flatten() {
+        Some(NotEmitted { what, .. }) => {
+            let name = &proved.op().name;
+            complain(&format!(
+                "left out: `{name}`, since {what} cannot be emitted"
+            ));
+            false
+        }
+        None => true,
+    });
 }
 
 /// Emitted code; or what cannot be emitted, with its place.
