@@ -82,6 +82,17 @@ impl Panel<'_> {
         });
     }
 
+    /// The middle of a loop: where its name has most room; none if it is the outside.
+    pub(super) fn middle(&self, orbit: &Orbit) -> Option<DVec2> {
+        let outline = self.outline(orbit);
+        if area(&outline) <= 0.0 {
+            return None;
+        }
+        let spots = inner_spots(&outline, &self.islands(&outline));
+        let best = spots.iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
+        best.map(|spot| spot.at)
+    }
+
     /// The outlines of the loops that run around something inside of a polygon.
     fn islands(&self, outline: &[DVec2]) -> Vec<Vec<DVec2>> {
         let outlines = self.side.loops.iter().map(|orbit| self.outline(orbit));

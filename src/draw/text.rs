@@ -1,21 +1,30 @@
 //! An operation as text, for terminals and editors: lines of box characters, names on them.
 //!
-//! The places are those of the picture, four characters wide for two high. A halfedge is its
-//! name with an arrow, inside its face. Marks tell what is new and what is erased.
+//! The places are those of the picture. A halfedge is its
+//! name with an arrow, inside its face; a fan is its name as the language writes it, `*S`, beside
+//! its vertex. Lines below tell what is new and what is erased.
 
 use glam::DVec2;
 
-use super::curve::{Curve, left};
-use super::figure::{Dart, Figure, Side};
+use super::curve::{Curve, direction, left};
+use super::figure::Figure;
+use super::panel::Panel;
 use super::place::places;
-use super::sector::sector;
 use super::status::Status;
-use crate::diagram::{Drawing, NameId, Op, Rule};
+use crate::diagram::{Drawing, LoopKind, NameId, Op, Rule};
 
-/// How many characters the radius of a figure is, across and down.
-const UNIT: DVec2 = DVec2::new(16.0, 8.0);
+/// How many characters wide a side is, about, and how many the radius of a figure is, at least
+/// and at most.
+const WIDTH: f64 = 35.0;
+const UNIT: [f64; 2] = [16.0, 24.0];
+/// How many times as high as wide a character is.
+const SLIM: DVec2 = DVec2::new(1.0, 0.5);
 /// The largest drawing in characters, across and down.
 const MOST: DVec2 = DVec2::new(160.0, 80.0);
+/// The radius of the figure that the places are those of.
+const RADIUS: f64 = 250.0;
+/// How far from its vertex a fan is written.
+const FAN: DVec2 = DVec2::new(4.5, 2.0);
 /// What stands between the two sides.
 const BETWEEN: &str = "    =>    ";
 
@@ -44,17 +53,28 @@ fn text_rule(rule: &Rule) -> String {
         .iter()
         .fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
     let size = (high - low).max(DVec2::splat(0.01));
-    let scale = UNIT.min(MOST / size);
-    let places: Vec<_> = unit
-        .iter()
-        .map(|at| (*at - low) * scale + DVec2::new(3.0, 1.0))
-        .collect();
-    let size = (size * scale + DVec2::new(8.0, 3.0)).min(MOST + 8.0);
-    let [before, after] = [&figure.before, &figure.after].map(|side| {
+    // A whole number of rows, so that slanted lines are even.
+    let rows = (WIDTH / size.x * SLIM.y).clamp(UNIT[0] * SLIM.y, UNIT[1] * SLIM.y);
+    let scale = SLIM * (rows.floor() / SLIM.y);
+    let scale = scale.min(MOST / size);
+    let grid = Grid {
+        scale: scale / RADIUS,
+        by: DVec2::new(3.0, 2.0) - low * scale,
+    };
+    let size = (size * scale + DVec2::new(8.0, 5.0)).min(MOST + 8.0);
+    let places: Vec<_> = unit.iter().map(|&at| at * RADIUS).collect();
+    let before = Panel::new(&figure, None, &places, "");
+    let after = Panel::new(&figure, Some(&before), &places, "");
+    let [before, after] = [before, after].map(|panel| {
         let mut canvas = Canvas::new(size);
-        canvas.side(&figure, side, &places);
+        canvas.side(&panel, &grid);
         canvas.lines()
     });
+    // Nothing is shown of rows that are empty on both sides.
+    let is_used = |row: &usize| !before[*row].is_empty() || !after[*row].is_empty();
+    let rows = (0..before.len()).find(is_used).unwrap_or(0)
+        ..(0..before.len()).rfind(is_used).map_or(0, |last| last + 1);
+    let [before, after] = [&before[rows.clone()], &after[rows]];
     let width = before
         .iter()
         .map(|line| line.chars().count())
@@ -62,7 +82,7 @@ fn text_rule(rule: &Rule) -> String {
         .unwrap_or(0);
     let middle = before.len() / 2;
     let mut text = String::new();
-    for (row, (before, after)) in before.iter().zip(&after).enumerate() {
+    for (row, (before, after)) in before.iter().zip(after).enumerate() {
         let gap = " ".repeat(width - before.chars().count());
         let between = if row == middle {
             BETWEEN.to_string()
@@ -73,6 +93,7 @@ fn text_rule(rule: &Rule) -> String {
         text.push_str(line.trim_end());
         text.push('\n');
     }
+    let mut is_told = false;
     for (word, status) in [("new", Status::New), ("erase", Status::Erased)] {
         let of = (0..rule.names.len() as u32).map(NameId);
         // Of a family the first.
@@ -80,10 +101,26 @@ fn text_rule(rule: &Rule) -> String {
         let of = of.filter(|&name| Status::of(&figure.drawing, name) == status);
         let names: Vec<_> = of.map(|name| rule.name(name).text.as_str()).collect();
         if !names.is_empty() {
+            if !is_told {
+                text.push('\n');
+            }
+            is_told = true;
             text.push_str(&format!("{word} {}\n", names.join(" ")));
         }
     }
     text
+}
+
+/// Where the places of a picture are in characters.
+struct Grid {
+    scale: DVec2,
+    by: DVec2,
+}
+
+impl Grid {
+    fn place(&self, at: DVec2) -> DVec2 {
+        at * self.scale + self.by
+    }
 }
 
 struct Canvas {
@@ -106,41 +143,39 @@ impl Canvas {
         }
     }
 
-    fn side(&mut self, figure: &Figure, side: &Side, places: &[DVec2]) {
+    fn side(&mut self, panel: &Panel, grid: &Grid) {
+        let (figure, side) = (panel.figure, panel.side);
         let rule = figure.drawing.rule;
         let word = |name: NameId| rule.name(name);
-        let strong = sector(rule);
-        let is_written = |name: &NameId| word(*name).named && strong[name.index()];
-        let curves: Vec<_> = side
-            .strands
-            .iter()
-            .map(|strand| {
-                let points: Vec<_> = strand.nodes.iter().map(|&node| places[node]).collect();
-                Curve::smooth(&points)
-            })
-            .collect();
+        let is_written = |name: &NameId| word(*name).named && panel.stands_out(*name);
+        let curve = |curve: &Curve| {
+            let points = curve.points().iter();
+            Curve::through(points.map(|&at| grid.place(at)))
+        };
+        let curves: Vec<_> = panel.curves.iter().map(curve).collect();
         for (strand, curve) in side.strands.iter().zip(&curves) {
             self.draw(curve, strand.is_path);
         }
         for &vertex in &side.shown {
-            for node in figure.nodes_of(vertex) {
-                let text = match strong[vertex.index()] {
+            for node in panel.dots(vertex) {
+                let text = match panel.stands_out(vertex) {
                     true => &word(vertex).text,
                     false => "•",
                 };
-                self.write(text, places[node], 0);
+                self.write(text, grid.place(panel.places[node]), 0);
             }
         }
-        for (at, (strand, curve)) in side.strands.iter().zip(&curves).enumerate() {
+        for &(node, fan, [from, to]) in panel.fans.iter().filter(|(_, fan, _)| is_written(fan)) {
+            let way = direction((from + to) / 2.0) * FAN;
+            let text = format!("*{}", word(fan).text);
+            self.write(&text, grid.place(panel.places[node]) + way, 6);
+        }
+        for (strand, curve) in side.strands.iter().zip(&curves) {
             for (item, forward) in strand.items.into_iter().zip([true, false]) {
                 let Some(item) = item.filter(is_written) else {
                     continue;
                 };
-                let dart = Dart {
-                    strand: at,
-                    forward,
-                };
-                let along = if dart.forward {
+                let along = if forward {
                     curve.clone()
                 } else {
                     curve.reversed()
@@ -158,9 +193,14 @@ impl Canvas {
         }
         for orbit in side.loops.iter().filter(|orbit| is_written(&orbit.face)) {
             let nodes = side.around(&orbit.darts);
-            let middle = nodes.iter().map(|&node| places[node]).sum::<DVec2>();
+            let middle = nodes.iter().map(|&node| panel.places[node]).sum::<DVec2>();
             let middle = middle / nodes.len().max(1) as f64;
-            self.write(&word(orbit.face).text, middle, 12);
+            let middle = grid.place(panel.middle(orbit).unwrap_or(middle));
+            let text = &word(orbit.face).text;
+            match orbit.kind {
+                LoopKind::Hole => self.write(&format!("hole {text}"), middle, 12),
+                _ => self.write(text, middle, 12),
+            }
         }
     }
 
@@ -170,28 +210,44 @@ impl Canvas {
     }
 
     fn draw(&mut self, curve: &Curve, is_path: bool) {
-        let steps = (curve.length() * 3.0).clamp(1.0, 4000.0) as usize;
-        let mut last_row = None;
+        let steps = (curve.length() * 4.0).clamp(1.0, 4000.0) as usize;
+        // One mark a row where a line is slanted, in its middle, or it would be as thick as wide.
+        let mut slanted: Option<(DVec2, char)> = None;
+        let mut flat: Option<f64> = None;
         for step in 0..=steps {
             let (at, way) = curve.at(curve.length() * step as f64 / steps as f64);
             let slope = (way.y * 2.0).abs() / way.x.abs().max(1e-9);
+            // A flat line goes down or up in steps.
+            let is_flat = slope <= 0.7;
+            let is_step = flat.is_some_and(|row| row != at.y.round());
+            flat = is_flat.then_some(at.y.round());
             let mark = match () {
                 () if is_path => '·',
-                () if slope < 0.4 => '─',
+                () if is_flat && !is_step => '─',
                 () if slope > 5.0 => '│',
                 () if (way.x > 0.0) == (way.y > 0.0) => '╲',
                 () => '╱',
             };
-            // One mark a row where a line is slanted, or it would be as thick as wide.
-            let row = at.y.round() as i64;
-            let is_slanted = slope > 0.7;
-            if is_slanted && last_row == Some(row) {
-                continue;
+            let off = |at: DVec2| (at.y - at.y.round()).abs();
+            let last = slanted.filter(|(last, _)| last.y.round() != at.y.round());
+            if let Some((last, mark)) = last {
+                self.mark(last, mark);
+                slanted = None;
             }
-            last_row = Some(row);
-            if let Some(cell) = self.index(at.x.round() as i64, row) {
-                self.cells[cell] = mark;
+            if is_flat {
+                self.mark(at, mark);
+            } else if slanted.is_none_or(|(best, _)| off(at) < off(best)) {
+                slanted = Some((at, mark));
             }
+        }
+        if let Some((last, mark)) = slanted {
+            self.mark(last, mark);
+        }
+    }
+
+    fn mark(&mut self, at: DVec2, mark: char) {
+        if let Some(cell) = self.index(at.x.round() as i64, at.y.round() as i64) {
+            self.cells[cell] = mark;
         }
     }
 

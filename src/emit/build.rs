@@ -4,7 +4,7 @@ use super::NotEmitted;
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
-use super::names::{Names, function_name};
+use super::names::{Names, unreserved};
 use super::reassign;
 use super::routine::{Alternative, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
@@ -19,6 +19,8 @@ pub(super) struct Conventions {
     pub prev: bool,
     /// Whether there are vertices at which no halfedge starts.
     pub isolated_vertices: bool,
+    /// Whether attributes lie in columns that have to be found first.
+    pub columns: bool,
 }
 
 /// The routine of a proved operation.
@@ -33,7 +35,11 @@ pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routi
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
         let mut names = Names::new(op, rule);
-        let body = alternative(rule, proof, conventions, &mut names)?;
+        let mut body = alternative(rule, proof, conventions, &mut names)?;
+        if conventions.columns {
+            let columns = names.used_attributes().cloned().map(Statement::Column);
+            body.splice(0..0, columns);
+        }
         rules.push(Alternative {
             label: rule.label.clone(),
             body: without_unread(body),
@@ -49,7 +55,7 @@ pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routi
             .collect();
     }
     Ok(Routine {
-        name: function_name(&op.name),
+        name: unreserved(&op.name),
         docs: op.docs.clone(),
         params,
         result: op.result,
@@ -220,21 +226,22 @@ fn values(
     let rule = drawing.rule;
     let mut sets = Vec::new();
     for assignment in &rule.assignments {
-        if assignment.attribute != Access::Position {
-            let word = rule.attribute(assignment.attribute);
-            let what = format!("the attribute `{word}`");
-            return Err(NotEmitted::new(what, assignment.span));
-        }
         let target = assignment.target.name;
+        let attribute = match assignment.attribute {
+            Access::Position => None,
+            Access::Declared(number) => Some(names.attribute(number)),
+        };
         if !rule.is_first(target) {
             continue;
         }
         let member = rule.is_member(target);
         let word = names.word(target).trim_end_matches('_').to_string();
-        let name = names.fresh(&format!("{word}_position"));
+        let called = attribute.as_ref().map_or("position", |it| &it.name);
+        let name = names.fresh(&format!("{word}_{called}"));
         let evaluate = |names: &mut Names| Expressions { names }.term(&assignment.value);
         let value = names.for_each(member, evaluate)?;
-        let (turns, ty) = (names.turns(), Type::Vec3);
+        let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
+        let turns = names.turns();
         let bound = name.clone();
         body.push(match member {
             true => Statement::Gather {
@@ -249,14 +256,14 @@ fn values(
                 value,
             },
         });
-        let (vertex, value) = names.for_each(member, |names| {
+        let (element, value) = names.for_each(member, |names| {
             let value = match member {
                 true => names.member(&name, 0),
                 false => Term::name(&name),
             };
             (names.term(target), value)
         });
-        if !is_surely_finite(&assignment.value) {
+        if attribute.is_none() && !is_surely_finite(&assignment.value) {
             let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
             let text = &rule.name(target).text;
             body.push(Statement::Refuse {
@@ -267,7 +274,17 @@ fn values(
                 reason: format!("the new position of `{text}` is not finite"),
             });
         }
-        let set = Statement::SetPosition { vertex, value };
+        let set = match attribute {
+            None => Statement::SetPosition {
+                vertex: element,
+                value,
+            },
+            Some(attribute) => Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            },
+        };
         sets.push(match member {
             true => Statement::Turn {
                 turns,

@@ -30,8 +30,9 @@ impl Expressions<'_> {
             ExprKind::Member(..) => {
                 return Err(NotEmitted::new("a name with an index", expr.span));
             }
-            ExprKind::Read(Access::Declared(_), _) => {
-                return Err(NotEmitted::new("an attribute of the program", expr.span));
+            ExprKind::Read(Access::Declared(number), base) => {
+                let attribute = self.names.attribute(*number);
+                Term::Attribute(attribute, Box::new(self.term(base)?))
             }
             ExprKind::Element(name) => self.names.term(*name),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
@@ -139,7 +140,7 @@ fn around(collection: &Collection) -> Option<(Around, &Expr)> {
 /// means and mixtures, and quotients by a number that is written out and not zero.
 pub(super) fn is_surely_finite(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Int(_) | ExprKind::Read(..) => true,
+        ExprKind::Int(_) | ExprKind::Read(Access::Position, _) => true,
         ExprKind::Real(value) => value.is_finite(),
         ExprKind::Component(_, of) | ExprKind::Unary(_, of) => is_surely_finite(of),
         ExprKind::Vector(parts) => parts.iter().all(is_surely_finite),
@@ -168,6 +169,7 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
         | ExprKind::Local(_)
         | ExprKind::Member(..)
         | ExprKind::Follow(..)
+        | ExprKind::Read(Access::Declared(_), _)
         | ExprKind::Invoke(..)
         | ExprKind::Let(..)
         | ExprKind::Fold(_) => false,

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use super::term::{Term, Turns};
+use super::term::{Attribute, Term, Turns};
 use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
 
 /// Words of C++ and Rust, and what emitted code uses itself.
@@ -18,13 +18,14 @@ const RESERVED: &str = "
     nullptr operator or or_eq override priv private protected pub public ref register requires
     return self short signed sizeof static std struct super switch template this throw trait true
     try type typedef typeid typename union unsafe unsized unsigned use using virtual void volatile
-    wchar_t where while xor xor_eq yield mesh hedgerow main abs min max";
+    wchar_t where while xor xor_eq yield mesh hedgerow main abs min max
+    attribute set_attribute";
 
-/// What the function of an op is called.
-pub(super) fn function_name(op: &str) -> String {
-    match is_reserved(op) {
-        true => format!("{op}_"),
-        false => op.to_owned(),
+/// A word that the languages leave free, as near as can be to the one that is wanted.
+pub(super) fn unreserved(word: &str) -> String {
+    match is_reserved(word) {
+        true => format!("{word}_"),
+        false => word.to_owned(),
     }
 }
 
@@ -47,6 +48,8 @@ pub(super) struct Names {
     is_turning: bool,
     params: Vec<String>,
     folds: Vec<(u32, String)>,
+    /// The attributes of the program, and whether the rule uses them.
+    attributes: Vec<(Attribute, bool)>,
     taken: BTreeSet<String>,
 }
 
@@ -64,6 +67,7 @@ impl Names {
             is_turning: false,
             params: Vec::new(),
             folds: Vec::new(),
+            attributes: Vec::new(),
             taken: RESERVED.split_whitespace().map(String::from).collect(),
         };
         for (at, param) in op.params.iter().enumerate() {
@@ -76,6 +80,17 @@ impl Names {
         }
         for id in (0..count as u32).map(NameId) {
             names.name(rule, id);
+        }
+        for declared in rule.attributes.iter() {
+            let name = unreserved(&declared.name.replace('\'', "_"));
+            let attribute = Attribute {
+                declared: declared.name.clone(),
+                column: names.fresh(&format!("{name}_column")),
+                name,
+                element: declared.element,
+                ty: declared.ty,
+            };
+            names.attributes.push((attribute, false));
         }
         if let Some(cycle) = &rule.cycle {
             names.turns = Turns {
@@ -272,6 +287,19 @@ impl Names {
         let word = self.fresh(wanted);
         self.folds.push((number, word.clone()));
         word
+    }
+
+    /// An attribute of the program, which the rule uses.
+    pub fn attribute(&mut self, number: u32) -> Attribute {
+        let (attribute, is_used) = &mut self.attributes[number as usize];
+        *is_used = true;
+        attribute.clone()
+    }
+
+    /// The attributes that have been used so far.
+    pub fn used_attributes(&self) -> impl Iterator<Item = &Attribute> {
+        let used = self.attributes.iter().filter(|(_, is_used)| *is_used);
+        used.map(|(attribute, _)| attribute)
     }
 
     /// The parameters of the op.

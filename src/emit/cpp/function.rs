@@ -22,6 +22,7 @@ pub fn cpp(ops: &[&Proved], style: &Style) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: style.has_prev(),
         isolated_vertices: false,
+        columns: false,
     };
     let routines: Vec<_> = ops
         .iter()
@@ -290,6 +291,8 @@ impl Printer<'_> {
         match statement {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
+            // Attributes are fields.
+            Statement::Column(_) => {}
             Statement::Bind { ty, name, value } => {
                 let value = self.text(value);
                 let ty = self.ty(*ty);
@@ -393,6 +396,18 @@ impl Printer<'_> {
             Statement::SetPosition { vertex, value } => {
                 let (vertex, value) = (self.whole(vertex), self.text(value));
                 let line = format!("{} = {value};", self.style.position(&vertex));
+                self.lines.line(&line);
+            }
+            Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            } => {
+                let (element, value) = (self.whole(element), self.text(value));
+                let line = format!(
+                    "{} = {value};",
+                    self.style.attribute(&element, &attribute.name)
+                );
                 self.lines.line(&line);
             }
             Statement::Erase { kind, element } => {

@@ -1,7 +1,7 @@
 //! How C++ reads, writes, allocates and erases: what differs from one mesh class to the next.
 //!
 //! Everything is a pattern with a name. A pattern may speak of `{of}`, the element; `{pointer}`,
-//! the pointer's name; and `{value}`.
+//! the name of the pointer or attribute; and `{value}`.
 
 use std::fmt;
 
@@ -26,6 +26,7 @@ const PATTERNS: &[(&str, &str, Option<&str>)] = &[
     ("boundary", "{of}->boundary", Some("{of}->is_boundary()")),
     ("set_boundary", "{of}->boundary = {value}", None),
     ("position", "{of}->position", Some("{of}->pos")),
+    ("attribute", "{of}->{pointer}", None),
     ("mesh", "Mesh", Some("Halfedge_Mesh")),
     ("nested", "yes", None),
     ("member", "no", None),
@@ -214,6 +215,11 @@ impl Style {
 
     pub(in crate::emit) fn position(&self, vertex: &str) -> String {
         fill(self.pattern("position"), vertex, "", "")
+    }
+
+    /// An attribute of the program, to be read or set.
+    pub(in crate::emit) fn attribute(&self, of: &str, name: &str) -> String {
+        fill(self.pattern("attribute"), of, name, "")
     }
 
     /// A call that allocates.

@@ -19,6 +19,7 @@ pub fn rust(ops: &[&Proved]) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: true,
         isolated_vertices: true,
+        columns: true,
     };
     let routines: Vec<_> = ops
         .iter()
@@ -41,15 +42,24 @@ pub fn rust(ops: &[&Proved]) -> Result<String, NotEmitted> {
             body.push_str(text);
         }
     }
-    let ids = ["EdgeId", "FaceId", "HalfedgeId", "Mesh", "VertexId"];
-    let ids: Vec<_> = ids.into_iter().filter(|id| names(&body, id)).collect();
+    let all = [
+        "Attribute",
+        "ColumnId",
+        "EdgeId",
+        "ElementKind",
+        "FaceId",
+        "HalfedgeId",
+        "Mesh",
+        "VertexId",
+    ];
+    let used: Vec<_> = all.into_iter().filter(|word| names(&body, word)).collect();
     let vectors = match names(&body, "DVec3") {
         true => "use glam::DVec3;\n",
         false => "",
     };
     Ok(format!(
         "{vectors}use hedgerow::mesh::{{{}}};\n{body}",
-        ids.join(", ")
+        used.join(", ")
     ))
 }
 
@@ -107,6 +117,24 @@ fn all_in_order_around_vertex(mesh: &Mesh, all: &[HalfedgeId]) -> bool {
         open.next_if_eq(&&h);
     }
     open.next().is_none()
+}
+",
+    ),
+    (
+        "attribute",
+        "\
+/// The value of an attribute.
+fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
+    mesh.values(column).expect(\"a column of this type\")[element as usize]
+}
+",
+    ),
+    (
+        "set_attribute",
+        "\
+/// Sets the value of an attribute.
+fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
+    mesh.values_mut(column).expect(\"a column of this type\")[element as usize] = value;
 }
 ",
     ),
@@ -301,6 +329,27 @@ impl Printer {
         match statement {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
+            Statement::Column(attribute) => {
+                let (declared, column) = (&attribute.declared, &attribute.column);
+                let kind = match attribute.element {
+                    Type::Vertex => "Vertex",
+                    Type::Halfedge => "Halfedge",
+                    Type::Edge => "Edge",
+                    _ => "Face",
+                };
+                let ty = ty(attribute.ty);
+                self.lines.line(&format!(
+                    "let {column} = mesh.find_column(ElementKind::{kind}, \"{declared}\");"
+                ));
+                self.lines.open(&format!(
+                    "let Some({column}) = {column}.filter(|&c| mesh.values::<{ty}>(c).is_some()) else {{"
+                ));
+                let refusal = self.refusal;
+                self.lines.line(&format!(
+                    "{refusal} // the mesh has no attribute `{declared}` of this type"
+                ));
+                self.lines.close("};");
+            }
             Statement::Bind { name, value, .. } => {
                 let value = self.text(value);
                 self.lines.line(&format!("let {name} = {value};"));
@@ -440,6 +489,18 @@ impl Printer {
                 let (vertex, value) = (self.text(vertex), self.text(value));
                 self.lines
                     .line(&format!("mesh.set_position({vertex}, {value});"));
+            }
+            Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            } => {
+                self.used.insert("set_attribute");
+                let (element, value) = (self.text(element), self.text(value));
+                let column = &attribute.column;
+                self.lines.line(&format!(
+                    "set_attribute(mesh, {column}, {element}.0, {value});"
+                ));
             }
             Statement::Erase { kind, element } => {
                 let element = self.text(element);

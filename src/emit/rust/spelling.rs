@@ -1,7 +1,7 @@
 //! Terms as Rust.
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
-use super::super::term::{Around, Fold, Function, Term, Turns};
+use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::function::{Printer, names, ty};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -35,6 +35,13 @@ impl Language for Printer {
 
     fn position(&mut self, of: Spelled) -> Spelled {
         Spelled::whole(format!("mesh.position({})", of.text))
+    }
+
+    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
+        self.used.insert("attribute");
+        let (ty, column) = (ty(attribute.ty), &attribute.column);
+        let of = of.at(Level::Whole);
+        Spelled::whole(format!("attribute::<{ty}>(mesh, {column}, {of}.0)"))
     }
 
     fn hole(&mut self, of: Spelled) -> Spelled {
