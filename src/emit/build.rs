@@ -1,16 +1,19 @@
 //! A proved operation to a routine: its four phases, rule by rule.
 
+use std::collections::BTreeSet;
+
 use super::NotEmitted;
+use super::callee::{Callee, helpers};
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
 use super::names::{Names, function_name};
 use super::reassign;
-use super::routine::{Alternative, Routine, Statement, without_unread};
+use super::routine::{Alternative, Helper, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
+use crate::diagram::{Access, Binary, Drawing, Kind, Rule};
 
 /// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,10 +22,31 @@ pub(super) struct Conventions {
     pub prev: bool,
     /// Whether there are vertices at which no halfedge starts.
     pub isolated_vertices: bool,
+    /// Whether elements have the attributes that a program declares.
+    pub attributes: bool,
+}
+
+/// Some operations as routines, behind the functions that they call.
+pub(super) fn routines(
+    ops: &[&Proved],
+    functions: &[Option<Callee>],
+    conventions: Conventions,
+) -> Result<(Vec<Helper>, Vec<Routine>), NotEmitted> {
+    let mut calls = BTreeSet::new();
+    let mut routines = Vec::new();
+    for op in ops {
+        routines.push(routine(op, functions, conventions, &mut calls)?);
+    }
+    Ok((helpers(&calls, functions)?, routines))
 }
 
 /// The routine of a proved operation.
-pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routine, NotEmitted> {
+fn routine(
+    proved: &Proved,
+    functions: &[Option<Callee>],
+    conventions: Conventions,
+    calls: &mut BTreeSet<u32>,
+) -> Result<Routine, NotEmitted> {
     let op = proved.op();
     if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
         let what = format!("a parameter of type `{}`", param.ty.word());
@@ -32,8 +56,12 @@ pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routi
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
-        let mut names = Names::new(op, rule);
+        let mut names = Names::new(op, rule, functions);
+        if conventions.attributes {
+            names = names.with_attributes(rule);
+        }
         let body = alternative(rule, proof, conventions, &mut names)?;
+        calls.extend(names.take_calls());
         rules.push(Alternative {
             label: rule.label.clone(),
             body: without_unread(body),
@@ -220,9 +248,13 @@ fn values(
     let rule = drawing.rule;
     let mut sets = Vec::new();
     for assignment in &rule.assignments {
-        if assignment.attribute != Access::Position {
-            let word = rule.attribute(assignment.attribute);
-            let what = format!("the attribute `{word}`");
+        let attribute = match assignment.attribute {
+            Access::Position => None,
+            Access::Declared(number) => Some(names.attribute(number).map(str::to_string)),
+        };
+        let attribute_word = rule.attribute(assignment.attribute);
+        if attribute == Some(None) {
+            let what = format!("the attribute `{attribute_word}`");
             return Err(NotEmitted::new(what, assignment.span));
         }
         let target = assignment.target.name;
@@ -231,10 +263,10 @@ fn values(
         }
         let member = rule.is_member(target);
         let word = names.word(target).trim_end_matches('_').to_string();
-        let name = names.fresh(&format!("{word}_position"));
+        let name = names.fresh(&format!("{word}_{attribute_word}"));
         let evaluate = |names: &mut Names| Expressions { names }.term(&assignment.value);
         let value = names.for_each(member, evaluate)?;
-        let (turns, ty) = (names.turns(), Type::Vec3);
+        let (turns, ty) = (names.turns(), assignment.value.ty);
         let bound = name.clone();
         body.push(match member {
             true => Statement::Gather {
@@ -256,7 +288,7 @@ fn values(
             };
             (names.term(target), value)
         });
-        if !is_surely_finite(&assignment.value) {
+        if attribute.is_none() && !is_surely_finite(&assignment.value) {
             let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
             let text = &rule.name(target).text;
             body.push(Statement::Refuse {
@@ -267,7 +299,14 @@ fn values(
                 reason: format!("the new position of `{text}` is not finite"),
             });
         }
-        let set = Statement::SetPosition { vertex, value };
+        let set = match attribute.flatten() {
+            Some(name) => Statement::SetAttribute {
+                name,
+                of: vertex,
+                value,
+            },
+            None => Statement::SetPosition { vertex, value },
+        };
         sets.push(match member {
             true => Statement::Turn {
                 turns,

@@ -24,14 +24,24 @@ impl Expressions<'_> {
             ExprKind::Int(value) => Term::Int(*value),
             ExprKind::Real(value) => Term::Real(*value),
             ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
-            ExprKind::Invoke(..) | ExprKind::Let(..) => {
-                return Err(NotEmitted::new("a function of the program", expr.span));
+            ExprKind::Invoke(number, args) => {
+                let what = "a function that does more than compute a value";
+                let name = self.names.call(*number);
+                let name = name.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                let args = args.iter().map(|arg| self.term(arg));
+                Term::Invoke(name, args.collect::<Result<_, _>>()?)
+            }
+            ExprKind::Let(..) => {
+                return Err(NotEmitted::new("a block within a value", expr.span));
             }
             ExprKind::Member(..) => {
                 return Err(NotEmitted::new("a name with an index", expr.span));
             }
-            ExprKind::Read(Access::Declared(_), _) => {
-                return Err(NotEmitted::new("an attribute of the program", expr.span));
+            ExprKind::Read(Access::Declared(number), of) => {
+                let name = self.names.attribute(*number).map(str::to_string);
+                let what = "an attribute of the program";
+                let name = name.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                Term::Attribute(name, Box::new(self.term(of)?))
             }
             ExprKind::Element(name) => self.names.term(*name),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),

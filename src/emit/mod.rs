@@ -10,6 +10,7 @@
 // An operation as a routine.
 mod around;
 mod build;
+mod callee;
 mod expression;
 mod guard;
 mod matching;
@@ -28,6 +29,7 @@ mod spell;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
+pub use callee::Callee;
 pub use cpp::{Style, StyleError, cpp};
 pub use rust::rust;
 

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeSet;
 
+use super::callee::Callee;
 use super::term::{Term, Turns};
 use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
 
@@ -47,25 +48,19 @@ pub(super) struct Names {
     is_turning: bool,
     params: Vec<String>,
     folds: Vec<(u32, String)>,
+    /// The functions of the program that have a value, by number, and those that are called.
+    functions: Vec<Option<String>>,
+    calls: BTreeSet<u32>,
+    /// The attributes that the program declares, if they can be told.
+    attributes: Vec<String>,
     taken: BTreeSet<String>,
 }
 
 impl Names {
     /// Names for everything that a rule draws. Parameters are called the same in all rules.
-    pub fn new(op: &Op, rule: &Rule) -> Self {
+    pub fn new(op: &Op, rule: &Rule, functions: &[Option<Callee>]) -> Self {
         let count = rule.names.len();
-        let mut names = Self {
-            words: Vec::new(),
-            lasts: Vec::new(),
-            empties: Vec::new(),
-            shifts: Vec::new(),
-            begun: vec![None; count],
-            turns: Turns::default(),
-            is_turning: false,
-            params: Vec::new(),
-            folds: Vec::new(),
-            taken: RESERVED.split_whitespace().map(String::from).collect(),
-        };
+        let mut names = Self::without(count, functions);
         for (at, param) in op.params.iter().enumerate() {
             let wanted = match begins_a_family(op, at) {
                 true => format!("{}_0", param.name),
@@ -84,6 +79,62 @@ impl Names {
             };
         }
         names
+    }
+
+    /// Names for a function of the program.
+    pub fn of_function(callee: &Callee, functions: &[Option<Callee>]) -> Self {
+        let mut names = Self::without(0, functions);
+        for name in callee.variables.iter().take(callee.params.len()) {
+            let word = names.fresh(name);
+            names.params.push(word);
+        }
+        names
+    }
+
+    /// No names yet, of so many.
+    fn without(count: usize, functions: &[Option<Callee>]) -> Self {
+        let functions = functions.iter().map(Option::as_ref);
+        Self {
+            words: Vec::new(),
+            lasts: Vec::new(),
+            empties: Vec::new(),
+            shifts: Vec::new(),
+            begun: vec![None; count],
+            turns: Turns::default(),
+            is_turning: false,
+            params: Vec::new(),
+            folds: Vec::new(),
+            functions: functions
+                .map(|callee| callee.map(|callee| callee.name.clone()))
+                .collect(),
+            calls: BTreeSet::new(),
+            attributes: Vec::new(),
+            taken: RESERVED.split_whitespace().map(String::from).collect(),
+        }
+    }
+
+    /// Lets attributes be told.
+    pub fn with_attributes(mut self, rule: &Rule) -> Self {
+        let attributes = rule.attributes.iter();
+        self.attributes = attributes.map(|attribute| attribute.name.clone()).collect();
+        self
+    }
+
+    /// The name of an attribute.
+    pub fn attribute(&self, number: u32) -> Option<&str> {
+        self.attributes.get(number as usize).map(String::as_str)
+    }
+
+    /// The name of a function of the program that is called, if it has a value.
+    pub fn call(&mut self, number: u32) -> Option<String> {
+        let name = self.functions.get(number as usize)?.clone()?;
+        self.calls.insert(number);
+        Some(name)
+    }
+
+    /// The functions that were called.
+    pub fn take_calls(&mut self) -> BTreeSet<u32> {
+        std::mem::take(&mut self.calls)
     }
 
     fn name(&mut self, rule: &Rule, id: NameId) {
@@ -269,6 +320,13 @@ impl Names {
             Type::Edge => "e",
             _ => "f",
         };
+        let word = self.fresh(wanted);
+        self.folds.push((number, word.clone()));
+        word
+    }
+
+    /// Names a variable of a function.
+    pub fn bind(&mut self, number: u32, wanted: &str) -> String {
         let word = self.fresh(wanted);
         self.folds.push((number, word.clone()));
         word

@@ -51,6 +51,7 @@ pub(super) trait Language {
     fn int(&self, value: i64) -> Spelled;
     fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled;
     fn position(&mut self, of: Spelled) -> Spelled;
+    fn attribute(&mut self, name: &str, of: Spelled) -> Spelled;
     fn hole(&mut self, of: Spelled) -> Spelled;
     fn component(&mut self, part: u8, of: Spelled) -> Spelled;
     fn vector(&mut self, parts: [Spelled; 3]) -> Spelled;
@@ -58,6 +59,8 @@ pub(super) trait Language {
     fn to_real(&mut self, of: Spelled) -> Spelled;
     /// A function of the emitted text or of the language; `name` is one of `support`.
     fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled;
+    /// A function of the program.
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled;
     /// Operators that are calls: `div`, `mod`, equality and products of vectors.
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled;
     fn fold(&mut self, fold: &Fold) -> Spelled;
@@ -80,6 +83,10 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
             let of = spell(language, of);
             language.position(of)
         }
+        Term::Attribute(name, of) => {
+            let of = spell(language, of);
+            language.attribute(name, of)
+        }
         Term::Hole(of) => {
             let of = spell(language, of);
             language.hole(of)
@@ -98,6 +105,10 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
         Term::Call(function, args) => {
             let args = args.iter().map(|arg| spell(language, arg)).collect();
             language.call(*function, args)
+        }
+        Term::Invoke(name, args) => {
+            let args = args.iter().map(|arg| spell(language, arg)).collect();
+            language.invoke(name, args)
         }
         Term::If(condition, then, otherwise) => {
             let [condition, then, otherwise] =

@@ -29,6 +29,8 @@ pub(super) enum Term {
     Follow(Pointer, Box<Term>),
     /// `v.position`
     Position(Box<Term>),
+    /// An attribute that the program declares.
+    Attribute(String, Box<Term>),
     /// Whether a face is a hole.
     Hole(Box<Term>),
     Component(u8, Box<Term>),
@@ -36,6 +38,8 @@ pub(super) enum Term {
     Unary(Unary, Box<Term>),
     Binary(Binary, Box<Term>, Box<Term>),
     Call(Function, Vec<Term>),
+    /// A function of the program.
+    Invoke(String, Vec<Term>),
     If(Box<Term>, Box<Term>, Box<Term>),
     Fold(Box<Fold>),
     /// What stands in a list so far from the index, counted around; without an index, from 0.
@@ -170,6 +174,7 @@ impl Term {
             Self::Some(_, of)
             | Self::Follow(_, of)
             | Self::Position(of)
+            | Self::Attribute(_, of)
             | Self::Hole(of)
             | Self::Component(_, of)
             | Self::Unary(_, of) => of.folds(see),
@@ -178,7 +183,9 @@ impl Term {
                 left.folds(see);
                 right.folds(see);
             }
-            Self::Call(_, args) => args.iter().for_each(|arg| arg.folds(see)),
+            Self::Call(_, args) | Self::Invoke(_, args) => {
+                args.iter().for_each(|arg| arg.folds(see));
+            }
             Self::If(condition, then, otherwise) => {
                 condition.folds(see);
                 then.folds(see);
@@ -216,6 +223,7 @@ impl Term {
             Self::Bool(_) | Self::Int(_) | Self::Real(_) => {}
             Self::Follow(_, of)
             | Self::Position(of)
+            | Self::Attribute(_, of)
             | Self::Hole(of)
             | Self::Component(_, of)
             | Self::Unary(_, of) => of.names(see),
@@ -224,7 +232,9 @@ impl Term {
                 left.names(see);
                 right.names(see);
             }
-            Self::Call(_, args) => args.iter().for_each(|arg| arg.names(see)),
+            Self::Call(_, args) | Self::Invoke(_, args) => {
+                args.iter().for_each(|arg| arg.names(see));
+            }
             Self::If(condition, then, otherwise) => {
                 condition.names(see);
                 then.names(see);

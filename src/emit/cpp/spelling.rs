@@ -2,7 +2,7 @@
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Fold, Function, Term, Turns};
-use super::function::Printer;
+use super::function::{Printer, invoked};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer<'_> {
@@ -32,6 +32,10 @@ impl Language for Printer<'_> {
 
     fn position(&mut self, of: Spelled) -> Spelled {
         Spelled::whole(self.style.position(&of.at(Level::Whole)))
+    }
+
+    fn attribute(&mut self, name: &str, of: Spelled) -> Spelled {
+        Spelled::whole(self.style.attribute(&of.at(Level::Whole), name))
     }
 
     fn hole(&mut self, of: Spelled) -> Spelled {
@@ -180,6 +184,12 @@ impl Language for Printer<'_> {
             }
         };
         Spelled::whole(self.support(name, texts))
+    }
+
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
+        let args = args.into_iter().map(|arg| arg.at(Level::Or));
+        let args = args.collect::<Vec<_>>().join(", ");
+        Spelled::whole(format!("hedgerow::{}({args})", invoked(name)))
     }
 
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {

@@ -26,6 +26,7 @@ const PATTERNS: &[(&str, &str, Option<&str>)] = &[
     ("boundary", "{of}->boundary", Some("{of}->is_boundary()")),
     ("set_boundary", "{of}->boundary = {value}", None),
     ("position", "{of}->position", Some("{of}->pos")),
+    ("attribute", "{of}->{pointer}", None),
     ("mesh", "Mesh", Some("Halfedge_Mesh")),
     ("nested", "yes", None),
     ("member", "no", None),
@@ -214,6 +215,10 @@ impl Style {
 
     pub(in crate::emit) fn position(&self, vertex: &str) -> String {
         fill(self.pattern("position"), vertex, "", "")
+    }
+
+    pub(in crate::emit) fn attribute(&self, element: &str, name: &str) -> String {
+        fill(self.pattern("attribute"), element, name, "")
     }
 
     /// A call that allocates.

@@ -3,6 +3,7 @@
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Fold, Function, Term, Turns};
 use super::function::{Printer, names, ty};
+use super::helper::invoked;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer {
@@ -35,6 +36,11 @@ impl Language for Printer {
 
     fn position(&mut self, of: Spelled) -> Spelled {
         Spelled::whole(format!("mesh.position({})", of.text))
+    }
+
+    fn attribute(&mut self, _: &str, _: Spelled) -> Spelled {
+        // None of these is built.
+        Spelled::whole("")
     }
 
     fn hole(&mut self, of: Spelled) -> Spelled {
@@ -182,6 +188,12 @@ impl Language for Printer {
         };
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         Spelled::whole(format!("{whose}::{name}({})", args.join(", ")))
+    }
+
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
+        let args = args.into_iter().map(|arg| format!(", {}", arg.text));
+        let args = args.collect::<String>();
+        Spelled::whole(format!("{}(mesh{args})", invoked(name)))
     }
 
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
