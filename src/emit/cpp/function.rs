@@ -70,7 +70,11 @@ impl Printer<'_> {
         for name in needed {
             let chain = |of: &str, pointer: &str| self.style.chained(of, pointer);
             let text = support::spelled(name, &chain, &|ty| self.style.qualified(ty));
-            functions.push_str(&format!("\n{text}\n"));
+            // So that functions of several files can stand in one.
+            let guard = format!("HEDGEROW_{}", name.to_uppercase());
+            functions.push_str(&format!(
+                "\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n"
+            ));
         }
         for helper in helpers {
             functions.push_str(&format!("\n{helper}"));
