@@ -7,6 +7,7 @@ use super::action::{Action, Purpose, append, statement_span};
 use super::demand::lacking;
 use super::element::{Fate, element_of};
 use super::names::{SymbolId, SymbolKind};
+use super::outside::draw_twins;
 use super::side::subject;
 use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
@@ -47,7 +48,7 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
     actions
 }
 
-type Proposal = (String, Vec<Edit>);
+pub(super) type Proposal = (String, Vec<Edit>);
 
 fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec<Proposal> {
     if told.code == "property-not-kept" {
@@ -83,6 +84,7 @@ fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec
             unlist(snapshot, told.span(), rule)
         }
         "open-loop" => close(snapshot, told),
+        "dangling-outside" | "twin-not-drawn" => draw_twins(snapshot, told, rule),
         _ => Vec::new(),
     }
 }
@@ -109,7 +111,7 @@ fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
 }
 
 /// A name as it is listed: that of a family with its index.
-fn written(snapshot: &Snapshot, id: SymbolId) -> String {
+pub(super) fn written(snapshot: &Snapshot, id: SymbolId) -> String {
     let symbol = snapshot.names().symbol(id);
     let behind = symbol.definition.and_then(|drawn| {
         let text = snapshot.sources().get(drawn.file).text();
@@ -126,7 +128,7 @@ fn written(snapshot: &Snapshot, id: SymbolId) -> String {
     }
 }
 
-fn kind_of(snapshot: &Snapshot, id: SymbolId) -> Option<Kind> {
+pub(super) fn kind_of(snapshot: &Snapshot, id: SymbolId) -> Option<Kind> {
     match snapshot.names().symbol(id).kind {
         SymbolKind::Element(kind) => kind,
         _ => None,

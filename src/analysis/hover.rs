@@ -97,12 +97,18 @@ pub fn op_here(snapshot: &Snapshot, offset: usize) -> Option<&tree::Op> {
     op_named(snapshot, &snapshot.names().symbol(mention.symbol).name)
 }
 
-/// The first op of a name.
+/// The first op of a name, here or in a file that is used.
 pub fn op_named<'s>(snapshot: &'s Snapshot, name: &str) -> Option<&'s tree::Op> {
-    snapshot.items().iter().find_map(|item| match item {
+    items(snapshot).find_map(|item| match item {
         Item::Op(op) if op.name.text == name => Some(op),
         _ => None,
     })
+}
+
+/// The items that can be named: those of the text, then those of the files that it uses.
+fn items(snapshot: &Snapshot) -> impl Iterator<Item = &Item> {
+    let used = snapshot.seen().flat_map(|(_, tree)| &tree.items);
+    snapshot.items().iter().chain(used)
 }
 
 fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Card> {
@@ -128,7 +134,10 @@ fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Ca
         SymbolKind::Parameter | SymbolKind::Index | SymbolKind::Variable => {
             Some(declared(snapshot, mention.symbol))
         }
-        SymbolKind::Elsewhere => None,
+        SymbolKind::Elsewhere => match op_named(snapshot, &symbol.name) {
+            Some(op) => Some(Card::Op(op_card(snapshot, op))),
+            None => item_card(snapshot, &symbol.name),
+        },
     }
 }
 
@@ -144,7 +153,7 @@ fn declared(snapshot: &Snapshot, id: SymbolId) -> Card {
 }
 
 fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
-    let (start, end, docs) = snapshot.items().iter().find_map(|item| match item {
+    let (start, end, docs) = items(snapshot).find_map(|item| match item {
         Item::Script(script) if script.name.text == name => {
             Some((script.span, script.body.span.start, &script.docs))
         }
@@ -167,9 +176,10 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
 /// What there is to say about an op.
 pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
     let wrong = snapshot.diagnostics();
-    let wrong = wrong
-        .iter()
-        .filter(|told| told.is_error() && op.span.touches(told.span().start as usize));
+    let wrong = wrong.iter().filter(|told| {
+        let place = told.span();
+        told.is_error() && place.file == op.span.file && op.span.touches(place.start as usize)
+    });
     OpCard {
         head: head(snapshot, op),
         docs: op.docs.clone(),

@@ -23,6 +23,7 @@ mod memory;
 pub mod names;
 mod occurrences;
 mod outline;
+mod outside;
 mod place;
 mod program;
 mod readings;

@@ -199,6 +199,10 @@ impl Snapshot {
 
     /// The diagram of an op: of this text, or else of the last one in which it could be read.
     pub fn readable(&self, op: &tree::Op) -> Option<Rc<diagram::Op>> {
+        if op.span.file != self.file {
+            let at = self.resolved(op)?;
+            return self.program.ops[at].diagram.clone().map(Rc::new);
+        }
         let name = &op.name.text;
         let mut here = self.diagrams();
         match here.find(|(of, _)| of == name) {

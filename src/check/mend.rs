@@ -2,8 +2,9 @@
 //! rule with the remedy in it.
 
 use super::problem::{Problem, Remedy, enumerate};
+use super::taken::Taken;
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::diagram::{Drawing, Edge, Kind, NameId, Ref, Rule, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, NameId, Ref, Rule, Spoke, Star};
 use crate::source::Span;
 
 /// Adds to each problem the fix that removes it and brings no new one, if just one does.
@@ -32,7 +33,7 @@ pub(super) fn add_fixes(
         // wrong: nothing is erased before all the rest is right.
         let good = match remedy {
             Remedy::Erase(_) => left.is_empty(),
-            Remedy::Keep(_) | Remedy::Pair { .. } => left.iter().all(known),
+            Remedy::Keep(_) | Remedy::Take(_) | Remedy::Pair { .. } => left.iter().all(known),
             // Names that nothing knows are new for sure if nothing is missing but what a new
             // element is given.
             Remedy::Create(_) => left
@@ -89,6 +90,14 @@ impl Remedy {
                     after.kept.push(Ref::plain(name, span));
                 }
             }
+            Remedy::Take(erased) => {
+                let taken = Taken::of(rule, *erased)?;
+                mended.names.extend(taken.fan);
+                mended.before.stars.extend(taken.before);
+                let taker = taken.after.vertex.name;
+                mended.after.stars.retain(|star| star.vertex.name != taker);
+                mended.after.stars.push(taken.after);
+            }
             Remedy::Pair { edge, halfedges } => {
                 let mention = |name| Ref::plain(name, span);
                 let halfedges = halfedges.map(mention);
@@ -143,6 +152,7 @@ impl Remedy {
                 }
                 names => (format!("keep {}", words(names)), end_of_after(rule)?),
             },
+            Remedy::Take(erased) => return take(rule, *erased),
             Remedy::Pair { edge, halfedges } => {
                 let [left, right] = halfedges.map(|half| &rule.name(half).text);
                 (
@@ -157,6 +167,57 @@ impl Remedy {
             edits: vec![Edit { span: edit, text }],
         })
     }
+}
+
+/// The statements that carry off the spokes of an erased vertex.
+fn take(rule: &Rule, erased: NameId) -> Option<Fix> {
+    let taken = Taken::of(rule, erased)?;
+    let mut named = rule.clone();
+    named.names.extend(taken.fan);
+    let after = statement(&named, &taken.after);
+    let drawing = Drawing::new(rule);
+    let written = drawing.after.star(taken.after.vertex.name);
+    if written.is_some_and(|star| star.span == star.vertex.span) {
+        return None; // `keep` restates it
+    }
+    let mut edits = vec![match written {
+        Some(star) => Edit {
+            span: star.span,
+            text: after.clone(),
+        },
+        None => Edit {
+            span: end_of_after(rule)?,
+            text: format!("\n    {after}"),
+        },
+    }];
+    let mut title = match written {
+        Some(_) => format!("write `{after}`"),
+        None => format!("insert `{after}`"),
+    };
+    if let Some(before) = taken.before {
+        let before = statement(&named, &before);
+        title = format!("insert `{before}` in `before`, and in `after` {title}");
+        edits.insert(
+            0,
+            Edit {
+                span: drawing.before.end_of_statements()?,
+                text: format!("\n    {before}"),
+            },
+        );
+    }
+    Some(Fix { title, edits })
+}
+
+/// A vertex statement as it is written.
+fn statement(rule: &Rule, star: &Star) -> String {
+    let word = |mention: &Ref| &rule.name(mention.name).text;
+    let spokes = star.spokes.iter().map(|spoke| match spoke {
+        Spoke::Halfedge(half) => word(half).clone(),
+        Spoke::Fan(fan) => format!("*{}", word(fan)),
+        Spoke::Rest(_) => "*".to_owned(),
+    });
+    let spokes = spokes.collect::<Vec<_>>().join(" ");
+    format!("vertex {}: {spokes}", word(&star.vertex))
 }
 
 /// The edit that lists names in `new`, which stands first in `after`.

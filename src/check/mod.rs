@@ -9,22 +9,22 @@
 //! the names it draws; the rest of the mesh matters only by how it joins the loose ends of
 //! the drawing. The laws, one file each, in order:
 //!
-//! 1. 2. [`names_are_accounted_for`]: every name, and every pointer of every name;
-//! 3. [`next_is_permutation`]
-//! 4. [`twin_is_involution`]
-//! 5. [`nothing_dangles`]
-//! 6. [`ends_agree`]
-//! 7. [`vertices_are_orbits`], by way of [`port`]s, [`chain`]s and [`arrangement`]s;
-//! 8. [`new_is_placed`].
+//! 1. 2. `names_are_accounted_for`: every name, and every pointer of every name;
+//! 3. `next_is_permutation`
+//! 4. `twin_is_involution`
+//! 5. `nothing_dangles`
+//! 6. `ends_agree`
+//! 7. `vertices_are_orbits`, by way of `port`s, `chain`s and `arrangement`s;
+//! 8. `new_is_placed`.
 //!
-//! Rules with [`families`] are unrolled, and proved for cycles of every size at once by the
-//! argument of [`voltage`].
+//! Rules with `families` are unrolled, and proved for cycles of every size at once by the
+//! argument of `voltage`.
 //!
-//! Before all of them [`start`] asks whether a parameter is drawn.
-//! A drawing that would apply almost nowhere is refused as well ([`fans_have_room`]).
+//! Before all of them `start` asks whether a parameter is drawn.
+//! A drawing that would apply almost nowhere is refused as well (`fans_have_room`).
 //!
-//! What a rejected rule does to a mesh, [`witness`] finds out by carrying it out. Otherwise
-//! [`reach`] finds the order in which the names are bound, and [`properties`] holds what
+//! What a rejected rule does to a mesh, `witness` finds out by carrying it out. Otherwise
+//! `reach` finds the order in which the names are bound, and `properties` holds what
 //! `keeps` claims against the drawing; for the levels, and for what a guard has to test, it
 //! asks [`guard`]. Only this layer makes a [`Proved`], and only that can be compiled. Nothing
 //! here knows the machine.
@@ -62,6 +62,7 @@ mod ring_problems;
 mod stale;
 mod star_order;
 mod start;
+mod taken;
 mod twin_is_involution;
 mod unknown_names;
 mod vertices_are_orbits;

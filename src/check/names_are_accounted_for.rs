@@ -447,7 +447,12 @@ fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
         Kind::Vertex | Kind::Edge | Kind::Face => {
             vec![Remedy::Keep(names.to_vec()), Remedy::Erase(names.to_vec())]
         }
-        Kind::Halfedge | Kind::Path | Kind::Fan => Vec::new(),
+        Kind::Fan => {
+            let vertex = drawing.before.star_of_spoke(names[0]);
+            let erased = vertex.filter(|&vertex| drawing.erased(vertex).is_some());
+            erased.map(Remedy::Take).into_iter().collect()
+        }
+        Kind::Halfedge | Kind::Path => Vec::new(),
     };
     Problem {
         diagnostic,

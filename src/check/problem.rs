@@ -21,6 +21,9 @@ pub(super) enum Remedy {
     Keep(Vec<NameId>),
     /// List these names in `new`.
     Create(Vec<NameId>),
+    /// State the ring of the vertex that [takes](super::taken) the spokes of this one, which
+    /// is erased.
+    Take(NameId),
     /// `edge e: x | y`
     Pair {
         edge: NameId,

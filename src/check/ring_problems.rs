@@ -4,7 +4,7 @@ use super::arrangement::{Arc, Lies};
 use super::case::{Case, Step};
 use super::chain::vertex_after;
 use super::port::Port;
-use super::problem::{Problem, join};
+use super::problem::{Problem, Remedy, join};
 use super::star_order::{Token, agrees};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Kind, NameId, Spoke};
@@ -67,7 +67,10 @@ impl Case<'_> {
                     "carry its spokes off: draw `vertex {word}: {spokes} *S` in `before` (counterclockwise), and list `*S` in the vertex statement that takes them"
                 ),
             };
-            problems.push(diagnostic.note(advice).into());
+            problems.push(Problem {
+                diagnostic: diagnostic.note(advice),
+                remedies: vec![Remedy::Take(vertex)],
+            });
         }
         problems
     }
@@ -89,11 +92,12 @@ impl Case<'_> {
         if let Some(erased) = self.drawing.erased(vertex) {
             diagnostic = diagnostic.label(erased, format!("{text} is erased here"));
         }
-        diagnostic
-            .note(format!(
+        Problem {
+            diagnostic: diagnostic.note(format!(
                 "list {spoke} in the vertex statement of the vertex where it starts now"
-            ))
-            .into()
+            )),
+            remedies: vec![Remedy::Take(vertex)],
+        }
     }
 
     /// An arc whose end the drawing takes away.
@@ -192,9 +196,12 @@ impl Case<'_> {
             Some(one_span) => diagnostic = diagnostic.label(one_span, one),
             None => diagnostic = diagnostic.note(one),
         }
-        diagnostic
-            .note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one cycle, so they start at one vertex")
-            .into()
+        let erased = [first.0, second.0].into_iter();
+        let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
+        Problem {
+            diagnostic: diagnostic.note("going clockwise around a vertex, from a halfedge to `twin.next`, these come into one cycle, so they start at one vertex"),
+            remedies: erased.map(Remedy::Take).collect(),
+        }
     }
 
     /// A vertex without a ring.
@@ -276,37 +283,32 @@ impl Case<'_> {
             .into()
     }
 
-    /// Whether the vertex statement of `after` is the cycle, in order.
-    pub(super) fn star_disagrees(&self, vertex: NameId, cycle: &[Step]) -> Option<Problem> {
-        let star = self.drawing.after.star(vertex)?;
+    /// A cycle as a vertex statement lists it: counterclockwise, what has no name last.
+    pub(super) fn ring(
+        &self,
+        cycle: &[Step],
+        arc_token: impl Fn(Arc) -> Option<Token>,
+    ) -> Vec<Token> {
         let rule = self.drawing.rule;
         let mut tokens = Vec::new();
         for step in cycle {
             let token = match step {
                 Step::Port(Port::In(_)) => continue,
                 Step::Port(Port::Out(item)) if rule.kind(*item) == Kind::Halfedge => {
-                    Token::Spoke(*item)
+                    Some(Token::Spoke(*item))
                 }
                 Step::Port(Port::Out(path)) => {
-                    match self
-                        .first_spokes
-                        .iter()
-                        .find(|(name, _)| name == path)
-                        .map(|(_, lies)| *lies)
-                    {
-                        Some(Lies::Fan(fan)) => Token::Fan(fan),
+                    let mut spokes = self.first_spokes.iter();
+                    match spokes.find(|(name, _)| name == path).map(|found| found.1) {
+                        Some(Lies::Fan(fan)) => Some(Token::Fan(fan)),
                         // The outer halfedge tells for both.
-                        Some(Lies::Empty | Lies::Spoke(_)) => continue,
-                        Some(Lies::Rest) | None => Token::Rest,
+                        Some(Lies::Empty | Lies::Spoke(_)) => None,
+                        Some(Lies::Rest) | None => Some(Token::Rest),
                     }
                 }
-                Step::Arc(arc) => match arc.lies {
-                    Lies::Fan(fan) => Token::Fan(fan),
-                    Lies::Rest => Token::Rest,
-                    Lies::Empty | Lies::Spoke(_) => continue,
-                },
+                Step::Arc(arc) => arc_token(*arc),
             };
-            if tokens.last() != Some(&token) {
+            if let Some(token) = token.filter(|token| tokens.last() != Some(token)) {
                 tokens.push(token);
             }
         }
@@ -314,6 +316,26 @@ impl Case<'_> {
             tokens.pop();
         }
         tokens.reverse(); // statements read counterclockwise
+        if let Some(rest) = tokens.iter().rposition(|token| *token == Token::Rest) {
+            tokens.rotate_left(rest + 1);
+        }
+        tokens
+    }
+
+    /// What a statement lists for an arc.
+    pub(super) fn arc_token(&self, arc: Arc) -> Option<Token> {
+        match arc.lies {
+            Lies::Fan(fan) => Some(Token::Fan(fan)),
+            Lies::Rest => Some(Token::Rest),
+            Lies::Empty | Lies::Spoke(_) => None,
+        }
+    }
+
+    /// Whether the vertex statement of `after` is the cycle, in order.
+    pub(super) fn star_disagrees(&self, vertex: NameId, cycle: &[Step]) -> Option<Problem> {
+        let star = self.drawing.after.star(vertex)?;
+        let rule = self.drawing.rule;
+        let tokens = self.ring(cycle, |arc| self.arc_token(arc));
         if agrees(&star.spokes, &tokens) {
             return None;
         }

@@ -6,11 +6,11 @@ use super::arguments::{ApplyArguments, Format};
 use super::counts::Counts;
 use super::failure::Failure;
 use super::meshes;
-use super::output::{complain_of, say, say_json};
-use super::place::{self, Place};
+use super::output::{complain, complain_of, say, say_json};
+use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
-use crate::diagram::Param;
+use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers};
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
@@ -93,15 +93,18 @@ fn values(
     }
     for (param, place) in params.iter().zip(places(params, &arguments.at)?) {
         match place {
-            Some(place) => texts.push((
-                param.name.clone(),
-                place.find(obj).map_err(Failure::usage)?.to_string(),
-            )),
+            Some(place) => {
+                let Found { id, note } = place.find(obj).map_err(Failure::usage)?;
+                if let Some(note) = note {
+                    complain(&format!("note: {note}"));
+                }
+                texts.push((param.name.clone(), id.to_string()));
+            }
             None if param.ty.is_element() => {
                 let message = format!(
-                    "the parameter `{0}` is missing: give --at {0}={1}:…",
+                    "the parameter `{0}` is missing: give --at {0}={1}",
                     param.name,
-                    param.ty.word()
+                    example(param.ty)
                 );
                 return Err(Failure::usage(message));
             }
@@ -112,6 +115,16 @@ fn values(
         complain_of(&errors, &program.sources);
         Failure::Silent(2.into())
     })
+}
+
+/// How a place of this type is written.
+fn example(ty: Type) -> &'static str {
+    match ty {
+        Type::Edge => "edge:A-B",
+        Type::Halfedge => "halfedge:A-B",
+        Type::Face => "face:N",
+        _ => "vertex:A",
+    }
 }
 
 /// For each parameter the place that `--at` gives it, by its name or else in their order.
@@ -150,7 +163,8 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
         if place.ty() != wanted {
             let (name, wanted, given) = (&params[at].name, wanted.word(), place.ty().word());
             return Err(Failure::usage(format!(
-                "`{name}` is of type {wanted}, but the place is of type {given}"
+                "`{name}` is of type {wanted}, but the place is of type {given}: give --at {name}={}",
+                example(params[at].ty)
             )));
         }
         if places[at].replace(place).is_some() {

@@ -117,8 +117,9 @@ pub(super) struct ApplyArguments {
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
     /// with the numbers of the file (from 1 in .obj, ids in
-    /// .halfedges); several in the order of the parameters, or
-    /// by name: --at a=halfedge:1-2
+    /// .halfedges, where edge:N is one too); edge:A-B#2 is the
+    /// second edge between A and B; several in the order of the
+    /// parameters, or by name: --at a=halfedge:1-2
     #[arg(
         long = "at",
         value_name = "PLACE",

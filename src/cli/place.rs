@@ -1,4 +1,8 @@
-//! Places on a mesh as one writes them: `edge:3-7`, `halfedge:3-7`, `vertex:3`, `face:12`.
+//! Places on a mesh as one writes them: `edge:3-7`, `halfedge:3-7`, `vertex:3`, `face:12`; in
+//! tables, where every element has an id, also `edge:5` and `halfedge:5`.
+//!
+//! Several edges may join the same two vertices. They are told apart by a count in the order of
+//! the file, `edge:3-7#2`; without one the first is meant, and that there are others is said.
 
 use crate::diagram::Type;
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Obj, VertexId};
@@ -7,13 +11,34 @@ use crate::mesh::{EdgeId, FaceId, HalfedgeId, Obj, VertexId};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
     /// The edge between two vertices.
-    Edge(u32, u32),
+    Edge(Ends),
     /// The halfedge from one vertex to another.
-    Halfedge(u32, u32),
+    Halfedge(Ends),
+    /// An edge by its id.
+    EdgeOfId(u32),
+    /// A halfedge by its id.
+    HalfedgeOfId(u32),
     /// A vertex.
     Vertex(u32),
     /// A face.
     Face(u32),
+}
+
+/// Two vertices, and which of the edges between them, from 1, if that is said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Ends {
+    from: u32,
+    to: u32,
+    which: Option<u32>,
+}
+
+/// An element that was found.
+#[derive(Debug)]
+pub(super) struct Found {
+    /// Its id.
+    pub id: u32,
+    /// What else the place could have meant, in words.
+    pub note: Option<String>,
 }
 
 /// Reads a place.
@@ -25,13 +50,23 @@ pub(super) fn read(text: &str) -> Result<Place, String> {
     };
     let (kind, numbers) = text.split_once(':').ok_or_else(wrong)?;
     let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
-    let pair = || {
+    let ends = |numbers: &str| {
+        let (numbers, which) = match numbers.split_once('#') {
+            Some((numbers, which)) => (numbers, Some(number(which)?)),
+            None => (numbers, None),
+        };
         let (from, to) = numbers.split_once('-').ok_or_else(wrong)?;
-        Ok::<_, String>((number(from)?, number(to)?))
+        Ok::<_, String>(Ends {
+            from: number(from)?,
+            to: number(to)?,
+            which,
+        })
     };
     match kind {
-        "edge" => pair().map(|(from, to)| Place::Edge(from, to)),
-        "halfedge" => pair().map(|(from, to)| Place::Halfedge(from, to)),
+        "edge" if numbers.contains('-') => ends(numbers).map(Place::Edge),
+        "halfedge" if numbers.contains('-') => ends(numbers).map(Place::Halfedge),
+        "edge" => number(numbers).map(Place::EdgeOfId),
+        "halfedge" => number(numbers).map(Place::HalfedgeOfId),
         "vertex" => number(numbers).map(Place::Vertex),
         "face" => number(numbers).map(Place::Face),
         _ => Err(wrong()),
@@ -42,8 +77,8 @@ impl Place {
     /// The type of the element.
     pub fn ty(self) -> Type {
         match self {
-            Place::Edge(..) => Type::Edge,
-            Place::Halfedge(..) => Type::Halfedge,
+            Place::Edge(_) | Place::EdgeOfId(_) => Type::Edge,
+            Place::Halfedge(_) | Place::HalfedgeOfId(_) => Type::Halfedge,
             Place::Vertex(_) => Type::Vertex,
             Place::Face(_) => Type::Face,
         }
@@ -52,28 +87,91 @@ impl Place {
     /// `edge:A-B` where a halfedge is wanted is the one from A to B, and the other way around.
     pub fn as_wanted(self, wanted: Type) -> Self {
         match (self, wanted) {
-            (Place::Edge(from, to), Type::Halfedge) => Place::Halfedge(from, to),
-            (Place::Halfedge(from, to), Type::Edge) => Place::Edge(from, to),
+            (Place::Edge(ends), Type::Halfedge) => Place::Halfedge(ends),
+            (Place::Halfedge(ends), Type::Edge) => Place::Edge(ends),
             (place, _) => place,
         }
     }
 
-    /// The id of the element on a mesh.
+    /// The element on a mesh.
     ///
     /// At an edge `A-B` this also makes the halfedge from `A` to `B` the edge's `halfedge`.
-    pub fn find(self, obj: &mut Obj) -> Result<u32, String> {
+    pub fn find(self, obj: &mut Obj) -> Result<Found, String> {
+        let alone = |id| Ok(Found { id, note: None });
         match self {
-            Place::Vertex(number) => Ok(vertex(obj, number)?.0),
+            Place::Vertex(number) => alone(vertex(obj, number)?.0),
             Place::Face(number) => match obj.face_by_number(number) {
-                Some(FaceId(face)) => Ok(face),
-                None => Err(format!("the mesh has no face {number}")),
+                Some(FaceId(face)) => alone(face),
+                None => Err(none_of(obj, "face", number)),
             },
-            Place::Halfedge(from, to) => Ok(halfedge(obj, from, to)?.0),
-            Place::Edge(from, to) => {
-                let half = halfedge(obj, from, to)?;
-                let EdgeId(edge) = obj.mesh.edge(half);
-                obj.mesh.set_edge_halfedge(EdgeId(edge), half);
-                Ok(edge)
+            Place::HalfedgeOfId(id) => {
+                expect_ids(obj, "halfedge")?;
+                match obj.mesh.halfedge_alive(HalfedgeId(id)) {
+                    true => alone(id),
+                    false => Err(none_of(obj, "halfedge", id)),
+                }
+            }
+            Place::EdgeOfId(id) => {
+                expect_ids(obj, "edge")?;
+                match obj.mesh.edge_alive(EdgeId(id)) {
+                    true => alone(id),
+                    false => Err(none_of(obj, "edge", id)),
+                }
+            }
+            Place::Halfedge(ends) => {
+                let (HalfedgeId(id), note) = ends.halfedge(obj, "halfedge")?;
+                Ok(Found { id, note })
+            }
+            Place::Edge(ends) => {
+                let (half, note) = ends.halfedge(obj, "edge")?;
+                let EdgeId(id) = obj.mesh.edge(half);
+                obj.mesh.set_edge_halfedge(EdgeId(id), half);
+                Ok(Found { id, note })
+            }
+        }
+    }
+}
+
+impl Ends {
+    /// The halfedge from the one vertex to the other, and what is to be said of others.
+    fn halfedge(self, obj: &Obj, kind: &str) -> Result<(HalfedgeId, Option<String>), String> {
+        let Ends { from, to, which } = self;
+        let (start, end) = (vertex(obj, from)?, vertex(obj, to)?);
+        let spokes = obj.mesh.spokes(start);
+        let mut between: Vec<_> = spokes.filter(|&h| obj.mesh.target(h) == end).collect();
+        between.sort_unstable();
+        let place = |count: usize| format!("{kind}:{from}-{to}#{count}");
+        let sides = |(at, &h): (usize, &HalfedgeId)| {
+            let beside = [h, obj.mesh.twin(h)].map(|h| match obj.mesh.face(h) {
+                f if obj.mesh.is_hole(f) => "a hole".to_owned(),
+                FaceId(id) if obj.goes_by_ids() => format!("face {id}"),
+                f => match obj.face_number(f) {
+                    Some(number) => format!("face {number}"),
+                    None => "a face".to_owned(),
+                },
+            });
+            format!("{} between {}", place(at + 1), beside.join(" and "))
+        };
+        let all = || between.iter().enumerate().map(sides).collect::<Vec<_>>();
+        match (between.as_slice(), which) {
+            ([], _) => Err(format!("no edge joins the vertices {from} and {to}")),
+            ([only], None) => Ok((*only, None)),
+            ([first, ..], None) => {
+                let count = between.len();
+                let all = all().join(", ");
+                let note = format!(
+                    "{count} edges join the vertices {from} and {to}: {all}; the first is taken"
+                );
+                Ok((*first, Some(note)))
+            }
+            (several, Some(which)) => {
+                let at = (which as usize).checked_sub(1);
+                let found = at.and_then(|at| several.get(at));
+                let found = found.copied().map(|found| (found, None));
+                found.ok_or_else(|| {
+                    let all = all().join(", ");
+                    format!("there is no {}; there is {all}", place(which as usize))
+                })
             }
         }
     }
@@ -81,16 +179,25 @@ impl Place {
 
 fn vertex(obj: &Obj, number: u32) -> Result<VertexId, String> {
     obj.vertex_by_number(number)
-        .ok_or_else(|| format!("the mesh has no vertex {number}"))
+        .ok_or_else(|| none_of(obj, "vertex", number))
 }
 
-fn halfedge(obj: &Obj, from: u32, to: u32) -> Result<HalfedgeId, String> {
-    let (start, end) = (vertex(obj, from)?, vertex(obj, to)?);
-    let found = obj
-        .mesh
-        .spokes(start)
-        .find(|&half| obj.mesh.target(half) == end);
-    found.ok_or_else(|| format!("no edge joins the vertices {from} and {to}"))
+fn none_of(obj: &Obj, kind: &str, number: u32) -> String {
+    let from_one = match number == 0 && !obj.goes_by_ids() {
+        true => "; in an .obj file the first is 1",
+        false => "",
+    };
+    format!("the mesh has no {kind} {number}{from_one}")
+}
+
+/// Edges and halfedges have numbers in tables alone.
+fn expect_ids(obj: &Obj, kind: &str) -> Result<(), String> {
+    match obj.goes_by_ids() {
+        true => Ok(()),
+        false => Err(format!(
+            "an .obj file does not number its {kind}s: write {kind}:A-B with the vertices at its ends"
+        )),
+    }
 }
 
 #[cfg(test)]
@@ -99,12 +206,21 @@ mod tests {
 
     #[test]
     fn places_are_read() {
-        assert_eq!(read("edge:3-7"), Ok(Place::Edge(3, 7)));
+        let ends = |which| Ends {
+            from: 3,
+            to: 7,
+            which,
+        };
+        assert_eq!(read("edge:3-7"), Ok(Place::Edge(ends(None))));
+        assert_eq!(read("halfedge:3-7#2"), Ok(Place::Halfedge(ends(Some(2)))));
+        assert_eq!(read("edge:3"), Ok(Place::EdgeOfId(3)));
         assert_eq!(read("face:1"), Ok(Place::Face(1)));
         for text in [
             "",
             "edge",
-            "edge:3",
+            "edge:3-",
+            "edge:3-7#",
+            "edge:3#1",
             "vertex:-1",
             "corner:1",
             "face:99999999999",

@@ -7,13 +7,13 @@ use super::callee::{Callee, helpers};
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
-use super::names::{Names, function_name};
+use super::names::{Names, unreserved};
 use super::reassign;
 use super::routine::{Alternative, Helper, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Kind, Rule};
+use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
 
 /// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,8 +22,8 @@ pub(super) struct Conventions {
     pub prev: bool,
     /// Whether there are vertices at which no halfedge starts.
     pub isolated_vertices: bool,
-    /// Whether elements have the attributes that a program declares.
-    pub attributes: bool,
+    /// Whether attributes lie in columns that have to be found first.
+    pub columns: bool,
 }
 
 /// Some operations as routines, behind the functions that they call.
@@ -57,11 +57,12 @@ fn routine(
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
         let mut names = Names::new(op, rule, functions);
-        if conventions.attributes {
-            names = names.with_attributes(rule);
-        }
-        let body = alternative(rule, proof, conventions, &mut names)?;
+        let mut body = alternative(rule, proof, conventions, &mut names)?;
         calls.extend(names.take_calls());
+        if conventions.columns {
+            let columns = names.used_attributes().cloned().map(Statement::Column);
+            body.splice(0..0, columns);
+        }
         rules.push(Alternative {
             label: rule.label.clone(),
             body: without_unread(body),
@@ -77,7 +78,7 @@ fn routine(
             .collect();
     }
     Ok(Routine {
-        name: function_name(&op.name),
+        name: unreserved(&op.name),
         docs: op.docs.clone(),
         params,
         result: op.result,
@@ -248,25 +249,22 @@ fn values(
     let rule = drawing.rule;
     let mut sets = Vec::new();
     for assignment in &rule.assignments {
+        let target = assignment.target.name;
         let attribute = match assignment.attribute {
             Access::Position => None,
-            Access::Declared(number) => Some(names.attribute(number).map(str::to_string)),
+            Access::Declared(number) => names.attribute(number),
         };
-        let attribute_word = rule.attribute(assignment.attribute);
-        if attribute == Some(None) {
-            let what = format!("the attribute `{attribute_word}`");
-            return Err(NotEmitted::new(what, assignment.span));
-        }
-        let target = assignment.target.name;
         if !rule.is_first(target) {
             continue;
         }
         let member = rule.is_member(target);
         let word = names.word(target).trim_end_matches('_').to_string();
-        let name = names.fresh(&format!("{word}_{attribute_word}"));
+        let called = attribute.as_ref().map_or("position", |it| &it.name);
+        let name = names.fresh(&format!("{word}_{called}"));
         let evaluate = |names: &mut Names| Expressions { names }.term(&assignment.value);
         let value = names.for_each(member, evaluate)?;
-        let (turns, ty) = (names.turns(), assignment.value.ty);
+        let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
+        let turns = names.turns();
         let bound = name.clone();
         body.push(match member {
             true => Statement::Gather {
@@ -281,7 +279,7 @@ fn values(
                 value,
             },
         });
-        let (vertex, value) = names.for_each(member, |names| {
+        let (element, value) = names.for_each(member, |names| {
             let value = match member {
                 true => names.member(&name, 0),
                 false => Term::name(&name),
@@ -299,13 +297,16 @@ fn values(
                 reason: format!("the new position of `{text}` is not finite"),
             });
         }
-        let set = match attribute.flatten() {
-            Some(name) => Statement::SetAttribute {
-                name,
-                of: vertex,
+        let set = match attribute {
+            None => Statement::SetPosition {
+                vertex: element,
                 value,
             },
-            None => Statement::SetPosition { vertex, value },
+            Some(attribute) => Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            },
         };
         sets.push(match member {
             true => Statement::Turn {

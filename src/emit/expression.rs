@@ -37,11 +37,11 @@ impl Expressions<'_> {
             ExprKind::Member(..) => {
                 return Err(NotEmitted::new("a name with an index", expr.span));
             }
-            ExprKind::Read(Access::Declared(number), of) => {
-                let name = self.names.attribute(*number).map(str::to_string);
-                let what = "an attribute of the program";
-                let name = name.ok_or_else(|| NotEmitted::new(what, expr.span))?;
-                Term::Attribute(name, Box::new(self.term(of)?))
+            ExprKind::Read(Access::Declared(number), base) => {
+                let what = "an attribute in a function";
+                let attribute = self.names.attribute(*number);
+                let attribute = attribute.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                Term::Attribute(attribute, Box::new(self.term(base)?))
             }
             ExprKind::Element(name) => self.names.term(*name),
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
@@ -149,7 +149,7 @@ fn around(collection: &Collection) -> Option<(Around, &Expr)> {
 /// means and mixtures, and quotients by a number that is written out and not zero.
 pub(super) fn is_surely_finite(expr: &Expr) -> bool {
     match &expr.kind {
-        ExprKind::Int(_) | ExprKind::Read(..) => true,
+        ExprKind::Int(_) | ExprKind::Read(Access::Position, _) => true,
         ExprKind::Real(value) => value.is_finite(),
         ExprKind::Component(_, of) | ExprKind::Unary(_, of) => is_surely_finite(of),
         ExprKind::Vector(parts) => parts.iter().all(is_surely_finite),
@@ -178,6 +178,7 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
         | ExprKind::Local(_)
         | ExprKind::Member(..)
         | ExprKind::Follow(..)
+        | ExprKind::Read(Access::Declared(_), _)
         | ExprKind::Invoke(..)
         | ExprKind::Let(..)
         | ExprKind::Fold(_) => false,

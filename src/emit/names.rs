@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use super::callee::Callee;
-use super::term::{Term, Turns};
+use super::term::{Attribute, Term, Turns};
 use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
 
 /// Words of C++ and Rust, and what emitted code uses itself.
@@ -19,13 +19,14 @@ const RESERVED: &str = "
     nullptr operator or or_eq override priv private protected pub public ref register requires
     return self short signed sizeof static std struct super switch template this throw trait true
     try type typedef typeid typename union unsafe unsized unsigned use using virtual void volatile
-    wchar_t where while xor xor_eq yield mesh hedgerow main abs min max";
+    wchar_t where while xor xor_eq yield mesh hedgerow main abs min max
+    attribute set_attribute";
 
-/// What the function of an op is called.
-pub(super) fn function_name(op: &str) -> String {
-    match is_reserved(op) {
-        true => format!("{op}_"),
-        false => op.to_owned(),
+/// A word that the languages leave free, as near as can be to the one that is wanted.
+pub(super) fn unreserved(word: &str) -> String {
+    match is_reserved(word) {
+        true => format!("{word}_"),
+        false => word.to_owned(),
     }
 }
 
@@ -48,11 +49,11 @@ pub(super) struct Names {
     is_turning: bool,
     params: Vec<String>,
     folds: Vec<(u32, String)>,
+    /// The attributes of the program, and whether the rule uses them.
+    attributes: Vec<(Attribute, bool)>,
     /// The functions of the program that have a value, by number, and those that are called.
     functions: Vec<Option<String>>,
     calls: BTreeSet<u32>,
-    /// The attributes that the program declares, if they can be told.
-    attributes: Vec<String>,
     taken: BTreeSet<String>,
 }
 
@@ -71,6 +72,17 @@ impl Names {
         }
         for id in (0..count as u32).map(NameId) {
             names.name(rule, id);
+        }
+        for declared in rule.attributes.iter() {
+            let name = unreserved(&declared.name.replace('\'', "_"));
+            let attribute = Attribute {
+                declared: declared.name.clone(),
+                column: names.fresh(&format!("{name}_column")),
+                name,
+                element: declared.element,
+                ty: declared.ty,
+            };
+            names.attributes.push((attribute, false));
         }
         if let Some(cycle) = &rule.cycle {
             names.turns = Turns {
@@ -111,18 +123,6 @@ impl Names {
             attributes: Vec::new(),
             taken: RESERVED.split_whitespace().map(String::from).collect(),
         }
-    }
-
-    /// Lets attributes be told.
-    pub fn with_attributes(mut self, rule: &Rule) -> Self {
-        let attributes = rule.attributes.iter();
-        self.attributes = attributes.map(|attribute| attribute.name.clone()).collect();
-        self
-    }
-
-    /// The name of an attribute.
-    pub fn attribute(&self, number: u32) -> Option<&str> {
-        self.attributes.get(number as usize).map(String::as_str)
     }
 
     /// The name of a function of the program that is called, if it has a value.
@@ -323,6 +323,19 @@ impl Names {
         let word = self.fresh(wanted);
         self.folds.push((number, word.clone()));
         word
+    }
+
+    /// An attribute of the program, which the rule uses; a function knows of none.
+    pub fn attribute(&mut self, number: u32) -> Option<Attribute> {
+        let (attribute, is_used) = self.attributes.get_mut(number as usize)?;
+        *is_used = true;
+        Some(attribute.clone())
+    }
+
+    /// The attributes that have been used so far.
+    pub fn used_attributes(&self) -> impl Iterator<Item = &Attribute> {
+        let used = self.attributes.iter().filter(|(_, is_used)| *is_used);
+        used.map(|(attribute, _)| attribute)
     }
 
     /// Names a variable of a function.

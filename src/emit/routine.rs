@@ -5,7 +5,7 @@
 //! vertices, and what is done for each index of a family. [`build`](super::build) writes it; a
 //! printer per language spells it.
 
-use super::term::{Parameter, Term, Turns};
+use super::term::{Attribute, Parameter, Term, Turns};
 use crate::diagram::{Kind, Pointer, Type};
 
 /// An operation as a routine.
@@ -54,6 +54,8 @@ pub(super) enum Statement {
     Comment(String),
     /// An empty line.
     Blank,
+    /// A name for the column of an attribute; refuses a mesh without it.
+    Column(Attribute),
     /// A name for a value.
     Bind { ty: Type, name: String, value: Term },
     /// Tries the halfedges of an element in turn; what is refused in the body goes on with the
@@ -124,8 +126,12 @@ pub(super) enum Statement {
     SetHole { face: Term, hole: bool },
     /// `vertex.position = value`
     SetPosition { vertex: Term, value: Term },
-    /// `of.name = value`, an attribute that the program declares.
-    SetAttribute { name: String, of: Term, value: Term },
+    /// `element.attribute = value`
+    SetAttribute {
+        attribute: Attribute,
+        element: Term,
+        value: Term,
+    },
     /// Erases an element.
     Erase { kind: Kind, element: Term },
     /// The value of a function.
@@ -202,7 +208,7 @@ impl Statement {
     /// Asks about every name that the statement reads, bodies included.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         match self {
-            Self::Comment(_) | Self::Blank | Self::New { .. } => {}
+            Self::Comment(_) | Self::Blank | Self::Column(_) | Self::New { .. } => {}
             Self::Bind { value, .. } | Self::BindList { value, .. } | Self::Tally { value, .. } => {
                 value.names(see);
             }
@@ -249,12 +255,12 @@ impl Statement {
                 value.names(see);
             }
             Self::SetHole { face, .. } => face.names(see),
-            Self::SetAttribute { of, value, .. } => {
-                of.names(see);
-                value.names(see);
-            }
             Self::SetPosition { vertex, value } => {
                 vertex.names(see);
+                value.names(see);
+            }
+            Self::SetAttribute { element, value, .. } => {
+                element.names(see);
                 value.names(see);
             }
             Self::Give(value) => value.names(see),

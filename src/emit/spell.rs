@@ -1,6 +1,6 @@
 //! Terms as text: what C++ and Rust spell alike, and where brackets are needed.
 
-use super::term::{Fold, Function, Term, Turns};
+use super::term::{Attribute, Fold, Function, Term, Turns};
 use crate::diagram::{Binary, Pointer, Unary};
 
 /// How tightly the outermost operator of a text binds.
@@ -51,7 +51,7 @@ pub(super) trait Language {
     fn int(&self, value: i64) -> Spelled;
     fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled;
     fn position(&mut self, of: Spelled) -> Spelled;
-    fn attribute(&mut self, name: &str, of: Spelled) -> Spelled;
+    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled;
     fn hole(&mut self, of: Spelled) -> Spelled;
     fn component(&mut self, part: u8, of: Spelled) -> Spelled;
     fn vector(&mut self, parts: [Spelled; 3]) -> Spelled;
@@ -83,9 +83,9 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
             let of = spell(language, of);
             language.position(of)
         }
-        Term::Attribute(name, of) => {
+        Term::Attribute(attribute, of) => {
             let of = spell(language, of);
-            language.attribute(name, of)
+            language.attribute(attribute, of)
         }
         Term::Hole(of) => {
             let of = spell(language, of);

@@ -18,6 +18,21 @@ pub(super) struct Turns {
     pub size: String,
 }
 
+/// An attribute that the program declares.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Attribute {
+    /// What it is called in the program.
+    pub declared: String,
+    /// What it is called in code.
+    pub name: String,
+    /// What its column is called, where attributes lie in columns.
+    pub column: String,
+    /// The type of the elements that have it.
+    pub element: Type,
+    /// The type of its values.
+    pub ty: Type,
+}
+
 /// A value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Term {
@@ -29,8 +44,8 @@ pub(super) enum Term {
     Follow(Pointer, Box<Term>),
     /// `v.position`
     Position(Box<Term>),
-    /// An attribute that the program declares.
-    Attribute(String, Box<Term>),
+    /// `e.crease`
+    Attribute(Attribute, Box<Term>),
     /// Whether a face is a hole.
     Hole(Box<Term>),
     Component(u8, Box<Term>),

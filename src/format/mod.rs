@@ -5,11 +5,11 @@
 //! decides stays: blank lines (one at most), edges that share a line, and blocks of one
 //! statement that stand on one line. Only white space changes: every token and every comment
 //! comes out as it went in, which is looked at each time before anything is answered, and
-//! formatting twice changes nothing, which [`format`] looks at, too.
+//! formatting twice changes nothing, which [`format()`] looks at, too.
 //!
 //! An item with a mistake in it stays as it is, so a file can be formatted while it is typed.
 //!
-//! [`format`] answers with a whole text, [`edits`] and [`edits_of_lines`] with the white space to
+//! [`format()`] answers with a whole text, [`edits`] and [`edits_of_lines`] with the white space to
 //! exchange, for editors.
 
 mod printer;

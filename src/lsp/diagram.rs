@@ -7,12 +7,11 @@
 use gen_lsp_types::{Position, TextDocumentIdentifier, Uri};
 use serde::{Deserialize, Serialize};
 
-use super::document::Document;
 use super::hover::verdict;
 use super::preview::{Preview, Shown};
 use super::requests::Refusal;
 use super::server::Server;
-use crate::analysis::{op_card, op_here, op_named};
+use crate::analysis::{OpCard, op_card, op_here, op_named};
 use crate::draw::draw_op;
 
 /// What `hedgerow/diagram` and `hedgerow/cursor` are about: the op at a position, or of a name.
@@ -52,8 +51,7 @@ impl Server {
             (None, Some(position)) => op_here(snapshot, document.offset(position)),
             (None, None) => None,
         };
-        let place = op.map(|op| op.name.span.start as usize);
-        Ok(place.and_then(|place| draw(document, place)))
+        Ok(op.and_then(|op| draw(&op_card(snapshot, op))))
     }
 
     /// `hedgerow/cursor`
@@ -70,10 +68,20 @@ impl Server {
 
     /// The cursor is here: the preview, if it is open, shows the op around it.
     pub(super) fn follow(&mut self, uri: &Uri, offset: usize) {
-        let (Some(preview), Some(document)) = (&self.preview, self.documents.get(uri)) else {
+        let Some(document) = self.documents.get(uri) else {
             return;
         };
-        if let Some(diagram) = draw(document, offset) {
+        let snapshot = document.snapshot();
+        if self.preview.is_some()
+            && let Some(op) = op_here(snapshot, offset)
+        {
+            self.show(&op_card(snapshot, op));
+        }
+    }
+
+    /// Shows an op in the preview, if it is open.
+    pub(super) fn show(&self, op: &OpCard) {
+        if let (Some(preview), Some(diagram)) = (&self.preview, draw(op)) {
             preview.show(Shown {
                 title: diagram.name,
                 verdict: diagram.verdict,
@@ -94,16 +102,13 @@ impl Server {
     }
 }
 
-fn draw(document: &Document, offset: usize) -> Option<Diagram> {
-    let snapshot = document.snapshot();
-    let op = op_here(snapshot, offset)?;
-    let card = op_card(snapshot, op);
+fn draw(card: &OpCard) -> Option<Diagram> {
     let diagram = card.diagram.as_ref()?;
     Some(Diagram {
         name: diagram.name.clone(),
         svg: draw_op(diagram).svg(),
         is_current: card.is_current,
         proved: card.verdict.proved,
-        verdict: verdict(&card),
+        verdict: verdict(card),
     })
 }

@@ -7,7 +7,7 @@ use super::errand::Errand;
 use super::requests::{Answer, Refusal};
 use super::server::{Asked, Server};
 use super::{files, uri};
-use crate::analysis::{Offer, lenses, op_named};
+use crate::analysis::{Offer, lenses, op_card, op_named};
 
 /// Shows the diagram of an op in the preview: document, op.
 pub(super) const SHOW_DIAGRAM: &str = "hedgerow.showDiagram";
@@ -84,11 +84,14 @@ impl Server {
     }
 
     fn show_diagram(&mut self, uri: &Uri, name: Option<String>) -> Answer<ExecuteCommandRequest> {
-        let document = self.document(uri)?;
-        let place = name
-            .and_then(|name| Some(op_named(document.snapshot(), &name)?.name.span.start as usize));
+        let snapshot = self.document(uri)?.snapshot();
+        let op = name.and_then(|name| op_named(snapshot, &name));
+        let card = op.map(|op| op_card(snapshot, op));
         let address = self.preview_address()?;
-        self.follow(uri, place.unwrap_or(0));
+        match card {
+            Some(card) => self.show(&card),
+            None => self.follow(uri, 0),
+        }
         if self.client.shows_documents() {
             let params = ShowDocumentParams {
                 uri: Uri(address.clone()),

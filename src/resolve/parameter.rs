@@ -51,25 +51,9 @@ pub(super) enum Owner {
     Function,
 }
 
-const TYPES: [Type; 13] = [
-    Type::Bool,
-    Type::Int,
-    Type::Real,
-    Type::Vec2,
-    Type::Vec3,
-    Type::Vec4,
-    Type::Mat3,
-    Type::Mat4,
-    Type::Text,
-    Type::Vertex,
-    Type::Halfedge,
-    Type::Edge,
-    Type::Face,
-];
-
 /// The type of this name.
 pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
-    let found = TYPES.into_iter().find(|ty| ty.word() == word.text);
+    let found = Type::ALL.into_iter().find(|ty| ty.word() == word.text);
     if found.is_some() {
         return found;
     }
@@ -80,7 +64,7 @@ pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     }
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
-    let known = TYPES.map(Type::word);
+    let known = Type::ALL.map(Type::word);
     let ours = elsewhere::type_word(&word.text).map(Here::Written);
     let error = elsewhere::tell(error, (&word.text, word.span), ours, known)
         .note(format!("the types are {}", quoted(&known)));

@@ -72,15 +72,73 @@ fn settings() {
     assert!(!bench.has("out.obj"));
 }
 
+/// A pillow of two triangles with one edge contracted is two faces between two vertices.
+#[test]
+fn of_several_edges_between_two_vertices_one_is_chosen() {
+    let bench = Bench::new();
+    let pillow = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 3 2 1\n";
+    bench.write("pillow.obj", pillow);
+    let op = "std/map.hedge::contract";
+    let apply = |from, at, to| bench.run(&["apply", op, from, "--at", at, "-o", to]);
+    let said = apply("pillow.obj", "edge:2-3", "lens.halfedges");
+    assert_eq!((said.code, said.err.as_str()), (0, ""), "{said:?}");
+    let op = "std/map.hedge::sprout";
+    let at = |at| {
+        bench.run(&[
+            "apply",
+            op,
+            "lens.halfedges",
+            "--at",
+            at,
+            "-o",
+            "x.halfedges",
+        ])
+    };
+    let said = at("edge:0-1");
+    assert_eq!(said.code, 0, "{said:?}");
+    let words = "note: 2 edges join the vertices 0 and 1: halfedge:0-1#1 between face 0 and face 1, \
+                 halfedge:0-1#2 between face 1 and face 0; the first is taken";
+    assert!(said.err.contains(words), "{said:?}");
+    let mut written = Vec::new();
+    for place in [
+        "edge:0-1#1",
+        "edge:0-1#2",
+        "halfedge:0",
+        "halfedge:1",
+        "halfedge:3",
+    ] {
+        let said = at(place);
+        if said.code == 0 {
+            assert_eq!(said.err, "", "{place}");
+            written.push(bench.read("x.halfedges"));
+        } else {
+            assert!(said.err.contains("the mesh has no halfedge"), "{said:?}");
+        }
+    }
+    written.sort();
+    written.dedup();
+    assert!(written.len() > 1, "each of the two edges is chosen");
+}
+
 #[test]
 fn places() {
     let bench = Bench::with_square();
     for (at, words) in [
         ("", "is no place"),
         ("edge", "is no place"),
-        ("edge:1", "is no place"),
+        ("edge:1", "does not number its edges: write edge:A-B"),
+        (
+            "edge:1-3#0",
+            "there is no edge:1-3#0; there is edge:1-3#1 between",
+        ),
+        ("edge:1-3#2", "there is no edge:1-3#2"),
+        ("edge:1-3#", "is no place"),
+        (
+            "vertex:0",
+            "`e` is of type edge, but the place is of type vertex",
+        ),
         ("edge:1-2-3", "is no place"),
-        ("edge:0-1", "no vertex 0"),
+        ("edge:0-1", "no vertex 0; in an .obj file the first is 1"),
         ("edge:-1-2", "is no place"),
         ("edge:1.5-2", "is no place"),
         ("edge:99999999999-1", "is no place"),

@@ -37,6 +37,7 @@ class HalfEdgeMesh {
     V& vertex() { return vertex_; }
     E& edge() { return edge_; }
     F& face() { return face_; }
+    float mark = 0;
     int number = -1;
 
    private:
@@ -48,6 +49,8 @@ class HalfEdgeMesh {
   struct Vertex {
     H& half_edge() { return half_edge_; }
     course::Vec pos;
+    float weight = 0;
+    course::Vec tint;
     int number = -1;
 
    private:
@@ -55,6 +58,7 @@ class HalfEdgeMesh {
   };
   struct Edge {
     H& half_edge() { return half_edge_; }
+    bool fresh = false;
     int number = -1;
 
    private:
@@ -64,6 +68,7 @@ class HalfEdgeMesh {
     H& half_edge() { return half_edge_; }
     bool is_boundary() { return boundary; }
     bool boundary = false;
+    long long class_ = 0;
     int number = -1;
 
    private:

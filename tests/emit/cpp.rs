@@ -12,6 +12,7 @@ use hedgerow::emit::{Style, cpp};
 use hedgerow::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 use tempfile::TempDir;
 
+use crate::columns;
 use crate::meshes::Dice;
 use crate::places::{Argument, Done, Tally, arguments, by_machine, compare, places, report};
 use crate::subjects::{Subject, folder, functions, subjects};
@@ -92,26 +93,29 @@ fn table(mesh: &Mesh) -> String {
         write!(text, " {}", capacity(kind)).unwrap();
     }
     text.push('\n');
+    let attributes = |kind, id| {
+        let numbers = columns::numbers(mesh, kind, id).into_iter();
+        numbers.map(|x| format!(" {x:?}")).collect::<String>() + "\n"
+    };
     for h in mesh.halfedges() {
         let (next, twin) = (mesh.next(h).0, mesh.twin(h).0);
         let (vertex, edge, face) = (mesh.vertex(h).0, mesh.edge(h).0, mesh.face(h).0);
-        writeln!(text, "{next} {twin} {vertex} {edge} {face}").unwrap();
+        write!(text, "{next} {twin} {vertex} {edge} {face}").unwrap();
+        text.push_str(&attributes(ElementKind::Halfedge, h.0));
     }
     for v in mesh.vertices() {
         let DVec3 { x, y, z } = mesh.position(v);
-        writeln!(text, "{} {x:?} {y:?} {z:?}", mesh.vertex_halfedge(v).0).unwrap();
+        write!(text, "{} {x:?} {y:?} {z:?}", mesh.vertex_halfedge(v).0).unwrap();
+        text.push_str(&attributes(ElementKind::Vertex, v.0));
     }
     for e in mesh.edges() {
-        writeln!(text, "{}", mesh.edge_halfedge(e).0).unwrap();
+        write!(text, "{}", mesh.edge_halfedge(e).0).unwrap();
+        text.push_str(&attributes(ElementKind::Edge, e.0));
     }
     for f in mesh.faces() {
-        writeln!(
-            text,
-            "{} {}",
-            mesh.face_halfedge(f).0,
-            u8::from(mesh.is_hole(f))
-        )
-        .unwrap();
+        let (halfedge, hole) = (mesh.face_halfedge(f).0, u8::from(mesh.is_hole(f)));
+        write!(text, "{halfedge} {hole}").unwrap();
+        text.push_str(&attributes(ElementKind::Face, f.0));
     }
     text
 }
@@ -119,14 +123,16 @@ fn table(mesh: &Mesh) -> String {
 /// The mesh of the tables that the driver prints.
 fn mesh_of<'t>(words: &mut impl Iterator<Item = &'t str>) -> Mesh {
     let mut mesh = Mesh::default();
-    let mut number = || words.next().unwrap().parse::<f64>().unwrap();
-    let mut id = || number() as i64 as u32;
-    let [vertices, halfedges, edges, faces] = [id(), id(), id(), id()];
+    let mut numbers = words.map(|word| word.parse::<f64>().unwrap());
+    let mut count = || numbers.next().unwrap() as u32;
+    let [vertices, halfedges, edges, faces] = [count(), count(), count(), count()];
     (0..vertices).for_each(|_| _ = mesh.add_vertex());
     (0..halfedges).for_each(|_| _ = mesh.add_halfedge());
     (0..edges).for_each(|_| _ = mesh.add_edge());
     (0..faces).for_each(|_| _ = mesh.add_face());
+    columns::add(&mut mesh);
     for h in (0..halfedges).map(HalfedgeId) {
+        let mut id = || numbers.next().unwrap() as u32;
         let next = HalfedgeId(id());
         mesh.set_next(h, next);
         mesh.set_prev(next, h);
@@ -134,17 +140,24 @@ fn mesh_of<'t>(words: &mut impl Iterator<Item = &'t str>) -> Mesh {
         mesh.set_vertex(h, VertexId(id()));
         mesh.set_edge(h, EdgeId(id()));
         mesh.set_face(h, FaceId(id()));
+        columns::set_numbers(&mut mesh, ElementKind::Halfedge, h.0, &mut numbers);
     }
     for v in (0..vertices).map(VertexId) {
+        let mut number = || numbers.next().unwrap();
         mesh.set_vertex_halfedge(v, HalfedgeId(number() as u32));
         mesh.set_position(v, DVec3::new(number(), number(), number()));
+        columns::set_numbers(&mut mesh, ElementKind::Vertex, v.0, &mut numbers);
     }
     for e in (0..edges).map(EdgeId) {
-        mesh.set_edge_halfedge(e, HalfedgeId(number() as u32));
+        let halfedge = numbers.next().unwrap();
+        mesh.set_edge_halfedge(e, HalfedgeId(halfedge as u32));
+        columns::set_numbers(&mut mesh, ElementKind::Edge, e.0, &mut numbers);
     }
     for f in (0..faces).map(FaceId) {
+        let mut number = || numbers.next().unwrap();
         mesh.set_face_halfedge(f, HalfedgeId(number() as u32));
         mesh.set_hole(f, number() != 0.0);
+        columns::set_numbers(&mut mesh, ElementKind::Face, f.0, &mut numbers);
     }
     mesh
 }

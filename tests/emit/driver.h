@@ -16,7 +16,8 @@ struct Table {
   int vertices, halfedges, edges, faces;
   std::vector<std::vector<int>> half;  // next twin vertex edge face
   std::vector<int> vertex, edge, face, hole;
-  std::vector<Vector> position;
+  std::vector<Vector> position, tint;
+  std::vector<double> mark, weight, fresh, group;
 };
 
 using VRef = decltype(Mesh().new_vertex());
@@ -53,16 +54,24 @@ inline Table read_table() {
   for (int i = 0; i < t.halfedges; ++i) {
     t.half.push_back({});
     for (int k = 0; k < 5; ++k) t.half.back().push_back(number());
+    t.mark.push_back(real());
   }
   for (int i = 0; i < t.vertices; ++i) {
     t.vertex.push_back(number());
     double x = real(), y = real(), z = real();
     t.position.push_back(Vector(x, y, z));
+    t.weight.push_back(real());
+    x = real(), y = real(), z = real();
+    t.tint.push_back(Vector(x, y, z));
   }
-  for (int i = 0; i < t.edges; ++i) t.edge.push_back(number());
+  for (int i = 0; i < t.edges; ++i) {
+    t.edge.push_back(number());
+    t.fresh.push_back(real());
+  }
   for (int i = 0; i < t.faces; ++i) {
     t.face.push_back(number());
     t.hole.push_back(number());
+    t.group.push_back(real());
   }
   return t;
 }
@@ -78,15 +87,22 @@ inline void build(const Table& t, Built& b) {
     SET(b.h[i], vertex, b.v[t.half[i][2]]);
     SET(b.h[i], edge, b.e[t.half[i][3]]);
     SET(b.h[i], face, b.f[t.half[i][4]]);
+    b.h[i]->mark = t.mark[i];
   }
   for (int i = 0; i < t.vertices; ++i) {
     SET(b.v[i], HALFEDGE, b.h[t.vertex[i]]);
     POSITION(b.v[i]) = t.position[i];
+    b.v[i]->weight = t.weight[i];
+    b.v[i]->tint = t.tint[i];
   }
-  for (int i = 0; i < t.edges; ++i) SET(b.e[i], HALFEDGE, b.h[t.edge[i]]);
+  for (int i = 0; i < t.edges; ++i) {
+    SET(b.e[i], HALFEDGE, b.h[t.edge[i]]);
+    b.e[i]->fresh = t.fresh[i] != 0;
+  }
   for (int i = 0; i < t.faces; ++i) {
     SET(b.f[i], HALFEDGE, b.h[t.face[i]]);
     BOUNDARY(b.f[i]) = t.hole[i];
+    b.f[i]->class_ = static_cast<long long>(t.group[i]);
   }
 }
 
@@ -115,15 +131,18 @@ inline void print(Mesh& mesh) {
   Counts n = numbered(mesh);
   std::printf("%d %d %d %d\n", n.v, n.h, n.e, n.f);
   EACH(h, halfedges) {
-    std::printf("%d %d %d %d %d\n", GET(h, next)->number, GET(h, twin)->number,
-                GET(h, vertex)->number, GET(h, edge)->number, GET(h, face)->number);
+    std::printf("%d %d %d %d %d %.17g\n", GET(h, next)->number, GET(h, twin)->number,
+                GET(h, vertex)->number, GET(h, edge)->number, GET(h, face)->number,
+                double(h->mark));
   }
   EACH(v, vertices) {
     Vector p = POSITION(v);
-    std::printf("%d %.17g %.17g %.17g\n", GET(v, HALFEDGE)->number, double(p.x), double(p.y), double(p.z));
+    std::printf("%d %.17g %.17g %.17g", GET(v, HALFEDGE)->number, double(p.x), double(p.y), double(p.z));
+    Vector q = v->tint;
+    std::printf(" %.17g %.17g %.17g %.17g\n", double(v->weight), double(q.x), double(q.y), double(q.z));
   }
-  EACH(e, edges) std::printf("%d\n", GET(e, HALFEDGE)->number);
-  EACH(f, faces) std::printf("%d %d\n", GET(f, HALFEDGE)->number, int(BOUNDARY(f)));
+  EACH(e, edges) std::printf("%d %d\n", GET(e, HALFEDGE)->number, int(e->fresh));
+  EACH(f, faces) std::printf("%d %d %lld\n", GET(f, HALFEDGE)->number, int(BOUNDARY(f)), f->class_);
 }
 
 // What an operation without a result, and one with a result, have done.

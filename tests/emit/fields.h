@@ -33,20 +33,25 @@ class Mesh {
     VertexRef vertex;
     EdgeRef edge;
     FaceRef face;
+    double mark = 0;
     int number = -1;
   };
   struct Vertex {
     HalfedgeRef halfedge;
     Vec3 position;
+    double weight = 0;
+    Vec3 tint;
     int number = -1;
   };
   struct Edge {
     HalfedgeRef halfedge;
+    bool fresh = false;
     int number = -1;
   };
   struct Face {
     HalfedgeRef halfedge;
     bool boundary = false;
+    long long class_ = 0;
     int number = -1;
   };
 

@@ -9,6 +9,7 @@
 #[allow(clippy::all, unused_variables)]
 mod emitted;
 
+mod columns;
 mod cpp;
 #[path = "../guard/meshes.rs"]
 #[allow(dead_code)]

@@ -5,6 +5,7 @@ use hedgerow::mesh::same_up_to_renumbering;
 use hedgerow::mesh::{ElementKind, Level, Mesh, equal_up_to_renumbering, highest_level, validate};
 use hedgerow::rewrite::{Machine, Outcome};
 
+use crate::columns;
 use crate::meshes::{Dice, meshes as many, shuffle_pointers};
 use crate::subjects::Subject;
 
@@ -29,6 +30,7 @@ pub fn places() -> Vec<Place> {
         }
         let level = highest_level(&mesh).expect("it is in order");
         kept += usize::from(level == Level::Simple);
+        columns::fill(&mut mesh, &mut dice);
         places.push(Place { mesh, level });
     }
     assert!(kept > 10 && places.len() > 30, "{kept} of {}", places.len());
@@ -115,7 +117,9 @@ pub fn by_machine(subject: &Subject, mesh: &Mesh, arguments: &[Argument]) -> Don
         .iter()
         .flat_map(|argument| argument.slots())
         .collect();
-    let outcome = Machine::new(&[]).apply(&mut mesh, &subject.plan, &slots);
+    let mut machine = Machine::new(&[]);
+    machine.use_columns(columns::of(subject, &mesh));
+    let outcome = machine.apply(&mut mesh, &subject.plan, &slots);
     match outcome.expect("nothing traps") {
         Outcome::Applied { result } => Some((mesh, result)),
         Outcome::Refused { .. } => None,
@@ -148,6 +152,11 @@ pub fn compare(
                 false => same_up_to_renumbering(expected, mesh, tolerance),
             };
             assert!(same, "{}: another mesh", place());
+            let [ours, theirs] = [expected, mesh].map(columns::all_numbers);
+            let mut pairs = ours.iter().zip(&theirs);
+            let close = |(x, y): (&f64, &f64)| (x - y).abs() <= tolerance * (1.0 + x.abs());
+            let same = ours.len() == theirs.len() && pairs.all(close);
+            assert!(same, "{}: other attributes", place());
             assert_eq!(result.is_some(), emitted_result.is_some(), "{}", place());
         }
         (Some(_), None) => panic!("{}: emitted code refuses what the machine applies", place()),

@@ -48,6 +48,7 @@ pub fn subjects() -> Vec<Subject> {
         .collect();
     paths.sort();
     paths.push(folder("src/library/std/polygon.hedge"));
+    paths.push(folder("tests/emit/attributes.hedge"));
     paths.push(folder("tests/emit/values.hedge"));
     paths.push(folder("tests/families/more.hedge"));
     for path in paths {

@@ -100,7 +100,7 @@ async function draw(of) {
   if (answer) {
     panel.title = `Diagram: ${answer.name}`;
     const old = answer.isCurrent ? "" : "<p>(as it was when it could last be read)</p>";
-    panel.webview.html = page(answer.svg + old);
+    panel.webview.html = page(answer.svg + old + markdown(answer.verdict));
   } else if (!panel.webview.html) {
     panel.webview.html = page("<p>Put the cursor into an operation.</p>");
   }
@@ -108,15 +108,25 @@ async function draw(of) {
 
 const escaped = (text) => String(text).replace(/[&<>]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
-// The pictures are drawn for paper.
+/** Lines of Markdown: what is bold, code, an item of a list; all else is text. */
+const markdown = (text) => text.split("\n").filter((line) => line.trim()).map((line) => `<p>${
+  escaped(line.replace(/^- /, "\u2022 "))
+    .replace(/\*\*([^*]+)\*\*/g, "<b>$1</b>")
+    .replace(/`([^`]+)`/g, "<code>$1</code>")
+}</p>`).join("");
+
+// The pictures are drawn for paper, and for a dark page where such pages are preferred.
 const page = (body) => `<!DOCTYPE html>
 <html>
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:;">
 <style>
-body { background: white; color: black; margin: 0; padding: 12px; }
-svg { display: block; width: 100%; height: auto; max-height: 95vh; }
+body { background: white; color: #22262c; margin: 0; padding: 12px; font-size: 14px; }
+@media (prefers-color-scheme: dark) { body { background: #15181d; color: #d9dee5; } }
+p { margin: 6px 0; }
+code { color: inherit; background: none; font-family: monospace; }
+svg { display: block; width: 100%; height: auto; max-height: 90vh; }
 </style>
 </head>
 <body>${body}</body>

@@ -14,7 +14,7 @@
 //! changes is named:
 //!
 //! * A loop changes only if `after` draws it: its size, and which vertices it meets
-//!   ([`surface`]). Other loops keep their halfedges, but a corner of theirs can move from
+//!   (`surface`). Other loops keep their halfedges, but a corner of theirs can move from
 //!   one vertex to another with a fan or an outer halfedge. The vertex it moves to is drawn.
 //! * So two corners of one loop at one vertex, where there were none, lie either in a loop
 //!   of `after`, where one of them is named or both are on paths; or both in pieces outside
@@ -29,7 +29,7 @@
 //!   twice.
 //! * Two edges have the same ends, and did not, only if one of them is drawn and new, or
 //!   moved an end; or if a fan has brought it to a vertex that has other spokes
-//!   ([`simple`]). Two faces have the same corners, and had not, only if one of them is
+//!   (`simple`). Two faces have the same corners, and had not, only if one of them is
 //!   drawn with other corners than before, or a fan has brought one of its corners to a
 //!   vertex with faces from elsewhere; both then lie around any of these corners.
 //!

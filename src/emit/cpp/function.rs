@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::lines::Lines;
-use super::super::names::function_name;
+use super::super::names::unreserved;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
 use super::super::term::Term;
@@ -27,7 +27,7 @@ pub fn cpp(
     let conventions = build::Conventions {
         prev: style.has_prev(),
         isolated_vertices: false,
-        attributes: true,
+        columns: false,
     };
     let (helpers, routines) = build::routines(ops, functions, conventions)?;
     let mut printer = Printer {
@@ -331,6 +331,6 @@ impl Printer<'_> {
 pub(super) fn invoked(name: &str) -> String {
     match support::is_known(name) {
         true => format!("{name}_"),
-        false => function_name(name),
+        false => unreserved(name),
     }
 }

@@ -1,7 +1,7 @@
 //! Terms as C++.
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
-use super::super::term::{Around, Fold, Function, Term, Turns};
+use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::function::{Printer, invoked};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -34,8 +34,9 @@ impl Language for Printer<'_> {
         Spelled::whole(self.style.position(&of.at(Level::Whole)))
     }
 
-    fn attribute(&mut self, name: &str, of: Spelled) -> Spelled {
-        Spelled::whole(self.style.attribute(&of.at(Level::Whole), name))
+    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
+        let of = of.at(Level::Whole);
+        Spelled::whole(self.style.attribute(&of, &attribute.name))
     }
 
     fn hole(&mut self, of: Spelled) -> Spelled {

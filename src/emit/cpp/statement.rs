@@ -19,6 +19,8 @@ impl Printer<'_> {
         match statement {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
+            // Attributes are fields.
+            Statement::Column(_) => {}
             Statement::Bind { ty, name, value } => {
                 let value = self.text(value);
                 let ty = self.ty(*ty);
@@ -124,9 +126,16 @@ impl Printer<'_> {
                 let line = format!("{} = {value};", self.style.position(&vertex));
                 self.lines.line(&line);
             }
-            Statement::SetAttribute { name, of, value } => {
-                let (of, value) = (self.whole(of), self.text(value));
-                let line = format!("{} = {value};", self.style.attribute(&of, name));
+            Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            } => {
+                let (element, value) = (self.whole(element), self.text(value));
+                let line = format!(
+                    "{} = {value};",
+                    self.style.attribute(&element, &attribute.name)
+                );
                 self.lines.line(&line);
             }
             Statement::Erase { kind, element } => {

@@ -1,7 +1,7 @@
 //! How C++ reads, writes, allocates and erases: what differs from one mesh class to the next.
 //!
 //! Everything is a pattern with a name. A pattern may speak of `{of}`, the element; `{pointer}`,
-//! the pointer's name; and `{value}`.
+//! the name of the pointer or attribute; and `{value}`.
 
 use std::fmt;
 
@@ -217,8 +217,9 @@ impl Style {
         fill(self.pattern("position"), vertex, "", "")
     }
 
-    pub(in crate::emit) fn attribute(&self, element: &str, name: &str) -> String {
-        fill(self.pattern("attribute"), element, name, "")
+    /// An attribute of the program, to be read or set.
+    pub(in crate::emit) fn attribute(&self, of: &str, name: &str) -> String {
+        fill(self.pattern("attribute"), of, name, "")
     }
 
     /// A call that allocates.

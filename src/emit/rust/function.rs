@@ -19,8 +19,7 @@ pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, Not
     let conventions = build::Conventions {
         prev: true,
         isolated_vertices: true,
-        // They stand in columns that a program makes as it begins.
-        attributes: false,
+        columns: true,
     };
     let (helpers, routines) = build::routines(ops, functions, conventions)?;
     let mut printer = Printer {
@@ -44,15 +43,24 @@ pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, Not
             body.push_str(text);
         }
     }
-    let ids = ["EdgeId", "FaceId", "HalfedgeId", "Mesh", "VertexId"];
-    let ids: Vec<_> = ids.into_iter().filter(|id| names(&body, id)).collect();
+    let all = [
+        "Attribute",
+        "ColumnId",
+        "EdgeId",
+        "ElementKind",
+        "FaceId",
+        "HalfedgeId",
+        "Mesh",
+        "VertexId",
+    ];
+    let used: Vec<_> = all.into_iter().filter(|word| names(&body, word)).collect();
     let vectors = match names(&body, "DVec3") {
         true => "use glam::DVec3;\n",
         false => "",
     };
     Ok(format!(
         "{vectors}use hedgerow::mesh::{{{}}};\n{body}",
-        ids.join(", ")
+        used.join(", ")
     ))
 }
 
@@ -110,6 +118,24 @@ fn all_in_order_around_vertex(mesh: &Mesh, all: &[HalfedgeId]) -> bool {
         open.next_if_eq(&&h);
     }
     open.next().is_none()
+}
+",
+    ),
+    (
+        "attribute",
+        "\
+/// The value of an attribute.
+fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
+    mesh.values(column).expect(\"a column of this type\")[element as usize]
+}
+",
+    ),
+    (
+        "set_attribute",
+        "\
+/// Sets the value of an attribute.
+fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
+    mesh.values_mut(column).expect(\"a column of this type\")[element as usize] = value;
 }
 ",
     ),
@@ -304,6 +330,27 @@ impl Printer {
         match statement {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
+            Statement::Column(attribute) => {
+                let (declared, column) = (&attribute.declared, &attribute.column);
+                let kind = match attribute.element {
+                    Type::Vertex => "Vertex",
+                    Type::Halfedge => "Halfedge",
+                    Type::Edge => "Edge",
+                    _ => "Face",
+                };
+                let ty = ty(attribute.ty);
+                self.lines.line(&format!(
+                    "let {column} = mesh.find_column(ElementKind::{kind}, \"{declared}\");"
+                ));
+                self.lines.open(&format!(
+                    "let Some({column}) = {column}.filter(|&c| mesh.values::<{ty}>(c).is_some()) else {{"
+                ));
+                let refusal = self.refusal;
+                self.lines.line(&format!(
+                    "{refusal} // the mesh has no attribute `{declared}` of this type"
+                ));
+                self.lines.close("};");
+            }
             Statement::Bind { name, value, .. } => {
                 let value = self.text(value);
                 self.lines.line(&format!("let {name} = {value};"));
@@ -444,8 +491,18 @@ impl Printer {
                 self.lines
                     .line(&format!("mesh.set_position({vertex}, {value});"));
             }
-            // None of these is built.
-            Statement::SetAttribute { .. } => {}
+            Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            } => {
+                self.used.insert("set_attribute");
+                let (element, value) = (self.text(element), self.text(value));
+                let column = &attribute.column;
+                self.lines.line(&format!(
+                    "set_attribute(mesh, {column}, {element}.0, {value});"
+                ));
+            }
             Statement::Erase { kind, element } => {
                 let element = self.text(element);
                 self.lines

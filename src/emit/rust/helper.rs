@@ -1,7 +1,7 @@
 //! Functions of the program as Rust.
 
 use super::super::lines::Lines;
-use super::super::names::function_name;
+use super::super::names::unreserved;
 use super::super::routine::{Helper, Statement};
 use super::function::{FUNCTIONS, Printer, names, ty};
 
@@ -9,7 +9,7 @@ use super::function::{FUNCTIONS, Printer, names, ty};
 pub(super) fn invoked(name: &str) -> String {
     match FUNCTIONS.iter().any(|(known, _)| *known == name) {
         true => format!("{name}_"),
-        false => function_name(name),
+        false => unreserved(name),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Terms as Rust.
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
-use super::super::term::{Around, Fold, Function, Term, Turns};
+use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::function::{Printer, names, ty};
 use super::helper::invoked;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
@@ -38,9 +38,11 @@ impl Language for Printer {
         Spelled::whole(format!("mesh.position({})", of.text))
     }
 
-    fn attribute(&mut self, _: &str, _: Spelled) -> Spelled {
-        // None of these is built.
-        Spelled::whole("")
+    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
+        self.used.insert("attribute");
+        let (ty, column) = (ty(attribute.ty), &attribute.column);
+        let of = of.at(Level::Whole);
+        Spelled::whole(format!("attribute::<{ty}>(mesh, {column}, {of}.0)"))
     }
 
     fn hole(&mut self, of: Spelled) -> Spelled {

@@ -119,6 +119,11 @@ impl Obj {
         (self.vertex_number(v)? == number).then_some(v)
     }
 
+    /// Whether elements go by their ids, as in tables.
+    pub fn goes_by_ids(&self) -> bool {
+        self.by_ids
+    }
+
     /// The face that the file numbers so, if it still lives.
     pub fn face_by_number(&self, number: u32) -> Option<FaceId> {
         if self.by_ids {

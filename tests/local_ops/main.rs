@@ -8,6 +8,11 @@
 //! tried are all first halfedges, all second ones and so on, so that each choice of each element
 //! is among them, and some random choices.
 
+mod literal;
+#[path = "../reference/random.rs"]
+#[allow(dead_code)]
+mod random;
+
 use std::collections::BTreeMap;
 use std::path::Path;
 
