@@ -3,14 +3,23 @@
 use std::path::Path;
 
 use super::failure::Failure;
+use super::interrupt;
 use super::meshes::expect_place;
 use crate::mesh::{ObjReason, replace_file};
 
 /// Writes a file.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     expect_place(path)?;
+    expect_waiting(path);
     replace_file(path, |output| {
         output.write_all(bytes).map_err(ObjReason::Io)
     })
     .map_err(|reason| Failure::usage(format!("{}: {reason}", path.display())))
+}
+
+/// Said before a place is opened: if it is a pipe, it may wait until somebody reads.
+pub(super) fn expect_waiting(path: &Path) {
+    if path.metadata().is_ok_and(|place| !place.is_file()) {
+        interrupt::end_at_once();
+    }
 }

@@ -166,15 +166,24 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
     {
         rows.push(row(
             "edge lengths",
-            format!(
-                "{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %",
-                100.0 * spread
-            ),
+            match spread.is_finite() {
+                true => format!(
+                    "{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %",
+                    100.0 * spread
+                ),
+                false => TOO_FAR.to_owned(),
+            },
         ));
     }
-    rows.push(row("area", format!("{:.6}", measures.area + 0.0)));
+    rows.push(match measures.area.is_finite() {
+        true => row("area", format!("{:.6}", measures.area + 0.0)),
+        false => row("area", TOO_FAR),
+    });
     rows
 }
+
+/// What is said of a measure that no number holds.
+const TOO_FAR: &str = "not measured: the coordinates are too large";
 
 fn row(name: &str, value: impl ToString) -> Vec<String> {
     vec![format!("  {name}"), value.to_string()]

@@ -1,7 +1,8 @@
 //! Ctrl-C while a program runs.
 //!
 //! The first one asks the script to stop, which it does at its next turn, with nothing written;
-//! the second ends the process at once.
+//! the second ends the process at once. So does the first when the script is done and its result
+//! goes into a pipe, which may wait for a reader for ever: there nothing is half-written.
 
 use std::ops::ControlFlow;
 use std::process::exit;
@@ -12,14 +13,24 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(super) const CODE: u8 = 130;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
+static ENDS_AT_ONCE: AtomicBool = AtomicBool::new(false);
 
 /// Takes Ctrl-C from now on. Where that cannot be had, it ends the process as ever.
 pub(super) fn listen() {
     let _ = ctrlc::set_handler(|| {
-        if ASKED.swap(true, Ordering::Relaxed) {
+        let again = ASKED.swap(true, Ordering::SeqCst);
+        if again || ENDS_AT_ONCE.load(Ordering::SeqCst) {
             exit(i32::from(CODE));
         }
     });
+}
+
+/// From now on whoever asks to stop ends the process; so does who asked before and was not heard.
+pub(super) fn end_at_once() {
+    ENDS_AT_ONCE.store(true, Ordering::SeqCst);
+    if ASKED.load(Ordering::SeqCst) {
+        exit(i32::from(CODE));
+    }
 }
 
 /// Whether somebody has asked to stop.

@@ -71,6 +71,7 @@ pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
                 other.display()
             )));
         }
+        files::expect_waiting(path);
         write_obj(path, obj).map_err(Failure::usage)?;
         tell_unheld(path, obj);
         return Ok(());

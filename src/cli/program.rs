@@ -21,6 +21,11 @@ pub(super) struct Program {
 /// A path that leads to no file, but is the name of one of the library, means that.
 pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let shown = path.display().to_string();
+    if is_mesh(path) {
+        return Err(Failure::usage(format!(
+            "`{shown}` is a mesh; a program is wanted here, as in `hedgerow run FILE.hedge MESH.obj`"
+        )));
+    }
     let of_library = library::file(&shown).filter(|_| !path.exists());
     let text = match of_library {
         Some(file) => Ok(file.text.to_owned()),
@@ -32,6 +37,12 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let file = sources.add(name, text);
     let analysis = Analysis::with(&mut sources, file, &mut Disk);
     Ok(Program { sources, analysis })
+}
+
+/// Whether a file is a mesh, by its name: where program and mesh have changed places.
+fn is_mesh(path: &Path) -> bool {
+    let end = path.extension().map(|end| end.to_ascii_lowercase());
+    end.is_some_and(|end| end == "obj" || end == "halfedges")
 }
 
 /// The text of a file, or in words why there is none.

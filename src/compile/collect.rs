@@ -4,10 +4,12 @@ use super::operation::Output;
 use super::registers::{Home, Registers};
 use super::run::Run;
 use super::walk::Around;
-use super::{copy, lower, reason, width};
+use super::{Scope, copy, lower, reason, width};
 use crate::check::guard::Obligation;
 use crate::check::matching::{Claim, Step};
-use crate::diagram::{Access, Assignment, Drawing, Kind, LoopKind, NameId, Require};
+use crate::diagram::{
+    Access, Assignment, Builtin, Drawing, Expr, ExprKind, Kind, LoopKind, NameId, Require,
+};
 use crate::rewrite::{Cell, Inst, Label, Phase, Reg, Room, Row, Walk};
 
 /// Writes phase 1.
@@ -218,7 +220,7 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     /// Lowers an expression; its places in the source go to the plan.
-    fn expression(&mut self, expr: &crate::diagram::Expr) -> Reg {
+    fn expression(&mut self, expr: &Expr) -> Reg {
         self.registers.load_members(&mut self.output.asm, expr);
         let first = self.output.place(expr.span);
         self.registers.number_places_from(first + 1);
@@ -273,10 +275,11 @@ impl Collect<'_, '_, '_, '_> {
                 }
                 (true, true) => {
                     let buffer = self.buffer();
+                    let once = self.computed_once(assignment);
                     let turns = self.registers.begin_turns(&mut self.output.asm);
                     let width = width(assignment.value.ty);
                     let to = self.output.asm.block(width);
-                    self.value(assignment, to);
+                    self.value(&once, to);
                     for part in 0..width {
                         let from = to.part(part);
                         self.output.asm.emit(Inst::BufferPush { buffer, from });
@@ -288,6 +291,49 @@ impl Collect<'_, '_, '_, '_> {
             values.push(value);
         }
         values
+    }
+
+    /// The assignment with walks that are the same at every index made here, before the turns:
+    /// else `centroid(f)` would go around the face at each of its corners.
+    fn computed_once(&mut self, assignment: &Assignment) -> Assignment {
+        let mut walks = Vec::new();
+        assignment.value.each(&mut |part| {
+            if self.is_the_same_walk(part) {
+                walks.push(part);
+            }
+        });
+        let mut once = assignment.clone();
+        // No parameter and no variable of an aggregate has such a number.
+        for (number, walk) in (0..u32::MAX).rev().zip(walks) {
+            let to = self.output.asm.block(width(walk.ty));
+            let mark = self.output.asm.mark();
+            let from = self.expression(walk);
+            copy(&mut self.output.asm, walk.ty, to, from);
+            self.output.asm.release(mark);
+            self.registers.declare(number, to);
+            once.value.visit_mut(&mut |kind| {
+                if *kind == walk.kind {
+                    *kind = ExprKind::Local(number);
+                }
+            });
+        }
+        once
+    }
+
+    /// Whether a part of a value walks around single elements of the drawing.
+    fn is_the_same_walk(&self, part: &Expr) -> bool {
+        use Builtin::{Area, CentroidFace, DegreeFace, DegreeVertex, NormalFace, NormalVertex};
+        let single = |argument: &Expr| match argument.kind {
+            ExprKind::Element(name) => matches!(self.registers.home(name), Home::Reg(_)),
+            _ => false,
+        };
+        match &part.kind {
+            ExprKind::Call(
+                Area | CentroidFace | DegreeFace | DegreeVertex | NormalFace | NormalVertex,
+                arguments,
+            ) => arguments.iter().all(single),
+            _ => false,
+        }
     }
 
     fn value(&mut self, assignment: &Assignment, to: Reg) {

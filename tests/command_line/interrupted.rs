@@ -49,3 +49,16 @@ fn an_endless_script_leaves_no_file() {
     }
     assert_eq!(count, 6);
 }
+
+#[test]
+fn a_pipe_without_a_reader_is_left_at_once() {
+    let bench = Bench::new();
+    bench.write("m.obj", SQUARE);
+    bench.write("s.hedge", "script s() { print \"begun\" }");
+    for pipe in ["p.obj", "p.halfedges"] {
+        let made = Command::new("mkfifo").arg(bench.path(pipe)).status();
+        assert!(made.unwrap().success());
+        let (code, err) = interrupted(&bench, &["run", "s.hedge", "m.obj", "-o", pipe]);
+        assert_eq!(code, Some(130), "{err}");
+    }
+}

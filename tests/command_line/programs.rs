@@ -17,6 +17,23 @@ fn not_a_text() {
 }
 
 #[test]
+fn a_mesh_is_no_program() {
+    let bench = Bench::with_square();
+    bench.write("s.hedge", "script s() { }");
+    for arguments in [
+        &["run", "square.obj", "s.hedge"][..],
+        &["check", "square.obj"],
+    ] {
+        bench.fails(
+            2,
+            arguments,
+            "`square.obj` is a mesh; a program is wanted here",
+        );
+    }
+    bench.fails(2, &["run", "s.hedge", "s.hedge"], "is it an OBJ file?");
+}
+
+#[test]
 fn an_empty_program_is_in_order() {
     let bench = Bench::new();
     for text in ["", "\n", "\u{feff}", "// nothing\n"] {
