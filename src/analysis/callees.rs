@@ -1,7 +1,7 @@
 //! The functions of a program as values, for code that is emitted.
 
-use crate::diagram::{Expr, ExprKind};
-use crate::emit::Callee;
+use crate::diagram::{Callee, Expr, ExprKind};
+
 use crate::resolve::{Function, Program, Statement, StatementKind};
 
 /// How many statements the value of a function may repeat.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::NotEmitted;
-use super::callee::{Callee, helpers};
+use super::callee::helpers;
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
@@ -13,7 +13,7 @@ use super::routine::{Alternative, Helper, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
+use crate::diagram::{Access, Binary, Callee, Drawing, Kind, Rule, Type};
 
 /// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -29,7 +29,6 @@ mod spell;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
-pub use callee::Callee;
 pub use cpp::{Style, StyleError, cpp};
 pub use rust::rust;
 

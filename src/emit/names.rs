@@ -6,9 +6,8 @@
 
 use std::collections::BTreeSet;
 
-use super::callee::Callee;
 use super::term::{Attribute, Term, Turns};
-use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
+use crate::diagram::{Callee, Kind, NameId, Op, Role, Rule, Type};
 
 /// Words of C++ and Rust, and what emitted code uses itself.
 const RESERVED: &str = "

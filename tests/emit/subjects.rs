@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use hedgerow::analysis::{Analysis, Nowhere, Proved, callees};
-use hedgerow::emit::{Callee, Style, cpp};
+use hedgerow::diagram::Callee;
+use hedgerow::emit::{Style, cpp};
 use hedgerow::rewrite::Plan;
 use hedgerow::source::Sources;
 

@@ -7,12 +7,12 @@ use super::super::names::unreserved;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
 use super::super::term::Term;
-use super::super::{Callee, NotEmitted, build};
+use super::super::{NotEmitted, build};
 use super::style::Style;
 use super::support;
 use super::types::types;
 use crate::check::Proved;
-use crate::diagram::Type;
+use crate::diagram::{Callee, Type};
 
 /// Operations as C++17, with the functions that they call. What an operation refuses is
 /// `std::nullopt`; one without a result tells whether it applied.

@@ -6,9 +6,9 @@ use super::super::lines::Lines;
 use super::super::routine::{Routine, Statement, Step, Walk};
 use super::super::spell::spell;
 use super::super::term::{Term, Turns};
-use super::super::{Callee, NotEmitted, build};
+use super::super::{NotEmitted, build};
 use crate::check::Proved;
-use crate::diagram::{Kind, Pointer, Type};
+use crate::diagram::{Callee, Kind, Pointer, Type};
 
 /// Operations as Rust. What an operation refuses is `None`; one without a result tells whether
 /// it applied.
