@@ -20,14 +20,15 @@
 //! Rules with `families` are unrolled, and proved for cycles of every size at once by the
 //! argument of `voltage`.
 //!
-//! Before all of them `start` asks whether a parameter is drawn.
-//! A drawing that would apply almost nowhere is refused as well (`fans_have_room`).
+//! Before all of them `start` asks whether a parameter is drawn. A drawing that would apply
+//! almost nowhere is refused as well (`fans_have_room`).
 //!
-//! What a rejected rule does to a mesh, `witness` finds out by carrying it out. Otherwise
-//! `reach` finds the order in which the names are bound, and `properties` holds what
-//! `keeps` claims against the drawing; for the levels, and for what a guard has to test, it
-//! asks [`guard`]. Only this layer makes a [`Proved`], and only that can be compiled. Nothing
-//! here knows the machine.
+//! What a rejected rule does to a mesh, `witness` finds out by carrying it out, and `mend`
+//! offers what would surely be right: names to keep, list or erase, an edge, a vertex that
+//! takes the spokes of one that is erased (`taken`). Otherwise `reach` finds the order in which
+//! the names are bound, and `properties` holds what `keeps` claims against the drawing; for the
+//! levels, and for what a guard has to test, it asks [`guard`]. Only this layer makes a
+//! [`Proved`], and only that can be compiled. Nothing here knows the machine.
 
 mod alias;
 mod apart;

@@ -4,10 +4,10 @@ use super::arrangement::{Arc, Lies};
 use super::case::{Case, Step};
 use super::chain::vertex_after;
 use super::port::Port;
-use super::problem::{Problem, Remedy, join};
+use super::problem::{Problem, Remedy, enumerate, join};
 use super::star_order::{Token, agrees};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Kind, NameId, Spoke};
+use crate::diagram::{Drawing, Kind, NameId, Spoke};
 use crate::source::Span;
 
 impl Case<'_> {
@@ -196,6 +196,7 @@ impl Case<'_> {
             Some(one_span) => diagnostic = diagnostic.label(one_span, one),
             None => diagnostic = diagnostic.note(one),
         }
+        diagnostic.notes.extend(moved_alone(self.drawing));
         let erased = [first.0, second.0].into_iter();
         let erased = erased.filter(|&vertex| self.drawing.erased(vertex).is_some());
         Problem {
@@ -369,4 +370,37 @@ impl Case<'_> {
                 .into(),
         )
     }
+}
+
+/// Halfedges that change their ends while their twins outside stay where they are, in words.
+fn moved_alone(drawing: &Drawing) -> Option<String> {
+    let rule = drawing.rule;
+    let moved = rule.names_of(Kind::Halfedge).filter(|&half| {
+        let is_alone =
+            drawing.before.pairing(half).is_none() && drawing.after.pairing(half).is_none();
+        let [before, after] = [&drawing.before, &drawing.after]
+            .map(|view| view.loop_origin(half).zip(view.loop_target(half)));
+        is_alone && before.is_some() && after.is_some() && before != after
+    });
+    let moved: Vec<_> = moved.collect();
+    let &half = moved.first()?;
+    let text = rule.quoted(half);
+    let way = |ends: Option<(NameId, NameId)>| {
+        let (from, to) = ends?;
+        Some(format!("from {} to {}", rule.quoted(from), rule.quoted(to)))
+    };
+    let ends = [&drawing.before, &drawing.after]
+        .map(|view| way(view.loop_origin(half).zip(view.loop_target(half))));
+    let [Some(before), Some(after)] = ends else {
+        return None;
+    };
+    let mut told = format!(
+        "{text} ran {before}, and runs {after}; its twin, which is not drawn, stays where it was"
+    );
+    if let [_, others @ ..] = moved.as_slice()
+        && !others.is_empty()
+    {
+        told.push_str(&format!("; likewise {}", enumerate(rule, others)));
+    }
+    Some(told)
 }

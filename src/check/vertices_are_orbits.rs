@@ -12,7 +12,7 @@ use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
 use super::proved::Broken;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, NameId};
+use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
 
 /// How many combinations of arrangements are looked at before the checker gives up.
 const MOST: usize = 100_000;
@@ -172,12 +172,18 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
         let message = format!(
             "no mesh matches: the vertex statement of {text} contradicts the loops and edges"
         );
-        return Diagnostic::error("impossible-drawing", message, star.span)
+        let diagnostic = Diagnostic::error("impossible-drawing", message, star.span)
             .saying("these spokes, counterclockwise")
             .note(format!(
                 "counterclockwise around {text} the spoke after `h` is `h.prev.twin`"
-            ))
-            .into();
+            ));
+        return match in_order(drawing, corner, star) {
+            Some(statement) => {
+                let title = format!("write `{statement}`");
+                diagnostic.fix(title, star.span, statement).into()
+            }
+            None => diagnostic.into(),
+        };
     }
     let closed = corner.chains.iter().find(|chain| chain.closed);
     let spokes = closed
@@ -200,6 +206,43 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
         .mention(item)
         .unwrap_or(drawing.rule.before.span);
     Diagnostic::error("impossible-drawing", message, span).into()
+}
+
+/// The statement with its spokes as the loops and edges give them, if they are one chain of
+/// halfedges and all that the statement has besides is one fan.
+fn in_order(drawing: &Drawing, corner: &Corner, star: &Star) -> Option<String> {
+    let [chain] = corner.chains.as_slice() else {
+        return None;
+    };
+    let rule = drawing.rule;
+    let mut fans = star.spokes.iter().filter_map(|spoke| match spoke {
+        Spoke::Fan(fan) => Some(format!("*{}", rule.name(fan.name).text)),
+        Spoke::Rest(_) => Some("*".to_owned()),
+        Spoke::Halfedge(_) => None,
+    });
+    let (fan, None) = (fans.next(), fans.next()) else {
+        return None;
+    };
+    if rule.cycle.is_some() || chain.closed != fan.is_none() {
+        return None;
+    }
+    let outs = chain.ports.iter().filter_map(|port| match port {
+        Port::Out(item) => Some(*item),
+        Port::In(_) => None,
+    });
+    // Ports run clockwise, statements counterclockwise.
+    let drawn: Vec<_> = outs.rev().collect();
+    let is_listed = |half: &NameId| {
+        let mut spokes = star.spokes.iter();
+        spokes.any(|spoke| matches!(spoke, Spoke::Halfedge(listed) if listed.name == *half))
+    };
+    if !drawn.iter().all(is_listed) {
+        return None;
+    }
+    let words = drawn.iter().map(|&half| rule.name(half).text.clone());
+    let words: Vec<_> = words.chain(fan).collect();
+    let vertex = &rule.name(corner.vertex).text;
+    Some(format!("vertex {vertex}: {}", words.join(" ")))
 }
 
 fn spokes_of(drawing: &Drawing, ports: &[Port]) -> Vec<NameId> {

@@ -11,7 +11,7 @@ use super::lookup::element_type;
 use super::names::Names;
 use super::report::Report;
 use super::suggestion::suggest;
-use super::unused::report_unused;
+use super::unused::Unused;
 
 /// What the lists of `after` say.
 #[derive(Debug, Default)]
@@ -52,7 +52,13 @@ pub(super) fn read_lists(
         }
     }
     let Reader { unused, report, .. } = reader;
-    report_unused(&unused, &lists.created, drawn_after, names, report);
+    let unused = Unused {
+        listed: unused,
+        created: &lists.created,
+        written: after,
+        drawn: drawn_after,
+    };
+    unused.report(names, report);
     let created: HashMap<NameId, Span> = lists.created.iter().map(|r| (r.name, r.span)).collect();
     for erased in &lists.erased {
         if let Some(span) = created.get(&erased.name) {

@@ -7,49 +7,77 @@
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Kind, NameId, Ref, Role, Side};
 use crate::source::Span;
-use crate::syntax::tree;
+use crate::syntax::tree::{self, Statement};
 
 use super::names::Names;
 use super::report::Report;
 
-/// Reports names of `new` that stand nowhere else.
-pub(super) fn report_unused(
-    unused: &[&tree::Name],
-    created: &[Ref],
-    after: &Side,
-    names: &Names,
-    report: &mut Report,
-) {
-    let open = Open::find(created, after, names);
-    let pairs = pairs(&open, names);
-    let is_family = |pair: &Pair| names.get(pair.halfedges[0].name).role == Role::Family;
-    let all_fit = pairs.len() == unused.len()
-        && pairs
-            .iter()
-            .zip(unused)
-            .all(|(pair, name)| is_family(pair) == name.index.is_some());
-    for (at, name) in unused.iter().enumerate() {
-        let message = format!(
-            "`{}` is listed in `new` but stands nowhere in `after`",
-            name.ident.text
-        );
-        let mut error = Diagnostic::error("unused-new", message, name.span);
-        if let Some(pair) = pairs.get(at).filter(|_| all_fit) {
-            let [one, two] = pair.halfedges.map(|half| written(half, names));
-            error = error
-                .saying("drawn nowhere")
-                .label(pair.halfedges[0].span, "in no edge statement")
-                .label(pair.halfedges[1].span, "nor this");
-            let statement = format!("edge {name}: {one} | {two}");
-            if let Some(place) = end_of_orbits(after) {
-                let title = format!("insert `{statement}`");
-                error = error.fix(title, place, format!("\n    {statement}"));
+/// Names of `new` that stand nowhere else, and the side that lists them.
+pub(super) struct Unused<'a> {
+    /// The names.
+    pub(super) listed: Vec<&'a tree::Name>,
+    /// The other names of `new`.
+    pub(super) created: &'a [Ref],
+    /// The side as it is written.
+    pub(super) written: &'a tree::Side,
+    /// What it draws.
+    pub(super) drawn: &'a Side,
+}
+
+impl Unused<'_> {
+    /// Reports each name, with the edge statement that is missing if it is plain.
+    pub(super) fn report(&self, names: &Names, report: &mut Report) {
+        let pairs = pairs(&Open::find(self.created, self.drawn, names), names);
+        let is_family = |pair: &Pair| names.get(pair.halfedges[0].name).role == Role::Family;
+        let all_fit = pairs.len() == self.listed.len()
+            && pairs
+                .iter()
+                .zip(&self.listed)
+                .all(|(pair, name)| is_family(pair) == name.index.is_some());
+        for (at, name) in self.listed.iter().enumerate() {
+            let word = &name.ident.text;
+            let message = format!("`{word}` is listed in `new` but stands nowhere in `after`");
+            let mut error = Diagnostic::error("unused-new", message, name.span);
+            if self.is_placed(word) {
+                error = error.note(format!(
+                    "its `position` is set, so it is a vertex: draw it in a loop, or list its spokes, `vertex {name}: h *S`"
+                ));
+            } else if word == "halfedge" {
+                error = error.note("`new` lists names alone: what is drawn tells their kinds");
+            } else if let Some(pair) = pairs.get(at).filter(|_| all_fit) {
+                error = self.missing_edge(error, name, pair, names);
             }
+            report.add(error);
         }
-        report.add(match name.ident.text.as_str() {
-            "halfedge" => error.note("`new` lists names alone: what is drawn tells their kinds"),
-            _ => error,
-        });
+    }
+
+    /// Whether a name is given a position.
+    fn is_placed(&self, word: &str) -> bool {
+        let mut statements = self.written.statements.iter();
+        statements.any(|statement| {
+            matches!(statement, Statement::Assign { target, attribute, .. }
+                if target.ident.text == word && attribute.text == "position")
+        })
+    }
+
+    fn missing_edge(
+        &self,
+        error: Diagnostic,
+        name: &tree::Name,
+        pair: &Pair,
+        names: &Names,
+    ) -> Diagnostic {
+        let [one, two] = pair.halfedges.map(|half| written(half, names));
+        let error = error
+            .saying("drawn nowhere")
+            .label(pair.halfedges[0].span, "in no edge statement")
+            .label(pair.halfedges[1].span, "nor this");
+        let statement = format!("edge {name}: {one} | {two}");
+        let title = format!("insert `{statement}`");
+        match end_of_orbits(self.drawn) {
+            Some(place) => error.fix(title, place, format!("\n    {statement}")),
+            None => error,
+        }
     }
 }
 

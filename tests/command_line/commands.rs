@@ -32,6 +32,8 @@ fn explain_tells_of_codes_words_and_functions() {
     assert!(told.contains("degree(face) -> int"), "{told}");
     let told = bench.succeeds(&["explain", "missing-reassignment"]);
     assert!(told.starts_with("missing-reassignment"), "{told}");
+    let told = bench.succeeds(&["explain", "error[stale-vertex]: a spoke of `v1`"]);
+    assert!(told.starts_with("stale-vertex"), "{told}");
     bench.fails(2, &["explain", "nothing"], "explain functions");
 }
 
