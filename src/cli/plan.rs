@@ -9,6 +9,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
+use crate::analysis::callees;
 use crate::emit::{NotEmitted, Style, cpp, rust};
 use crate::mesh::Level;
 use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
@@ -65,11 +66,12 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         plans.push(plan);
         proved.push(proof);
     }
+    let functions = callees(&program.analysis.program);
     let text = match arguments.shown {
         Shown::Table => tables(&plans),
         Shown::Json => data(&program, &ops, &plans)?,
-        Shown::Cpp => emitted(&program, cpp(&proved, &style))?,
-        Shown::Rust => emitted(&program, rust(&proved))?,
+        Shown::Cpp => emitted(&program, cpp(&proved, &functions, &style))?,
+        Shown::Rust => emitted(&program, rust(&proved, &functions))?,
     };
     match &arguments.output {
         Some(output) => files::write(output, text.as_bytes()),
