@@ -10,9 +10,11 @@ use super::meshes::expect_place;
 use super::output::{complain_of, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
-use crate::analysis::{Verdict, verdicts};
+use crate::analysis::{Analysis, Verdict, verdicts};
+use crate::diagnostic::Severity;
 use crate::diagram::Op;
 use crate::draw::{Picture, Section, draw_op, page, text_op};
+use crate::source::Span;
 
 /// How many pixels of an image are a unit of a diagram.
 const PIXELS: f64 = 2.0;
@@ -90,18 +92,41 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
     let ops = ops.filter(|(at, _)| only.is_none_or(|only| only == *at));
     let sections = ops.map(|(_, ((op, verdict), plan))| Section {
         name: op.name.clone(),
-        docs: op.diagram.iter().flat_map(|op| op.docs.clone()).collect(),
+        docs: match (&op.diagram, &op.steps) {
+            (Some(op), _) => op.docs.clone(),
+            (None, Some(steps)) => steps.docs.clone(),
+            (None, None) => Vec::new(),
+        },
         picture: op.diagram.as_ref().map(draw_op),
-        verdict: show_verdict(&verdict),
+        verdict: match verdict.proved {
+            true => vec![show_verdict(&verdict)],
+            false => failures(analysis, op.span),
+        },
         plan: plan.as_ref().map(show_plan),
     });
     Ok(sections.collect())
 }
 
+/// Why an operation is not proved: the errors behind its name and before the next one.
+fn failures(analysis: &Analysis, name: Span) -> Vec<String> {
+    let ops = analysis.program.ops.iter().map(|op| op.span);
+    let ops = ops.filter(|other| other.file == name.file && other.start > name.start);
+    let end = ops.map(|op| op.start).min();
+    let errors = analysis.diagnostics.iter().filter(|diagnostic| {
+        diagnostic.severity == Severity::Error
+            && diagnostic.labels.first().is_some_and(|label| {
+                let at = label.span.start;
+                label.span.file == name.file && name.start <= at && end.is_none_or(|end| at < end)
+            })
+    });
+    let errors = errors.map(|error| format!("error: {}", error.message));
+    ["not proved".to_string()]
+        .into_iter()
+        .chain(errors)
+        .collect()
+}
+
 fn show_verdict(verdict: &Verdict) -> String {
-    if !verdict.proved {
-        return "not proved".into();
-    }
     let rules = verdict.rules.iter().map(|rule| {
         let name = rule.rule.as_ref().map(|rule| format!("{rule}: "));
         format!("{}{}", name.unwrap_or_default(), show_rule(rule).join(", "))

@@ -9,6 +9,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
+use crate::analysis::callees;
 use crate::check::Proved;
 use crate::emit::{NotEmitted, Style, cpp, rust};
 use crate::mesh::Level;
@@ -66,14 +67,19 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         plans.push(plan);
         proved.push(proof);
     }
+    let functions = callees(&program.analysis.program);
     if name.is_none() {
-        leave_out(&mut proved, arguments.shown, &style);
+        leave_out(&mut proved, |op| match arguments.shown {
+            Shown::Cpp => cpp(&[op], &functions, &style).err(),
+            Shown::Rust => rust(&[op], &functions).err(),
+            Shown::Table | Shown::Json => None,
+        });
     }
     let text = match arguments.shown {
         Shown::Table => tables(&plans),
         Shown::Json => data(&program, &ops, &plans)?,
-        Shown::Cpp => emitted(&program, cpp(&proved, &style))?,
-        Shown::Rust => emitted(&program, rust(&proved))?,
+        Shown::Cpp => emitted(&program, cpp(&proved, &functions, &style))?,
+        Shown::Rust => emitted(&program, rust(&proved, &functions))?,
     };
     match &arguments.output {
         Some(output) => files::write(output, text.as_bytes()),
@@ -107,13 +113,8 @@ fn tables(plans: &[&Plan]) -> String {
 }
 
 /// Leaves out the ops of a file that cannot be emitted, and says so, if others can.
-fn leave_out(proved: &mut Vec<&Proved>, shown: Shown, style: &Style) {
-    let refused = |op: &&Proved| match shown {
-        Shown::Cpp => cpp(&[op], style).err(),
-        Shown::Rust => rust(&[op]).err(),
-        Shown::Table | Shown::Json => None,
-    };
-    let refused: Vec<_> = proved.iter().map(refused).collect();
+fn leave_out(proved: &mut Vec<&Proved>, refused: impl Fn(&Proved) -> Option<NotEmitted>) {
+    let refused: Vec<_> = proved.iter().map(|op| refused(op)).collect();
     if refused.iter().all(Option::is_some) {
         return;
     }

@@ -4,6 +4,7 @@
 //! is a [`Ref`] with its place. Paths and fans without a name have got one of their own.
 //! Whether the drawing makes sense is the business of [`check`](crate::check).
 
+mod callee;
 mod drawing;
 mod expression;
 mod member;
@@ -12,6 +13,7 @@ mod spokes;
 mod unroll;
 mod visit;
 
+pub use callee::Callee;
 pub use drawing::{Drawing, View};
 pub use expression::{
     Access, Attribute, Binary, Builtin, Collection, Expr, ExprKind, Fold, FoldFunction, Pointer,

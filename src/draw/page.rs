@@ -15,8 +15,8 @@ pub struct Section {
     pub docs: Vec<String>,
     /// Its picture, if its diagrams can be read.
     pub picture: Option<Picture>,
-    /// What was proved, or that nothing was.
-    pub verdict: String,
+    /// What was proved, or why nothing was, a paragraph each.
+    pub verdict: Vec<String>,
     /// The table of its plan, if it is proved.
     pub plan: Option<String>,
 }
@@ -30,7 +30,7 @@ h1, h2, code, pre { font-family: ui-monospace, Consolas, monospace }
 h1 { font-size: 1.3rem } h2 { font-size: 1.1rem }
 svg { display: block; max-width: 100%; height: auto; margin: 1rem auto }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: 13px; line-height: 1.4; border-radius: 6px }
-.verdict { color: var(--muted) }
+.verdict { color: var(--muted); margin: .3rem 0 }
 summary { cursor: pointer; color: var(--muted) }
 ";
 
@@ -49,11 +49,9 @@ pub fn page(title: &str, sections: &[Section]) -> String {
         if let Some(picture) = &section.picture {
             text.push_str(&picture.svg());
         }
-        let _ = writeln!(
-            text,
-            "<p class=\"verdict\">{}</p>",
-            escaped(&section.verdict)
-        );
+        for line in &section.verdict {
+            let _ = writeln!(text, "<p class=\"verdict\">{}</p>", code(line));
+        }
         if let Some(plan) = &section.plan {
             let plan = escaped(plan);
             let _ = writeln!(

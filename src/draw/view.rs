@@ -154,8 +154,7 @@ impl Pen {
     fn new(faces: &[Seen], unit: f64) -> Self {
         let mut lengths = (0.0, 0.0);
         for face in faces {
-            let flat: Vec<_> = face.corners.iter().map(|at| at.truncate()).collect();
-            for [a, b] in sides(&flat) {
+            for [a, b] in sides(&flat(&face.corners)) {
                 lengths = (lengths.0 + (b - a).length(), lengths.1 + 1.0);
             }
         }
@@ -168,7 +167,7 @@ impl Pen {
         };
         Self {
             edge: edge / 2.0,
-            coloured: (mean * 0.12).clamp(0.6 * unit, 2.0 * unit),
+            coloured: (mean * 0.07).clamp(0.5 * unit, 1.4 * unit),
             // All of it lies in its only face.
             boundary: (edge * 4.0).clamp(1.2 * unit, BOUNDARY * unit),
         }
@@ -215,6 +214,11 @@ struct Seen {
     bright: f64,
 }
 
+/// A face without how near it is.
+fn flat(corners: &[DVec3]) -> Vec<DVec2> {
+    corners.iter().map(|at| at.truncate()).collect()
+}
+
 impl Seen {
     fn new(mesh: &Mesh, face: FaceId, eye: &Eye) -> Option<Self> {
         if mesh.get_is_hole(face) != Some(false) {
@@ -249,11 +253,10 @@ impl Seen {
     }
 
     fn draw(&self, mesh: &Mesh, colours: Option<&Colours>, pen: &Pen, raster: &mut Raster) {
-        let flat: Vec<_> = self.corners.iter().map(|at| at.truncate()).collect();
         let lines: Vec<_> = self
             .halfedges
             .iter()
-            .zip(sides(&flat))
+            .zip(sides(&flat(&self.corners)))
             .map(|(&half, side)| (side, self.line(mesh, half, colours, pen)))
             .collect();
         let of_vertices = colours.filter(|colours| colours.kind == ElementKind::Vertex);

@@ -64,9 +64,25 @@ impl Range {
         })
     }
 
-    /// A bar of the colours around a place, with a title above and the numbers at its ends.
+    /// A bar of the colours around a place, with a title above and the numbers at its ends; of
+    /// one number only a square.
     pub fn legend(self, title: &str, center: DVec2) -> Group {
         let mut group = Group::default();
+        let write = |group: &mut Group, text: &str, style: Style, y: f64| {
+            let label = words(text, style, LETTERS);
+            let at = DVec2::new(center.x, center.y + y);
+            group.write(&label, at, Ink::Of(Status::Kept));
+        };
+        if self.low == self.high {
+            let half = DVec2::splat(BAR.x / 2.0);
+            let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+            let mut path = Path::default();
+            path.polygon(corners.map(|(x, y)| center + half * DVec2::new(x, y)));
+            group.fill(path, Ink::Colour(self.colour(self.low)));
+            write(&mut group, title, Style::Italic, -BAR.x - 14.0);
+            write(&mut group, &number(self.low), Style::Upright, BAR.x + 8.0);
+            return group;
+        }
         let top = center - BAR / 2.0;
         let high = BAR.y / STRIPES as f64;
         for stripe in 0..STRIPES {
@@ -83,14 +99,10 @@ impl Range {
             let part = 1.0 - (stripe as f64 + 0.5) / STRIPES as f64;
             group.fill(path, Ink::Colour(viridis(part)));
         }
-        let mut write = |text: &str, style: Style, y: f64| {
-            let label = words(text, style, LETTERS);
-            let at = DVec2::new(center.x, center.y + y);
-            group.write(&label, at, Ink::Of(Status::Kept));
-        };
-        write(title, Style::Italic, -BAR.y / 2.0 - 36.0);
-        write(&number(self.high), Style::Upright, -BAR.y / 2.0 - 14.0);
-        write(&number(self.low), Style::Upright, BAR.y / 2.0 + 14.0);
+        let [above, below] = [-BAR.y / 2.0 - 14.0, BAR.y / 2.0 + 14.0];
+        write(&mut group, title, Style::Italic, above - 22.0);
+        write(&mut group, &number(self.high), Style::Upright, above);
+        write(&mut group, &number(self.low), Style::Upright, below);
         group
     }
 }

@@ -1,16 +1,19 @@
 //! A proved operation to a routine: its four phases, rule by rule.
 
+use std::collections::BTreeSet;
+
 use super::NotEmitted;
+use super::callee::helpers;
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
 use super::names::{Names, unreserved};
 use super::reassign;
-use super::routine::{Alternative, Routine, Statement, without_unread};
+use super::routine::{Alternative, Helper, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
+use crate::diagram::{Access, Binary, Callee, Drawing, Kind, Rule, Type};
 
 /// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,8 +26,27 @@ pub(super) struct Conventions {
     pub columns: bool,
 }
 
+/// Some operations as routines, behind the functions that they call.
+pub(super) fn routines(
+    ops: &[&Proved],
+    functions: &[Option<Callee>],
+    conventions: Conventions,
+) -> Result<(Vec<Helper>, Vec<Routine>), NotEmitted> {
+    let mut calls = BTreeSet::new();
+    let mut routines = Vec::new();
+    for op in ops {
+        routines.push(routine(op, functions, conventions, &mut calls)?);
+    }
+    Ok((helpers(&calls, functions)?, routines))
+}
+
 /// The routine of a proved operation.
-pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routine, NotEmitted> {
+fn routine(
+    proved: &Proved,
+    functions: &[Option<Callee>],
+    conventions: Conventions,
+    calls: &mut BTreeSet<u32>,
+) -> Result<Routine, NotEmitted> {
     let op = proved.op();
     if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
         let what = format!("a parameter of type `{}`", param.ty.word());
@@ -34,8 +56,9 @@ pub(super) fn routine(proved: &Proved, conventions: Conventions) -> Result<Routi
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
-        let mut names = Names::new(op, rule);
+        let mut names = Names::new(op, rule, functions);
         let mut body = alternative(rule, proof, conventions, &mut names)?;
+        calls.extend(names.take_calls());
         if conventions.columns {
             let columns = names.used_attributes().cloned().map(Statement::Column);
             body.splice(0..0, columns);
@@ -229,7 +252,7 @@ fn values(
         let target = assignment.target.name;
         let attribute = match assignment.attribute {
             Access::Position => None,
-            Access::Declared(number) => Some(names.attribute(number)),
+            Access::Declared(number) => names.attribute(number),
         };
         if !rule.is_first(target) {
             continue;

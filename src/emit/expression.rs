@@ -24,14 +24,23 @@ impl Expressions<'_> {
             ExprKind::Int(value) => Term::Int(*value),
             ExprKind::Real(value) => Term::Real(*value),
             ExprKind::Text(_) => return Err(NotEmitted::new("a text", expr.span)),
-            ExprKind::Invoke(..) | ExprKind::Let(..) => {
-                return Err(NotEmitted::new("a function of the program", expr.span));
+            ExprKind::Invoke(number, args) => {
+                let what = "a function that does more than compute a value";
+                let name = self.names.call(*number);
+                let name = name.ok_or_else(|| NotEmitted::new(what, expr.span))?;
+                let args = args.iter().map(|arg| self.term(arg));
+                Term::Invoke(name, args.collect::<Result<_, _>>()?)
+            }
+            ExprKind::Let(..) => {
+                return Err(NotEmitted::new("a block within a value", expr.span));
             }
             ExprKind::Member(..) => {
                 return Err(NotEmitted::new("a name with an index", expr.span));
             }
             ExprKind::Read(Access::Declared(number), base) => {
+                let what = "an attribute in a function";
                 let attribute = self.names.attribute(*number);
+                let attribute = attribute.ok_or_else(|| NotEmitted::new(what, expr.span))?;
                 Term::Attribute(attribute, Box::new(self.term(base)?))
             }
             ExprKind::Element(name) => self.names.term(*name),

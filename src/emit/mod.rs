@@ -10,6 +10,7 @@
 // An operation as a routine.
 mod around;
 mod build;
+mod callee;
 mod expression;
 mod guard;
 mod matching;

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use super::term::{Attribute, Term, Turns};
-use crate::diagram::{Kind, NameId, Op, Role, Rule, Type};
+use crate::diagram::{Callee, Kind, NameId, Op, Role, Rule, Type};
 
 /// Words of C++ and Rust, and what emitted code uses itself.
 const RESERVED: &str = "
@@ -50,26 +50,17 @@ pub(super) struct Names {
     folds: Vec<(u32, String)>,
     /// The attributes of the program, and whether the rule uses them.
     attributes: Vec<(Attribute, bool)>,
+    /// The functions of the program that have a value, by number, and those that are called.
+    functions: Vec<Option<String>>,
+    calls: BTreeSet<u32>,
     taken: BTreeSet<String>,
 }
 
 impl Names {
     /// Names for everything that a rule draws. Parameters are called the same in all rules.
-    pub fn new(op: &Op, rule: &Rule) -> Self {
+    pub fn new(op: &Op, rule: &Rule, functions: &[Option<Callee>]) -> Self {
         let count = rule.names.len();
-        let mut names = Self {
-            words: Vec::new(),
-            lasts: Vec::new(),
-            empties: Vec::new(),
-            shifts: Vec::new(),
-            begun: vec![None; count],
-            turns: Turns::default(),
-            is_turning: false,
-            params: Vec::new(),
-            folds: Vec::new(),
-            attributes: Vec::new(),
-            taken: RESERVED.split_whitespace().map(String::from).collect(),
-        };
+        let mut names = Self::without(count, functions);
         for (at, param) in op.params.iter().enumerate() {
             let wanted = match begins_a_family(op, at) {
                 true => format!("{}_0", param.name),
@@ -99,6 +90,50 @@ impl Names {
             };
         }
         names
+    }
+
+    /// Names for a function of the program.
+    pub fn of_function(callee: &Callee, functions: &[Option<Callee>]) -> Self {
+        let mut names = Self::without(0, functions);
+        for name in callee.variables.iter().take(callee.params.len()) {
+            let word = names.fresh(name);
+            names.params.push(word);
+        }
+        names
+    }
+
+    /// No names yet, of so many.
+    fn without(count: usize, functions: &[Option<Callee>]) -> Self {
+        let functions = functions.iter().map(Option::as_ref);
+        Self {
+            words: Vec::new(),
+            lasts: Vec::new(),
+            empties: Vec::new(),
+            shifts: Vec::new(),
+            begun: vec![None; count],
+            turns: Turns::default(),
+            is_turning: false,
+            params: Vec::new(),
+            folds: Vec::new(),
+            functions: functions
+                .map(|callee| callee.map(|callee| callee.name.clone()))
+                .collect(),
+            calls: BTreeSet::new(),
+            attributes: Vec::new(),
+            taken: RESERVED.split_whitespace().map(String::from).collect(),
+        }
+    }
+
+    /// The name of a function of the program that is called, if it has a value.
+    pub fn call(&mut self, number: u32) -> Option<String> {
+        let name = self.functions.get(number as usize)?.clone()?;
+        self.calls.insert(number);
+        Some(name)
+    }
+
+    /// The functions that were called.
+    pub fn take_calls(&mut self) -> BTreeSet<u32> {
+        std::mem::take(&mut self.calls)
     }
 
     fn name(&mut self, rule: &Rule, id: NameId) {
@@ -289,17 +324,24 @@ impl Names {
         word
     }
 
-    /// An attribute of the program, which the rule uses.
-    pub fn attribute(&mut self, number: u32) -> Attribute {
-        let (attribute, is_used) = &mut self.attributes[number as usize];
+    /// An attribute of the program, which the rule uses; a function knows of none.
+    pub fn attribute(&mut self, number: u32) -> Option<Attribute> {
+        let (attribute, is_used) = self.attributes.get_mut(number as usize)?;
         *is_used = true;
-        attribute.clone()
+        Some(attribute.clone())
     }
 
     /// The attributes that have been used so far.
     pub fn used_attributes(&self) -> impl Iterator<Item = &Attribute> {
         let used = self.attributes.iter().filter(|(_, is_used)| *is_used);
         used.map(|(attribute, _)| attribute)
+    }
+
+    /// Names a variable of a function.
+    pub fn bind(&mut self, number: u32, wanted: &str) -> String {
+        let word = self.fresh(wanted);
+        self.folds.push((number, word.clone()));
+        word
     }
 
     /// The parameters of the op.

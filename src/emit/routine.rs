@@ -23,6 +23,21 @@ pub(super) struct Routine {
     pub rules: Vec<Alternative>,
 }
 
+/// A function that routines call.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Helper {
+    /// Its name.
+    pub name: String,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its parameters.
+    pub params: Vec<Parameter>,
+    /// The type of its value.
+    pub result: Type,
+    /// Its statements; every way through them gives a value.
+    pub body: Vec<Statement>,
+}
+
 /// One alternative of a routine.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Alternative {
@@ -119,6 +134,8 @@ pub(super) enum Statement {
     },
     /// Erases an element.
     Erase { kind: Kind, element: Term },
+    /// The value of a function.
+    Give(Term),
     /// Done.
     Return { result: Option<Term> },
 }
@@ -246,6 +263,7 @@ impl Statement {
                 element.names(see);
                 value.names(see);
             }
+            Self::Give(value) => value.names(see),
             Self::Return { result } => result.iter().for_each(|result| result.names(see)),
         }
     }

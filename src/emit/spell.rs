@@ -59,6 +59,8 @@ pub(super) trait Language {
     fn to_real(&mut self, of: Spelled) -> Spelled;
     /// A function of the emitted text or of the language; `name` is one of `support`.
     fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled;
+    /// A function of the program.
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled;
     /// Operators that are calls: `div`, `mod`, equality and products of vectors.
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled;
     fn fold(&mut self, fold: &Fold) -> Spelled;
@@ -103,6 +105,10 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
         Term::Call(function, args) => {
             let args = args.iter().map(|arg| spell(language, arg)).collect();
             language.call(*function, args)
+        }
+        Term::Invoke(name, args) => {
+            let args = args.iter().map(|arg| spell(language, arg)).collect();
+            language.invoke(name, args)
         }
         Term::If(condition, then, otherwise) => {
             let [condition, then, otherwise] =

@@ -53,6 +53,8 @@ pub(super) enum Term {
     Unary(Unary, Box<Term>),
     Binary(Binary, Box<Term>, Box<Term>),
     Call(Function, Vec<Term>),
+    /// A function of the program.
+    Invoke(String, Vec<Term>),
     If(Box<Term>, Box<Term>, Box<Term>),
     Fold(Box<Fold>),
     /// What stands in a list so far from the index, counted around; without an index, from 0.
@@ -196,7 +198,9 @@ impl Term {
                 left.folds(see);
                 right.folds(see);
             }
-            Self::Call(_, args) => args.iter().for_each(|arg| arg.folds(see)),
+            Self::Call(_, args) | Self::Invoke(_, args) => {
+                args.iter().for_each(|arg| arg.folds(see));
+            }
             Self::If(condition, then, otherwise) => {
                 condition.folds(see);
                 then.folds(see);
@@ -243,7 +247,9 @@ impl Term {
                 left.names(see);
                 right.names(see);
             }
-            Self::Call(_, args) => args.iter().for_each(|arg| arg.names(see)),
+            Self::Call(_, args) | Self::Invoke(_, args) => {
+                args.iter().for_each(|arg| arg.names(see));
+            }
             Self::If(condition, then, otherwise) => {
                 condition.names(see);
                 then.names(see);

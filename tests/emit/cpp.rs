@@ -15,7 +15,7 @@ use tempfile::TempDir;
 use crate::columns;
 use crate::meshes::Dice;
 use crate::places::{Argument, Done, Tally, arguments, by_machine, compare, places, report};
-use crate::subjects::{Subject, folder, subjects};
+use crate::subjects::{Subject, folder, functions, subjects};
 
 /// Whether there is a compiler. In CI there has to be one.
 fn has_compiler() -> bool {
@@ -181,7 +181,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
     subjects.retain(|subject| tolerance < 1e-8 || !hangs_by_a_bit(subject));
     let bench = TempDir::new().unwrap();
     let proved: Vec<_> = subjects.iter().map(|subject| &subject.proved).collect();
-    let text = cpp(&proved, style).unwrap();
+    let text = cpp(&proved, &functions(&subjects), style).unwrap();
     let signature = |line: &&str| {
         line.contains(" HalfEdgeMesh::") && line.ends_with(") {") && !line.starts_with([' ', 'i'])
     };

@@ -4017,6 +4017,28 @@ pub fn values_pierce(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
     None
 }
 
+/// Moves a vertex along its edge, as functions tell.
+pub fn values_stretch(mesh: &mut Mesh, a: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v = mesh.vertex(a);
+    let w = mesh.vertex(mesh.next(a));
+    if v == w {
+        return false; // `v` and `w` are one vertex
+    }
+    if !holds(mesh, a) {
+        return false; // the corner is reflex
+    }
+    let v_position = between(mesh, v, w, reach(mesh, f));
+    if !v_position.is_finite() {
+        return false; // the new position of `v` is not finite
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_position(v, v_position);
+    true
+}
+
 /// The operation `more_extrude`.
 pub fn more_extrude(mesh: &mut Mesh, f: FaceId) -> bool {
     // 1. Collect: nothing is written before all of this has passed.
@@ -7463,6 +7485,28 @@ pub fn surface_part_vertex(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Opt
     Some(w)
 }
 
+/// How far a vertex goes: farther in a large face.
+fn reach(mesh: &Mesh, f: FaceId) -> f64 {
+    if 3 < (mesh.face_size(f) as i64) {
+        let sides = mesh.face_size(f) as i64;
+        let half = (sides as f64) / 2.0;
+        return 0.25 + half / 100.0;
+    }
+    0.125
+}
+
+/// A place on the way from one vertex to another.
+fn between(mesh: &Mesh, v: VertexId, w: VertexId, t: f64) -> DVec3 {
+    DVec3::lerp(mesh.position(v), mesh.position(w), t)
+}
+
+/// Whether the corner at the origin of a halfedge turns left, as seen from above.
+fn holds(mesh: &Mesh, h: HalfedgeId) -> bool {
+    let ahead = mesh.position(mesh.target(h)) - mesh.position(mesh.vertex(h));
+    let back = mesh.position(mesh.vertex(mesh.prev(h))) - mesh.position(mesh.vertex(h));
+    if mesh.is_boundary_halfedge(h) { true } else { -reach(mesh, mesh.face(h)) <= DVec3::cross(ahead, back).z }
+}
+
 /// The value of an attribute.
 fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
     mesh.values(column).expect("a column of this type")[element as usize]
@@ -7518,6 +7562,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("values_mark", &[Element(x0)]) => { let r = values_mark(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("values_cut", &[Element(x0), Element(x1)]) => { let r = values_cut(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("values_pierce", &[Element(x0)]) => { let r = values_pierce(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_stretch", &[Element(x0)]) => (values_stretch(mesh, HalfedgeId(x0)), None),
         ("more_extrude", &[Element(x0)]) => (more_extrude(mesh, FaceId(x0)), None),
         ("more_collapse_face", &[Element(x0)]) => { let r = more_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_cut_every_other_side", &[Element(x0)]) => (more_cut_every_other_side(mesh, FaceId(x0)), None),

@@ -9,13 +9,13 @@ use hedgerow::emit::rust;
 use crate::emitted;
 use crate::meshes::Dice;
 use crate::places::{Tally, arguments, by_machine, compare, places, report};
-use crate::subjects::{Subject, folder, subjects};
+use crate::subjects::{Subject, folder, functions, subjects};
 
 /// The text of `emitted.rs`: all operations, and a function that calls one by its name.
 fn text(subjects: &[Subject]) -> String {
     let proved: Vec<_> = subjects.iter().map(|subject| &subject.proved).collect();
     let mut text = String::from("// Written by the test `rust_is_as_committed` with UPDATE=1.\n");
-    text.push_str(&rust(&proved).unwrap());
+    text.push_str(&rust(&proved, &functions(subjects)).unwrap());
     text.push_str(
         "\n/// Calls an operation: whether it applied, and its result.\n\
          pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool, Option<u32>) {\n    \

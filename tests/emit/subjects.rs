@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use hedgerow::analysis::{Analysis, Nowhere, Proved};
+use hedgerow::analysis::{Analysis, Nowhere, Proved, callees};
+use hedgerow::diagram::Callee;
 use hedgerow::emit::{Style, cpp};
 use hedgerow::rewrite::Plan;
 use hedgerow::source::Sources;
@@ -22,6 +23,16 @@ pub struct Subject {
     pub name: String,
     pub proved: Proved,
     pub plan: Plan,
+    /// The functions of its program.
+    pub functions: Vec<Option<Callee>>,
+}
+
+/// The functions that the operations call: those of the one program that has any.
+pub fn functions(subjects: &[Subject]) -> Vec<Option<Callee>> {
+    let mut all = subjects.iter().map(|subject| &subject.functions);
+    all.find(|functions| !functions.is_empty())
+        .cloned()
+        .unwrap_or_default()
 }
 
 pub fn folder(path: &str) -> PathBuf {
@@ -62,7 +73,7 @@ pub fn subjects() -> Vec<Subject> {
         }
     }
     // What cannot be emitted is said by name.
-    let emits = |subject: &Subject| cpp(&[&subject.proved], &Style::default());
+    let emits = |subject: &Subject| cpp(&[&subject.proved], &subject.functions, &Style::default());
     let (emitted, others): (Vec<_>, Vec<_>) = subjects
         .into_iter()
         .partition(|subject| emits(subject).is_ok());
@@ -93,5 +104,6 @@ fn subject(text: &str, name: &str) -> Option<Subject> {
         name: name.to_string(),
         proved: analysis.proved[at].clone()?,
         plan: analysis.plans[at].clone()?,
+        functions: callees(&analysis.program),
     })
 }

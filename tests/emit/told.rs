@@ -11,8 +11,8 @@ fn refused(text: &str) -> (String, String) {
     let analysis = Analysis::of(&sources, file);
     assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
     let proved = analysis.proved[0].as_ref().expect("a proved op");
-    let told = cpp(&[proved], &Style::default()).expect_err("it cannot be emitted");
-    assert_eq!(rust(&[proved]), Err(told.clone()));
+    let told = cpp(&[proved], &[], &Style::default()).expect_err("it cannot be emitted");
+    assert_eq!(rust(&[proved], &[]), Err(told.clone()));
     (told.what, sources.slice(told.span).to_string())
 }
 

@@ -3,65 +3,81 @@
 use std::collections::BTreeSet;
 
 use super::super::lines::Lines;
-use super::super::routine::{Routine, Statement, Step, Walk};
+use super::super::names::unreserved;
+use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
-use super::super::term::{Term, Turns};
+use super::super::term::Term;
 use super::super::{NotEmitted, build};
 use super::style::Style;
 use super::support;
 use super::types::types;
 use crate::check::Proved;
-use crate::diagram::{Kind, Pointer, Type};
+use crate::diagram::{Callee, Type};
 
 /// Operations as C++17, with the functions that they call. What an operation refuses is
 /// `std::nullopt`; one without a result tells whether it applied.
 ///
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
-pub fn cpp(ops: &[&Proved], style: &Style) -> Result<String, NotEmitted> {
+pub fn cpp(
+    ops: &[&Proved],
+    functions: &[Option<Callee>],
+    style: &Style,
+) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: style.has_prev(),
         isolated_vertices: false,
         columns: false,
     };
-    let routines: Vec<_> = ops
-        .iter()
-        .map(|op| build::routine(op, conventions))
-        .collect::<Result<_, _>>()?;
+    let (helpers, routines) = build::routines(ops, functions, conventions)?;
     let mut printer = Printer {
         style,
         lines: Lines::new(2),
         used: Vec::new(),
         headers: BTreeSet::from(["optional"]),
         refusal: "",
+        is_outside: false,
     };
+    let helpers: Vec<_> = helpers
+        .iter()
+        .map(|helper| printer.helper(helper))
+        .collect();
     for (at, routine) in routines.iter().enumerate() {
         if at > 0 {
             printer.lines.line("");
         }
         printer.routine(routine, routines.len() == 1);
     }
-    Ok(printer.finish())
+    Ok(printer.finish(&helpers))
 }
 
 pub(super) struct Printer<'s> {
     pub style: &'s Style,
-    lines: Lines,
+    pub lines: Lines,
     pub used: Vec<&'static str>,
-    headers: BTreeSet<&'static str>,
+    pub headers: BTreeSet<&'static str>,
     /// What leaves the attempt.
-    refusal: &'static str,
+    pub refusal: &'static str,
+    /// Whether the names of the mesh class are not in sight.
+    pub is_outside: bool,
 }
 
 impl Printer<'_> {
-    fn finish(self) -> String {
+    fn finish(self, helpers: &[String]) -> String {
         let needed = support::needed(&self.used);
         let mut headers = self.headers;
         let mut functions = String::new();
         for name in needed {
             let chain = |of: &str, pointer: &str| self.style.chained(of, pointer);
             let text = support::spelled(name, &chain, &|ty| self.style.qualified(ty));
-            functions.push_str(&format!("\n{text}\n"));
+            // So that functions of several files can stand in one.
+            let guard = format!("HEDGEROW_{}", name.to_uppercase());
+            functions.push_str(&format!(
+                "\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n"
+            ));
+        }
+        for helper in helpers {
+            functions.push_str(&format!("\n{helper}"));
         }
         for (word, header) in [
             ("std::vector", "vector"),
@@ -96,8 +112,26 @@ impl Printer<'_> {
         }
     }
 
+    /// A function of the program as text.
+    fn helper(&mut self, helper: &Helper) -> String {
+        let outer = std::mem::replace(&mut self.lines, Lines::new(2));
+        self.is_outside = true;
+        self.docs(&helper.docs);
+        let params = helper.params.iter();
+        let params = params.map(|param| format!("{} {}", self.outer_type(param.ty), param.name));
+        let params = params.collect::<Vec<_>>().join(", ");
+        let (result, name) = (self.outer_type(helper.result), invoked(&helper.name));
+        self.lines
+            .open(&format!("inline {result} {name}({params}) {{"));
+        self.block(&helper.body);
+        self.lines.close("}");
+        self.is_outside = false;
+        std::mem::replace(&mut self.lines, outer).finish()
+    }
+
     pub fn ty(&self, ty: Type) -> String {
         match ty {
+            ty if self.is_outside && ty.is_element() => self.outer_type(ty),
             Type::Bool => "bool".into(),
             Type::Int => "long long".into(),
             Type::Real => self.style.name("real").into(),
@@ -273,267 +307,12 @@ impl Printer<'_> {
         }
     }
 
-    fn block(&mut self, body: &[Statement]) {
-        for statement in body {
-            self.statement(statement);
-        }
-    }
-
     pub fn text(&mut self, term: &Term) -> String {
         spell(self, term).text
     }
 
-    fn whole(&mut self, term: &Term) -> String {
+    pub fn whole(&mut self, term: &Term) -> String {
         spell(self, term).at(Level::Whole)
-    }
-
-    fn statement(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Comment(text) => self.lines.comment("//", text),
-            Statement::Blank => self.lines.blank(),
-            // Attributes are fields.
-            Statement::Column(_) => {}
-            Statement::Bind { ty, name, value } => {
-                let value = self.text(value);
-                let ty = self.ty(*ty);
-                self.lines.line(&format!("{ty} {name} = {value};"));
-            }
-            Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body,
-            } => self.attempt(*kind, element, halfedge, body),
-            Statement::Refuse { when, reason } => {
-                let when = self.text(when);
-                let line = format!("if ({when}) {}", self.refusal);
-                let reason = reason.replace('\n', " ");
-                match line.len() + reason.len() < 92 {
-                    true => self.lines.line(&format!("{line}  // {reason}")),
-                    false => {
-                        self.lines.comment("//", &format!("Refused: {reason}."));
-                        self.lines.line(&line);
-                    }
-                }
-            }
-            Statement::List { ty, name, items } => {
-                self.headers.insert("vector");
-                let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
-                let ty = self.ty(*ty);
-                let line = match items.is_empty() {
-                    true => format!("std::vector<{ty}> {name};"),
-                    false => format!("std::vector<{ty}> {name} = {{{}}};", items.join(", ")),
-                };
-                self.lines.line(&line);
-            }
-            Statement::Push { list, item } => {
-                let item = self.text(item);
-                self.lines.line(&format!("{list}.push_back({item});"));
-            }
-            Statement::Tally { ty, name, value } => {
-                let value = self.text(value);
-                let ty = if *ty == Type::Int { "int" } else { "bool" };
-                self.lines.line(&format!("{ty} {name} = {value};"));
-            }
-            Statement::BindList { ty, name, value } => {
-                self.headers.insert("vector");
-                let value = self.text(value);
-                let ty = self.ty(*ty);
-                self.lines
-                    .line(&format!("std::vector<{ty}> {name} = {value};"));
-            }
-            Statement::Size { name, list } => {
-                self.headers.insert("cstddef");
-                self.lines
-                    .line(&format!("std::size_t {name} = {list}.size();"));
-            }
-            Statement::Gather {
-                ty,
-                name,
-                turns,
-                item,
-            } => {
-                let item = self.text(item);
-                self.gather(&self.ty(*ty), name, turns, &item);
-            }
-            Statement::Turn { turns, body } => self.held(&turn(turns), body),
-            Statement::Change { name, value } => {
-                let value = self.text(value);
-                self.lines.line(&format!("{name} = {value};"));
-            }
-            Statement::Raise { name } => self.lines.line(&format!("++{name};")),
-            Statement::When { condition, body } => {
-                let condition = self.text(condition);
-                self.held(&format!("if ({condition})"), body);
-            }
-            Statement::Walk { walk, body } => self.walk(walk, body),
-            Statement::Each { item, list, body } => {
-                let ty = self.ty(Type::Face);
-                self.held(&format!("for ({ty} {item} : {list})"), body);
-            }
-            Statement::New { kind, name } => {
-                let ty = self.style.name(type_name(*kind));
-                let call = self.style.allocate(*kind);
-                let line = format!("{ty} {name} = {call};");
-                self.lines.line(&line);
-            }
-            Statement::NewEach { kind, name, turns } => {
-                let ty = self.style.name(type_name(*kind)).to_string();
-                let call = self.style.allocate(*kind);
-                self.gather(&ty, name, turns, &call);
-            }
-            Statement::Set { pointer, of, value } => {
-                let (of, value) = (self.whole(of), self.text(value));
-                if let Some(line) = self.style.write(&of, *pointer, &value) {
-                    self.lines.line(&format!("{line};"));
-                }
-            }
-            Statement::SetHole { face, hole } => {
-                let face = self.whole(face);
-                let line = self.style.set_boundary(&face, *hole);
-                self.lines.line(&format!("{line};"));
-            }
-            Statement::SetPosition { vertex, value } => {
-                let (vertex, value) = (self.whole(vertex), self.text(value));
-                let line = format!("{} = {value};", self.style.position(&vertex));
-                self.lines.line(&line);
-            }
-            Statement::SetAttribute {
-                attribute,
-                element,
-                value,
-            } => {
-                let (element, value) = (self.whole(element), self.text(value));
-                let line = format!(
-                    "{} = {value};",
-                    self.style.attribute(&element, &attribute.name)
-                );
-                self.lines.line(&line);
-            }
-            Statement::Erase { kind, element } => {
-                let element = self.text(element);
-                let line = format!("{};", self.style.erase(*kind, &element));
-                self.lines.line(&line);
-            }
-            Statement::Return { result } => {
-                let result = result
-                    .as_ref()
-                    .map_or("true".into(), |result| self.text(result));
-                self.lines.line(&format!("return {result};"));
-            }
-        }
-    }
-
-    /// A list of what stands for each index.
-    fn gather(&mut self, ty: &str, name: &str, turns: &Turns, item: &str) {
-        self.headers.insert("vector");
-        self.lines.line(&format!("std::vector<{ty}> {name};"));
-        let (head, push) = (turn(turns), format!("{name}.push_back({item});"));
-        match head.len() + push.len() < 92 {
-            true => self.lines.line(&format!("{head} {push}")),
-            false => {
-                self.lines.open(&format!("{head} {{"));
-                self.lines.line(&push);
-                self.lines.close("}");
-            }
-        }
-    }
-
-    /// A head and what it holds: on one line if that is a single short statement.
-    fn held(&mut self, head: &str, body: &[Statement]) {
-        let mut inner = Printer {
-            style: self.style,
-            lines: Lines::new(2),
-            used: Vec::new(),
-            headers: BTreeSet::new(),
-            refusal: self.refusal,
-        };
-        inner.block(body);
-        let text = std::mem::take(&mut inner.lines).finish();
-        self.used.append(&mut inner.used);
-        self.headers.append(&mut inner.headers);
-        let mut lines = text.lines();
-        match (lines.next(), lines.next()) {
-            (Some(only), None) if head.len() + only.len() < 92 => {
-                self.lines.line(&format!("{head} {only}"));
-            }
-            (Some(_), _) => {
-                self.lines.open(&format!("{head} {{"));
-                for line in text.lines() {
-                    self.lines.line(line);
-                }
-                self.lines.close("}");
-            }
-            (None, _) => {}
-        }
-    }
-
-    fn attempt(&mut self, kind: Kind, element: &str, halfedge: &str, body: &[Statement]) {
-        let ty = self.ty(Type::Halfedge);
-        let first =
-            |printer: &Self, pointer| printer.style.read(element, pointer).unwrap_or_default();
-        let range = match kind {
-            Kind::Edge => {
-                let first = first(self, Pointer::EdgeHalfedge);
-                let twin = self.style.read(&first, Pointer::Twin).unwrap_or_default();
-                self.lines
-                    .line(&format!("// Both directions of {element} are tried."));
-                format!("{{{first}, {twin}}}")
-            }
-            Kind::Vertex => {
-                self.lines.line(&format!(
-                    "// Each halfedge that starts at {element} is tried."
-                ));
-                self.support("spokes", vec![element.to_string()])
-            }
-            _ => {
-                self.lines
-                    .line(&format!("// Each halfedge of {element} is tried."));
-                self.support("halfedges", vec![element.to_string()])
-            }
-        };
-        let outer = std::mem::replace(&mut self.refusal, "continue;");
-        self.lines
-            .open(&format!("for ({ty} {halfedge} : {range}) {{"));
-        self.block(body);
-        if matches!(body.last(), Some(Statement::Attempt { .. })) {
-            self.lines.line("continue;");
-        }
-        self.lines.close("}");
-        self.refusal = outer;
-    }
-
-    fn walk(&mut self, walk: &Walk, body: &[Statement]) {
-        let ty = self.ty(Type::Halfedge);
-        let h = &walk.halfedge;
-        let head = if walk.around {
-            let (name, of) = match (walk.step, &walk.from) {
-                (Step::Clockwise, Term::Follow(Pointer::VertexHalfedge, of)) => {
-                    ("spokes", (**of).clone())
-                }
-                (Step::Clockwise, from) => ("spokes", from.clone().follow(Pointer::Vertex)),
-                (Step::Next, Term::Follow(Pointer::FaceHalfedge, of)) => {
-                    ("halfedges", (**of).clone())
-                }
-                (Step::Next, from) => ("halfedges", from.clone().follow(Pointer::Face)),
-            };
-            let of = self.text(&of);
-            let range = self.support(name, vec![of]);
-            format!("for ({ty} {h} : {range})")
-        } else {
-            let step = Term::name(h);
-            let step = match walk.step {
-                Step::Next => step.follow(Pointer::Next),
-                Step::Clockwise => step.follow(Pointer::Twin).follow(Pointer::Next),
-            };
-            let (from, until, step) = (
-                self.text(&walk.from),
-                self.whole(&walk.until),
-                self.text(&step),
-            );
-            format!("for ({ty} {h} = {from}; {h} != {until}; {h} = {step})")
-        };
-        self.held(&head, body);
     }
 
     /// A call of a function that is written out.
@@ -548,18 +327,10 @@ impl Printer<'_> {
     }
 }
 
-/// The head of a loop over the indices.
-fn turn(turns: &Turns) -> String {
-    let Turns { index, size } = turns;
-    format!("for (std::size_t {index} = 0; {index} < {size}; ++{index})")
-}
-
-/// The name of a type in a style.
-fn type_name(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Vertex => "Vertex",
-        Kind::Halfedge => "Halfedge",
-        Kind::Edge => "Edge",
-        _ => "Face",
+/// What a function of the program is called: not as one of the language.
+pub(super) fn invoked(name: &str) -> String {
+    match support::is_known(name) {
+        true => format!("{name}_"),
+        false => unreserved(name),
     }
 }

@@ -2,6 +2,7 @@
 
 mod function;
 mod spelling;
+mod statement;
 mod style;
 mod support;
 mod types;

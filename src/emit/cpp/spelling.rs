@@ -2,7 +2,7 @@
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
-use super::function::Printer;
+use super::function::{Printer, invoked};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer<'_> {
@@ -185,6 +185,12 @@ impl Language for Printer<'_> {
             }
         };
         Spelled::whole(self.support(name, texts))
+    }
+
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
+        let args = args.into_iter().map(|arg| arg.at(Level::Or));
+        let args = args.collect::<Vec<_>>().join(", ");
+        Spelled::whole(format!("hedgerow::{}({args})", invoked(name)))
     }
 
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {

@@ -18,6 +18,11 @@ fn text(name: &str) -> Option<&'static str> {
     found.map(|(_, text)| text.trim_end())
 }
 
+/// Whether there is a function of that name.
+pub(super) fn is_known(name: &str) -> bool {
+    text(name).is_some()
+}
+
 /// The names of the functions that these need, themselves included, each behind those it calls.
 pub(super) fn needed(names: &[&'static str]) -> Vec<&'static str> {
     let mut order = Vec::new();

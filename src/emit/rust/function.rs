@@ -8,23 +8,20 @@ use super::super::spell::spell;
 use super::super::term::{Term, Turns};
 use super::super::{NotEmitted, build};
 use crate::check::Proved;
-use crate::diagram::{Kind, Pointer, Type};
+use crate::diagram::{Callee, Kind, Pointer, Type};
 
 /// Operations as Rust. What an operation refuses is `None`; one without a result tells whether
 /// it applied.
 ///
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
-pub fn rust(ops: &[&Proved]) -> Result<String, NotEmitted> {
+pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: true,
         isolated_vertices: true,
         columns: true,
     };
-    let routines: Vec<_> = ops
-        .iter()
-        .map(|op| build::routine(op, conventions))
-        .collect::<Result<_, _>>()?;
+    let (helpers, routines) = build::routines(ops, functions, conventions)?;
     let mut printer = Printer {
         lines: Lines::new(4),
         used: BTreeSet::new(),
@@ -33,6 +30,10 @@ pub fn rust(ops: &[&Proved]) -> Result<String, NotEmitted> {
     for routine in &routines {
         printer.lines.line("");
         printer.routine(routine);
+    }
+    for helper in &helpers {
+        printer.lines.line("");
+        printer.helper(helper);
     }
     let used = printer.used;
     let mut body = printer.lines.finish();
@@ -70,7 +71,7 @@ pub(super) fn names(text: &str, word: &str) -> bool {
 }
 
 /// Functions that are written out where they are used.
-const FUNCTIONS: &[(&str, &str)] = &[
+pub(super) const FUNCTIONS: &[(&str, &str)] = &[
     (
         "in_order_along_loop",
         "\
@@ -172,7 +173,7 @@ fn same_elements<T: PartialEq>(a: &[T], b: &[T]) -> bool {
 ];
 
 pub(super) struct Printer {
-    lines: Lines,
+    pub lines: Lines,
     pub used: BTreeSet<&'static str>,
     /// What leaves the attempt.
     refusal: &'static str,
@@ -315,7 +316,7 @@ impl Printer {
         }
     }
 
-    fn block(&mut self, body: &[Statement], has_result: bool) {
+    pub fn block(&mut self, body: &[Statement], has_result: bool) {
         for statement in body {
             self.statement(statement, has_result);
         }
@@ -506,6 +507,10 @@ impl Printer {
                 let element = self.text(element);
                 self.lines
                     .line(&format!("mesh.erase_{}({element});", word(*kind)));
+            }
+            Statement::Give(value) => {
+                let value = self.text(value);
+                self.lines.line(&format!("return {value};"));
             }
             Statement::Return { result } => {
                 let result = match result {

@@ -3,6 +3,7 @@
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::function::{Printer, names, ty};
+use super::helper::invoked;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer {
@@ -189,6 +190,12 @@ impl Language for Printer {
         };
         let args: Vec<_> = args.into_iter().map(|arg| arg.text).collect();
         Spelled::whole(format!("{whose}::{name}({})", args.join(", ")))
+    }
+
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled {
+        let args = args.into_iter().map(|arg| format!(", {}", arg.text));
+        let args = args.collect::<String>();
+        Spelled::whole(format!("{}(mesh{args})", invoked(name)))
     }
 
     fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled {
