@@ -120,10 +120,11 @@ fn failures(analysis: &Analysis, name: Span) -> Vec<String> {
             })
     });
     let errors = errors.map(|error| format!("error: {}", error.message));
-    ["not proved".to_string()]
-        .into_iter()
-        .chain(errors)
-        .collect()
+    let mut lines = vec!["not proved".to_string()];
+    lines.extend(errors);
+    // Each rule may be wrong in the same way.
+    lines.dedup();
+    lines
 }
 
 fn show_verdict(verdict: &Verdict) -> String {
