@@ -233,6 +233,13 @@ fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
     let edges = side.edges.iter().map(|edge| edge.span);
     let stars = side.stars.iter().map(|star| star.span);
     let first = loops.chain(edges).chain(stars).min_by_key(|s| s.start)?;
+    if side.kept.iter().any(|kept| kept.span.start <= first.start) {
+        // What is kept stands for its statement, behind the word `keep`.
+        return Some(Edit {
+            span: end_of_after(rule)?,
+            text: format!("\n    new {words}"),
+        });
+    }
     Some(Edit {
         span: first.before(),
         text: format!("new {words}\n    "),

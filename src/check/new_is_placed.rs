@@ -48,7 +48,7 @@ fn missing(rule: &Rule, created: &Ref, access: Access) -> Diagnostic {
         && let Some(declared) = rule.attributes.get(number as usize)
         && declared.span.file < created.span.file
     {
-        return missing_elsewhere(created, kind, declared);
+        return missing_elsewhere(created, name.kind, declared);
     }
     let message = match access {
         Access::Position => format!("the new vertex `{word}` has no position"),
@@ -73,15 +73,16 @@ fn missing(rule: &Rule, created: &Ref, access: Access) -> Diagnostic {
 
 /// The op stands in a used file, which knows nothing of the attribute: it is the declaration
 /// that has to change. Of every such op the same is told.
-fn missing_elsewhere(created: &Ref, kind: &str, declared: &Attribute) -> Diagnostic {
+fn missing_elsewhere(created: &Ref, kind: Kind, declared: &Attribute) -> Diagnostic {
     let Attribute { name, ty, .. } = declared;
-    let message = format!("`{name}` has no default, and a used file creates a {kind} without it");
+    let made = kind.a_word();
+    let message = format!("`{name}` has no default, and a used file creates {made} without it");
     let zero = match ty {
         Type::Bool => "false".to_owned(),
         Type::Int | Type::Real => "0".to_owned(),
         wide => format!("{}(0)", wide.word()),
     };
-    let declaration = format!("attr {name}: {kind} {} = {zero}", ty.word());
+    let declaration = format!("attr {name}: {} {} = {zero}", kind.word(), ty.word());
     Diagnostic::error("missing-attribute", message, declared.span)
         .label(created.span, "created here")
         .note(format!("give it a default: `{declaration}`"))

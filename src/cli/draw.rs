@@ -19,11 +19,26 @@ use crate::source::Span;
 /// How many pixels of an image are a unit of a diagram.
 const PIXELS: f64 = 2.0;
 
+/// Whether a name is that of a picture.
+fn is_picture(path: &Path) -> bool {
+    let end = path.extension().map(|end| end.to_ascii_lowercase());
+    end.is_some_and(|end| end == "png" || end == "svg")
+}
+
 /// Draws an operation, before and after, or all of a file on one page.
 pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
     let (path, name) = program::part(&arguments.op);
     let program = program::read(path)?;
     if arguments.html {
+        let output = arguments.output.as_deref();
+        if let Some(picture) = output.filter(|output| is_picture(output)) {
+            let other = picture.with_extension("html");
+            return Err(Failure::usage(format!(
+                "{}: a page is no picture: write -o {}",
+                picture.display(),
+                other.display()
+            )));
+        }
         let text = page(&path.display().to_string(), &sections(&program, name)?);
         return match &arguments.output {
             Some(output) => write(output, text.as_bytes()),

@@ -74,6 +74,7 @@ pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
         files::expect_waiting(path);
         write_obj(path, obj).map_err(Failure::usage)?;
         tell_unheld(path, obj);
+        tell_bare(path, obj);
         return Ok(());
     }
     obj.bring_all();
@@ -107,6 +108,35 @@ fn tell_unheld(path: &Path, obj: &Obj) {
         let (shown, told) = (path.display(), told.join(", "));
         complain(&format!(
             "warning: {shown} cannot hold {told}; a .halfedges file can"
+        ));
+    }
+}
+
+/// Says what of the file that was read is not in the one that was written.
+fn tell_bare(path: &Path, obj: &Obj) {
+    let shown = path.display();
+    let attributes = ["`uv: halfedge vec2`", "`normal: halfedge vec3`"];
+    let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
+    for ((count, kind), attribute) in obj.bare_faces().into_iter().zip(kinds).zip(attributes) {
+        if count > 0 {
+            let (faces, have) = if count == 1 {
+                ("face", "has")
+            } else {
+                ("faces", "have")
+            };
+            complain(&format!(
+                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more; a \
+                 program can keep them in an attribute {attribute}"
+            ));
+        }
+    }
+    let words = obj.passed_over();
+    if !words.is_empty() {
+        let words: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
+        complain(&format!(
+            "warning: {shown}: what the mesh that was read says with {} is not in it: a mesh has \
+             vertices and faces",
+            words.join(", ")
         ));
     }
 }

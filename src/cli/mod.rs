@@ -74,7 +74,7 @@ pub fn main() -> ExitCode {
 
 /// The exit code of a command; a failure is told.
 fn ended(done: Result<(), Failure>) -> ExitCode {
-    match done {
+    match done.and_then(|()| output::all_said()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.tell();

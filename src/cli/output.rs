@@ -1,6 +1,8 @@
-//! Standard output and standard error. A reader that has gone away is no failure.
+//! Standard output and standard error. A reader that has gone away is no failure; a full disk
+//! is one, which is told when the command ends.
 
-use std::io::{IsTerminal, Write, stderr, stdout};
+use std::io::{self, IsTerminal, Write, stderr, stdout};
+use std::sync::Mutex;
 
 use serde::Serialize;
 
@@ -11,9 +13,28 @@ use crate::source::Sources;
 /// How many diagnostics are printed at most.
 const MOST_DIAGNOSTICS: usize = 50;
 
+/// Why standard output could not be written, for the first time.
+static LOST: Mutex<Option<io::Error>> = Mutex::new(None);
+
 /// Prints a text to standard output, with a line end.
 pub(super) fn say(text: &str) {
-    let _ = writeln!(stdout().lock(), "{text}");
+    let written = writeln!(stdout().lock(), "{text}");
+    if let Err(error) = written
+        && error.kind() != io::ErrorKind::BrokenPipe
+        && let Ok(mut lost) = LOST.lock()
+    {
+        lost.get_or_insert(error);
+    }
+}
+
+/// Fails if something that was said is lost.
+pub(super) fn all_said() -> Result<(), Failure> {
+    let lost = LOST.lock().ok().and_then(|mut lost| lost.take());
+    lost.map_or(Ok(()), |error| {
+        Err(Failure::usage(format!(
+            "cannot write to standard output: {error}"
+        )))
+    })
 }
 
 /// Prints data as JSON to standard output.

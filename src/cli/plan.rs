@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
-use crate::analysis::callees;
+use crate::analysis::{Proved, callees};
 use crate::emit::{NotEmitted, Style, cpp, rust};
 use crate::mesh::Level;
 use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
@@ -67,6 +67,13 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         proved.push(proof);
     }
     let functions = callees(&program.analysis.program);
+    if name.is_none() {
+        leave_out(&mut proved, |op| match arguments.shown {
+            Shown::Cpp => cpp(&[op], &functions, &style).err(),
+            Shown::Rust => rust(&[op], &functions).err(),
+            Shown::Table | Shown::Json => None,
+        });
+    }
     let text = match arguments.shown {
         Shown::Table => tables(&plans),
         Shown::Json => data(&program, &ops, &plans)?,
@@ -102,6 +109,25 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
 fn tables(plans: &[&Plan]) -> String {
     let plans: Vec<_> = plans.iter().map(|plan| show(plan)).collect();
     plans.join("\n\n\n") + "\n"
+}
+
+/// Leaves out the ops of a file that cannot be emitted, and says so, if others can.
+fn leave_out(proved: &mut Vec<&Proved>, refused: impl Fn(&Proved) -> Option<NotEmitted>) {
+    let refused: Vec<_> = proved.iter().map(|op| refused(op)).collect();
+    if refused.iter().all(Option::is_some) {
+        return;
+    }
+    let mut refused = refused.into_iter();
+    proved.retain(|proved| match refused.next().flatten() {
+        Some(NotEmitted { what, .. }) => {
+            let name = &proved.op().name;
+            complain(&format!(
+                "left out: `{name}`, since {what} cannot be emitted"
+            ));
+            false
+        }
+        None => true,
+    });
 }
 
 /// Emitted code; or what cannot be emitted, with its place.

@@ -213,15 +213,22 @@ impl<'a> Drawing<'a> {
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
             .label(first.from.span, "it begins here");
-        // A vertex that stands here alone is a slip, and so is one that an item runs back to.
-        // To one that is drawn elsewhere the way may be meant.
-        let known = self.names.find(&end.ident.text);
-        let stands_alone = known.is_none_or(|id| self.names.get(id).span == end.span);
+        // A vertex that stands here alone is a slip if the other one is drawn before, and so is
+        // one that an item runs back to. To one that is drawn elsewhere the way may be meant.
+        let stands_alone = |name: &tree::Name| {
+            let known = self.names.find(&name.ident.text);
+            known.is_none_or(|id| self.names.get(id).span == name.span)
+        };
+        let alone = [&first.from, end].map(stands_alone);
         let last = l.items.last();
         let runs_back = last.is_some_and(|last| last.from.to_string() == ends);
-        self.report.add(match stands_alone || runs_back {
-            true => error.fix(format!("end at `{begins}`"), end.span, begins),
-            false => error.note(format!(
+        self.report.add(match alone {
+            [true, false] if !runs_back => {
+                error.fix(format!("begin at `{ends}`"), first.from.span, ends)
+            }
+            [false, true] => error.fix(format!("end at `{begins}`"), end.span, begins),
+            _ if runs_back => error.fix(format!("end at `{begins}`"), end.span, begins),
+            _ => error.note(format!(
                 "a loop ends where it begins: go on to `{begins}`, with a halfedge `-h-> {begins}` or a path `=P=> {begins}`"
             )),
         });

@@ -147,3 +147,37 @@ fn a_default_that_used_files_need_is_asked_for_once() {
     );
     bench.succeeds(&["check", "s.hedge"]);
 }
+
+#[test]
+fn what_of_a_file_is_lost_is_told() {
+    let bench = Bench::new();
+    bench.write(
+        "m.obj",
+        TWO.replace("f 1/1/1 2/2/1", "l 1 2\np 3\nf 1/1/1 2/2/1"),
+    );
+    let flip = [
+        "apply",
+        "std/triangle.hedge::flip",
+        "m.obj",
+        "--at",
+        "edge:1-3",
+    ];
+    let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
+    assert_eq!(said.code, 0, "{said:?}");
+    for words in [
+        "2 faces with new corners have no texture coordinates (`vt`)",
+        "2 faces with new corners have no normals (`vn`)",
+        "`l`, `p`",
+    ] {
+        assert!(said.err.contains(words), "{}", said.err);
+    }
+    assert!(bench.read("n.obj").ends_with("f 4 2 3\nf 2 4 1\n"));
+    // A file whose corners have none has none to lose.
+    bench.write("m.obj", SQUARE);
+    let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
+    assert_eq!(
+        (said.code, said.err.contains("warning")),
+        (0, false),
+        "{said:?}"
+    );
+}

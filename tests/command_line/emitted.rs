@@ -71,6 +71,29 @@ fn ops_in_steps_are_left_out_of_code_and_named() {
 }
 
 #[test]
+fn one_op_that_cannot_be_emitted_keeps_no_other_back() {
+    let bench = Bench::new();
+    let op = |name: &str, asked: &str| {
+        format!(
+            "op {name}(e: edge) {{\n  before {{ edge e: a | b  loop f: v -a-> w =P=> v }}\n  \
+             {asked}\n  after {{ keep e f }}\n}}\n"
+        )
+    };
+    let text = op("turn", "") + &op("f", "require \"a\" == \"b\"");
+    bench.write("two.hedge", text);
+    for language in ["cpp", "rust"] {
+        let said = bench.run(&["plan", "two.hedge", "--as", language]);
+        assert_eq!(said.code, 0, "{}", said.err);
+        assert!(said.out.contains(" turn("), "{}", said.out);
+        assert!(
+            said.err.contains("left out: `f`, since a text cannot"),
+            "{}",
+            said.err
+        );
+    }
+}
+
+#[test]
 fn what_cannot_be_emitted_has_a_place() {
     let bench = Bench::new();
     bench.write(

@@ -38,6 +38,21 @@ fn a_reader_that_goes_away_is_no_failure() {
     assert!(bench.has("out.obj"), "the result is written all the same");
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_said_in_vain_is_a_failure() {
+    let bench = Bench::with_square();
+    let flip = example("flip.hedge");
+    for arguments in [&["check", &flip][..], &["info", "square.obj"], &["std"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+        let mut command = bench.command(arguments);
+        let output = command.stdout(full.unwrap()).output().unwrap();
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {err}");
+        assert!(err.contains("cannot write to standard output"), "{err}");
+    }
+}
+
 #[test]
 fn no_colours_but_on_a_terminal() {
     let bench = Bench::new();

@@ -114,6 +114,33 @@ impl Obj {
             .collect()
     }
 
+    /// The words of the statements of the file, such as `l` and `p`, that are no part of a mesh
+    /// and not written again: the first few.
+    pub fn passed_over(&self) -> &[String] {
+        &self.kept.passed_over
+    }
+
+    /// How many faces are written without texture coordinates (`vt`), and how many without
+    /// normals (`vn`), although the file had some: corners of theirs are not those of the file.
+    pub fn bare_faces(&self) -> [usize; 2] {
+        OfCorner::ALL.map(|what| {
+            let kept = self.kept_corners(what);
+            if kept.is_empty() || self.written_column(what).is_some() {
+                return 0;
+            }
+            let all_had_one = kept.iter().all(|&row| row != MISSING);
+            let is_bare = |&f: &FaceId| {
+                let rows = self.mesh.face_halfedges(f);
+                let rows: Vec<_> = rows.map(|h| self.kept_row(what, h)).collect();
+                let lacks = rows.iter().any(Option::is_none);
+                let had = || rows.iter().any(Option::is_some) || self.face_number(f).is_none();
+                lacks && (all_had_one || had())
+            };
+            let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
+            faces.filter(is_bare).count()
+        })
+    }
+
     /// Whether the file has groups, objects, materials or smoothing groups.
     pub fn has_groups(&self) -> bool {
         !self.kept.states.is_empty() || !self.kept.libraries.is_empty()

@@ -186,9 +186,12 @@ impl<R: BufRead> Filter<R> {
             }
             _ => {
                 let place = State::KEYWORDS.iter().position(|k| k.as_bytes() == keyword);
-                if let Some(place) = place {
-                    let face = self.face_lines.len() as u32;
-                    self.kept.enter_state(face, place, rest.trim_ascii());
+                match place {
+                    Some(place) => {
+                        let face = self.face_lines.len() as u32;
+                        self.kept.enter_state(face, place, rest.trim_ascii());
+                    }
+                    None => self.kept.pass_over(keyword),
                 }
                 Ok(())
             }

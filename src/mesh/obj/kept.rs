@@ -20,6 +20,8 @@ pub(super) struct Kept {
     pub(super) corner_normals: Vec<u32>,
     /// The vertex of each corner, from 0; empty if no corner has anything to keep.
     pub(super) corner_vertices: Vec<u32>,
+    /// The statements that are no part of a mesh, such as `l` and `p`: the first few words.
+    pub(super) passed_over: Vec<String>,
 }
 
 /// The statements in force at a face, by their places in `names`.
@@ -34,6 +36,16 @@ impl State {
 }
 
 impl Kept {
+    /// Notes a statement that is not kept.
+    pub(super) fn pass_over(&mut self, keyword: &[u8]) {
+        let word = String::from_utf8_lossy(&keyword[..keyword.len().min(16)]);
+        let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
+        let known = &mut self.passed_over;
+        if is_word && known.len() < 8 && !known.iter().any(|other| *other == word) {
+            known.push(word.into_owned());
+        }
+    }
+
     /// The state at a face of the file.
     pub(super) fn state(&self, face: u32) -> State {
         let after = self.states.partition_point(|&(first, _)| first <= face);
