@@ -95,11 +95,17 @@ fn ints_that_do_not_fit_trap() {
         });
         assert_eq!(got, message);
     }
-    let got = trap(&mut Mesh::default(), |asm| {
-        let (from, to) = (asm.constant_real(f64::NAN), asm.reg());
-        asm.emit(Inst::RoundReal { to, from });
-    });
-    assert_eq!(got, Message::IntOverflow);
+    for (number, message) in [
+        (f64::NAN, Message::RoundsNaN),
+        (f64::INFINITY, Message::IntOverflow),
+        (-1e300, Message::IntOverflow),
+    ] {
+        let got = trap(&mut Mesh::default(), |asm| {
+            let (from, to) = (asm.constant_real(number), asm.reg());
+            asm.emit(Inst::RoundReal { to, from });
+        });
+        assert_eq!(got, message);
+    }
 }
 
 #[test]

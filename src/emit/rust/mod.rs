@@ -1,7 +1,9 @@
 //! Routines as Rust.
 
+mod callee;
 mod function;
-mod helper;
 mod spelling;
+mod statement;
+mod support;
 
 pub use function::rust;

@@ -2,8 +2,8 @@
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
+use super::callee::invoked;
 use super::function::{Printer, names, ty};
-use super::helper::invoked;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer {

@@ -3,7 +3,8 @@
 use super::super::lines::Lines;
 use super::super::names::unreserved;
 use super::super::routine::{Helper, Statement};
-use super::function::{FUNCTIONS, Printer, names, ty};
+use super::function::{Printer, names, ty};
+use super::support::FUNCTIONS;
 
 /// What a function of the program is called: not as one that is written out.
 pub(super) fn invoked(name: &str) -> String {

@@ -1,0 +1,241 @@
+//! Statements as Rust.
+
+use super::super::routine::{Statement, Step, Walk};
+use super::super::term::Turns;
+use super::function::{Printer, ty};
+use crate::diagram::{Kind, Pointer, Type};
+
+impl Printer {
+    pub fn block(&mut self, body: &[Statement], has_result: bool) {
+        for statement in body {
+            self.statement(statement, has_result);
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement, has_result: bool) {
+        match statement {
+            Statement::Comment(text) => self.lines.comment("//", text),
+            Statement::Blank => self.lines.blank(),
+            Statement::Column(attribute) => {
+                let (declared, column) = (&attribute.declared, &attribute.column);
+                let kind = match attribute.element {
+                    Type::Vertex => "Vertex",
+                    Type::Halfedge => "Halfedge",
+                    Type::Edge => "Edge",
+                    _ => "Face",
+                };
+                let ty = ty(attribute.ty);
+                self.lines.line(&format!(
+                    "let {column} = mesh.find_column(ElementKind::{kind}, \"{declared}\");"
+                ));
+                self.lines.open(&format!(
+                    "let Some({column}) = {column}.filter(|&c| mesh.values::<{ty}>(c).is_some()) else {{"
+                ));
+                let refusal = self.refusal;
+                self.lines.line(&format!(
+                    "{refusal} // the mesh has no attribute `{declared}` of this type"
+                ));
+                self.lines.close("};");
+            }
+            Statement::Bind { name, value, .. } => {
+                let value = self.text(value);
+                self.lines.line(&format!("let {name} = {value};"));
+            }
+            Statement::Attempt {
+                kind,
+                element,
+                halfedge,
+                body,
+            } => {
+                let all = match kind {
+                    Kind::Edge => format!(
+                        "[mesh.edge_halfedge({element}), mesh.twin(mesh.edge_halfedge({element}))]"
+                    ),
+                    Kind::Vertex => format!("mesh.spokes({element}).collect::<Vec<_>>()"),
+                    _ => format!("mesh.face_halfedges({element}).collect::<Vec<_>>()"),
+                };
+                self.lines.line(&match kind {
+                    Kind::Edge => format!("// Both directions of {element} are tried."),
+                    Kind::Vertex => format!("// Each halfedge that starts at {element} is tried."),
+                    _ => format!("// Each halfedge of {element} is tried."),
+                });
+                let outer = std::mem::replace(&mut self.refusal, "continue;");
+                self.lines.open(&format!("for {halfedge} in {all} {{"));
+                self.block(body, has_result);
+                self.lines.close("}");
+                self.refusal = outer;
+            }
+            Statement::Refuse { when, reason } => {
+                let when = self.text(when);
+                self.lines.open(&format!("if {when} {{"));
+                self.lines.line(&format!(
+                    "{} // {}",
+                    self.refusal,
+                    reason.replace('\n', " ")
+                ));
+                self.lines.close("}");
+            }
+            Statement::List {
+                ty: of,
+                name,
+                items,
+            } => {
+                let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
+                let value = match items.is_empty() {
+                    true => "Vec::new()".to_string(),
+                    false => format!("vec![{}]", items.join(", ")),
+                };
+                self.lines
+                    .line(&format!("let mut {name}: Vec<{}> = {value};", ty(*of)));
+            }
+            Statement::Push { list, item } => {
+                let item = self.text(item);
+                self.lines.line(&format!("{list}.push({item});"));
+            }
+            Statement::Tally { name, value, .. } => {
+                let value = self.text(value);
+                self.lines.line(&format!("let mut {name} = {value};"));
+            }
+            Statement::BindList { name, value, .. } => {
+                let value = self.text(value);
+                self.lines.line(&format!("let {name} = {value};"));
+            }
+            Statement::Size { name, list } => {
+                self.lines.line(&format!("let {name} = {list}.len();"));
+            }
+            Statement::Gather {
+                ty: of,
+                name,
+                turns: Turns { index, size },
+                item,
+            } => {
+                let item = self.text(item);
+                let ty = ty(*of);
+                self.lines.line(&format!(
+                    "let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"
+                ));
+            }
+            Statement::NewEach {
+                kind,
+                name,
+                turns: Turns { size, .. },
+            } => {
+                let kind = word(*kind);
+                self.lines.line(&format!(
+                    "let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();"
+                ));
+            }
+            Statement::Turn { turns, body } => {
+                let Turns { index, size } = turns;
+                self.lines.open(&format!("for {index} in 0..{size} {{"));
+                self.block(body, has_result);
+                self.lines.close("}");
+            }
+            Statement::Change { name, value } => {
+                let value = self.text(value);
+                self.lines.line(&format!("{name} = {value};"));
+            }
+            Statement::Raise { name } => self.lines.line(&format!("{name} += 1;")),
+            Statement::When { condition, body } => {
+                let condition = self.text(condition);
+                self.lines.open(&format!("if {condition} {{"));
+                self.block(body, has_result);
+                self.lines.close("}");
+            }
+            Statement::Walk { walk, body } => self.walk(walk, body, has_result),
+            Statement::Each { item, list, body } => {
+                self.lines.open(&format!("for &{item} in &{list} {{"));
+                self.block(body, has_result);
+                self.lines.close("}");
+            }
+            Statement::New { kind, name } => {
+                self.lines
+                    .line(&format!("let {name} = mesh.add_{}();", word(*kind)));
+            }
+            Statement::Set { pointer, of, value } => {
+                let field = match pointer {
+                    Pointer::Next => "next",
+                    Pointer::Prev => "prev",
+                    Pointer::Twin => "twin",
+                    Pointer::Vertex | Pointer::Target => "vertex",
+                    Pointer::Edge => "edge",
+                    Pointer::Face => "face",
+                    Pointer::VertexHalfedge => "vertex_halfedge",
+                    Pointer::EdgeHalfedge => "edge_halfedge",
+                    Pointer::FaceHalfedge => "face_halfedge",
+                };
+                let (of, value) = (self.text(of), self.text(value));
+                self.lines
+                    .line(&format!("mesh.set_{field}({of}, {value});"));
+            }
+            Statement::SetHole { face, hole } => {
+                let face = self.text(face);
+                self.lines.line(&format!("mesh.set_hole({face}, {hole});"));
+            }
+            Statement::SetPosition { vertex, value } => {
+                let (vertex, value) = (self.text(vertex), self.text(value));
+                self.lines
+                    .line(&format!("mesh.set_position({vertex}, {value});"));
+            }
+            Statement::SetAttribute {
+                attribute,
+                element,
+                value,
+            } => {
+                self.used.insert("set_attribute");
+                let (element, value) = (self.text(element), self.text(value));
+                let column = &attribute.column;
+                self.lines.line(&format!(
+                    "set_attribute(mesh, {column}, {element}.0, {value});"
+                ));
+            }
+            Statement::Erase { kind, element } => {
+                let element = self.text(element);
+                self.lines
+                    .line(&format!("mesh.erase_{}({element});", word(*kind)));
+            }
+            Statement::Give(value) => {
+                let value = self.text(value);
+                self.lines.line(&format!("return {value};"));
+            }
+            Statement::Return { result } => {
+                let result = match result {
+                    Some(result) => format!("Some({})", self.text(result)),
+                    None => "true".to_string(),
+                };
+                self.lines.line(&format!("return {result};"));
+            }
+        }
+    }
+
+    fn walk(&mut self, walk: &Walk, body: &[Statement], has_result: bool) {
+        let h = &walk.halfedge;
+        let from = self.text(&walk.from);
+        if walk.around {
+            let all = match walk.step {
+                Step::Next => format!("mesh.loop_from({from})"),
+                Step::Clockwise => format!("mesh.spokes_from({from})"),
+            };
+            self.lines
+                .open(&format!("for {h} in {all}.collect::<Vec<_>>() {{"));
+            self.block(body, has_result);
+        } else {
+            let until = self.text(&walk.until);
+            self.lines.line(&format!("let mut {h} = {from};"));
+            self.lines.open(&format!("while {h} != {until} {{"));
+            self.block(body, has_result);
+            self.lines.line(&match walk.step {
+                Step::Next => format!("{h} = mesh.next({h});"),
+                Step::Clockwise => format!("{h} = mesh.next(mesh.twin({h}));"),
+            });
+        }
+        self.lines.close("}");
+    }
+}
+
+fn word(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Vertex | Kind::Halfedge | Kind::Edge | Kind::Face => kind.word(),
+        Kind::Path | Kind::Fan => "halfedge",
+    }
+}
