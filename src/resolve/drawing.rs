@@ -226,8 +226,9 @@ impl<'a> Drawing<'a> {
             [true, false] if !runs_back => {
                 error.fix(format!("begin at `{ends}`"), first.from.span, ends)
             }
-            [false, true] => error.fix(format!("end at `{begins}`"), end.span, begins),
-            _ if runs_back => error.fix(format!("end at `{begins}`"), end.span, begins),
+            _ if runs_back || alone == [false, true] => {
+                error.fix(format!("end at `{begins}`"), end.span, begins)
+            }
             _ => error.note(format!(
                 "a loop ends where it begins: go on to `{begins}`, with a halfedge `-h-> {begins}` or a path `=P=> {begins}`"
             )),

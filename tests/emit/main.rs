@@ -11,6 +11,9 @@ mod emitted;
 
 mod columns;
 mod cpp;
+#[path = "../reference/examples.rs"]
+#[allow(dead_code)]
+mod examples;
 #[path = "../guard/meshes.rs"]
 #[allow(dead_code)]
 mod meshes;

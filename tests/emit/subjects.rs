@@ -9,6 +9,7 @@ use hedgerow::emit::{Style, cpp};
 use hedgerow::rewrite::Plan;
 use hedgerow::source::Sources;
 
+use crate::examples::examples;
 use crate::ops::OPS;
 
 /// What is refused, and why.
@@ -42,12 +43,7 @@ pub fn folder(path: &str) -> PathBuf {
 /// All operations, each under a name of its own.
 pub fn subjects() -> Vec<Subject> {
     let mut texts = Vec::new();
-    let mut paths: Vec<_> = fs::read_dir(folder("examples"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|end| end == "hedge"))
-        .collect();
-    paths.sort();
+    let mut paths = examples();
     paths.push(folder("src/library/std/polygon.hedge"));
     paths.push(folder("tests/emit/attributes.hedge"));
     paths.push(folder("tests/emit/values.hedge"));

@@ -18,6 +18,7 @@ use glam::{DVec2, DVec3};
 use super::kept::{MISSING, Rows};
 use super::numbers::Obj;
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
+use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 
 /// What a corner can have besides its vertex.
@@ -129,12 +130,12 @@ impl Obj {
                 return 0;
             }
             let all_had_one = kept.iter().all(|&row| row != MISSING);
+            let corners = Corners::Kept { obj: self, what };
             let is_bare = |&f: &FaceId| {
-                let rows = self.mesh.face_halfedges(f);
-                let rows: Vec<_> = rows.map(|h| self.kept_row(what, h)).collect();
-                let lacks = rows.iter().any(Option::is_none);
-                let had = || rows.iter().any(Option::is_some) || self.face_number(f).is_none();
-                lacks && (all_had_one || had())
+                let mut sides = self.mesh.face_halfedges(f);
+                let mut had =
+                    || self.face_number(f).is_none() || sides.any(|h| corners.row(h).is_some());
+                !corners.cover(&self.mesh, f) && (all_had_one || had())
             };
             let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
             faces.filter(is_bare).count()
@@ -254,6 +255,11 @@ impl<'o> Corners<'o> {
             Self::Kept { obj, what } => obj.kept_rows(*what),
             Self::Values { rows, .. } => rows,
         }
+    }
+
+    /// Whether all corners of a face have a row: only then the face is written with them.
+    pub(super) fn cover(&self, mesh: &Mesh, f: FaceId) -> bool {
+        mesh.face_halfedges(f).all(|h| self.row(h).is_some())
     }
 
     /// The row at the start of a halfedge in its face.

@@ -216,11 +216,7 @@ fn write_face(
     [texture, normals]: &[Corners; 2],
     f: FaceId,
 ) -> io::Result<()> {
-    let all = |corners: &Corners| {
-        let mut sides = obj.mesh.face_halfedges(f);
-        sides.all(|h| corners.row(h).is_some())
-    };
-    let (with_texture, with_normals) = (all(texture), all(normals));
+    let (with_texture, with_normals) = (texture.cover(&obj.mesh, f), normals.cover(&obj.mesh, f));
     let number = |corners: &Corners, h| corners.row(h).map_or(0, |row| row + 1);
     output.write_all(b"f")?;
     for h in obj.mesh.face_halfedges(f) {
