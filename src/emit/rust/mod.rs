@@ -4,6 +4,7 @@ mod callee;
 mod function;
 mod spelling;
 mod statement;
+mod steps;
 mod support;
 
 pub use function::rust;
