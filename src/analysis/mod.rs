@@ -43,7 +43,7 @@ pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;
-pub use files::{Nowhere, Reader};
+pub use files::{Nowhere, Reader, meant};
 pub use hints::{Hint, hints};
 pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
 pub use lenses::{Lens, Offer, lenses};

@@ -35,6 +35,7 @@ fn is_reserved(word: &str) -> bool {
 }
 
 /// The names of one rule.
+#[derive(Clone)]
 pub(super) struct Names {
     words: Vec<String>,
     lasts: Vec<String>,

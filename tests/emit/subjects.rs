@@ -15,11 +15,7 @@ use crate::examples::examples;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 3] = [
-    "families_dissolve_vertex: a guard of families",
-    "more_fill: a guard of families",
-    "simple_part_vertex: a guard that compares faces at the new `w` with others",
-];
+const NOT_EMITTED: [&str; 0] = [];
 
 /// An operation as the machine runs it.
 pub struct Subject {
@@ -86,6 +82,7 @@ fn drawn() -> Emission {
     let mut paths = examples();
     paths.push(folder("src/library/std/polygon.hedge"));
     paths.push(folder("tests/emit/attributes.hedge"));
+    paths.push(folder("tests/emit/guards.hedge"));
     paths.push(folder("tests/emit/values.hedge"));
     paths.push(folder("tests/families/more.hedge"));
     for path in paths {

@@ -46,6 +46,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         headers: BTreeSet::from(["optional"]),
         refusal: "",
         is_outside: false,
+        sheet: None,
     };
     let helpers: Vec<_> = helpers
         .iter()
@@ -69,6 +70,8 @@ pub(super) struct Printer<'s> {
     pub refusal: &'static str,
     /// Whether the names of the mesh class are not in sight.
     pub is_outside: bool,
+    /// The sheet that pointers are noted on instead.
+    pub sheet: Option<String>,
 }
 
 impl Printer<'_> {
@@ -94,6 +97,7 @@ impl Printer<'_> {
             ("std::m", "algorithm"),
             ("std::reverse", "algorithm"),
             ("std::rotate", "algorithm"),
+            ("std::pair", "utility"),
             ("std::count_if", "algorithm"),
             ("std::is_permutation", "algorithm"),
             ("std::sqrt", "cmath"),

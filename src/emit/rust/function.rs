@@ -8,6 +8,7 @@ use super::super::spell::spell;
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Parameter, Term};
 use super::super::{NotEmitted, Selection, build};
+use super::sheet::SHEET;
 use super::support::FUNCTIONS;
 use crate::diagram::Type;
 
@@ -31,6 +32,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         applied: "true",
         gives_option: false,
         is_asked: false,
+        sheet: None,
     };
     let shown = ops.iter().map(|op| (op, true));
     for (item, is_selected) in shown.chain(called.iter().map(|item| (item, false))) {
@@ -44,7 +46,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     }
     let used = printer.used;
     let mut body = printer.lines.finish();
-    for (name, text) in FUNCTIONS {
+    for &(name, text) in FUNCTIONS.iter().chain(&[("Sheet", SHEET)]) {
         if used.contains(name) {
             body.push('\n');
             body.push_str(text);
@@ -67,8 +69,12 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         true => "use glam::DVec3;\n",
         false => "",
     };
+    let maps = match names(&body, "HashMap") {
+        true => "use std::collections::HashMap;\n",
+        false => "",
+    };
     Ok(format!(
-        "{vectors}use hedgerow::mesh::{{{}}};\n{body}",
+        "{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}",
         used.join(", ")
     ))
 }
@@ -90,6 +96,8 @@ pub(super) struct Printer {
     pub gives_option: bool,
     /// Whether the attributes have been asked for by whoever calls.
     pub is_asked: bool,
+    /// The sheet that pointers are noted on instead.
+    pub sheet: Option<String>,
 }
 
 /// A type.
