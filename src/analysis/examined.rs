@@ -71,5 +71,5 @@ fn too_large(span: Span, name: &str) -> Diagnostic {
         format!("`{name}` is too large to compile"),
         span,
     )
-    .note("its diagrams need more registers than there can be: split it into smaller ops")
+    .note("its diagrams need more registers or tests than there can be: split it into smaller ops")
 }

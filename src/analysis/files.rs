@@ -126,8 +126,9 @@ pub(super) fn name_of(here: &str, path: &str) -> String {
     format!("{root}{}", steps.join("/"))
 }
 
-/// A path that there is and that is spelt nearly so.
-fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> {
+/// A path that there is and that is spelt nearly as one that there is not. `name` is where it
+/// leads from the file that says it.
+pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> {
     let last = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
     let folder = &path[..path.len() - last(path).len()];
     let mut known: Vec<String> = library::files().map(|file| file.name.to_owned()).collect();
@@ -255,7 +256,7 @@ fn missing_file(path: &str, name: &str, span: Span, missing: Option<&Missing>) -
     let message = format!("`{path}` cannot be used");
     let why = missing.map_or("it has not been read", |missing| &missing.why);
     let error = Diagnostic::error("missing-file", message, span);
-    let error = match name == path {
+    let error = match name == path || name.is_empty() {
         true => error.note(why.to_owned()),
         false => error.note(format!("{name}: {why}")),
     };

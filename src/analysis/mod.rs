@@ -47,7 +47,7 @@ pub use callees::callees;
 pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;
 pub use example::{NoExample, example};
-pub use files::{Nowhere, Reader};
+pub use files::{Nowhere, Reader, meant};
 pub use hints::{Hint, hints};
 pub use hover::{Card, Hover, OpCard, head, hover, op_card, op_here, op_named};
 pub use lenses::{Lens, Offer, lenses};

@@ -6,7 +6,7 @@ use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
 use super::output::{complain, complain_of};
-use crate::analysis::{Analysis, Reader};
+use crate::analysis::{Analysis, Reader, meant};
 use crate::library;
 use crate::source::{Sources, Span};
 
@@ -31,7 +31,13 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         Some(file) => Ok(file.text.to_owned()),
         None => text_of(path),
     };
-    let text = text.map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
+    let text = text.map_err(|why| {
+        let advice = match meant(&shown, &shown, &mut Disk) {
+            Some(near) if !path.exists() => format!("; did you mean `{near}`?"),
+            _ => String::new(),
+        };
+        Failure::usage(format!("cannot read `{shown}`: {why}{advice}"))
+    })?;
     let mut sources = Sources::new();
     let name = of_library.map_or(shown, |file| file.name.to_owned());
     let file = sources.add(name, text);

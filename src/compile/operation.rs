@@ -1,5 +1,6 @@
 //! An operation: its alternatives, tried in order.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::collect::Collect;
@@ -21,7 +22,7 @@ use crate::source::{Sources, Span};
 /// program, all of which know the same texts.
 ///
 /// # Errors
-/// [`TooLarge`] when the diagrams need more registers than there can be.
+/// [`TooLarge`] when the diagrams need more registers, or more reasons to refuse, than there can be.
 pub fn compile(
     proved: &Proved,
     sources: &Sources,
@@ -45,6 +46,10 @@ pub fn compile(
         output.asm.bind(next_rule);
     }
     output.asm.emit(Inst::Refuse);
+    // The last number is that of all that have none.
+    if output.refusals.len() > usize::from(u16::MAX) {
+        return Err(TooLarge);
+    }
     Ok(Plan {
         name: op.name.clone(),
         params: widths,
@@ -197,6 +202,8 @@ pub(super) struct Output<'a> {
     pub sources: &'a Sources,
     places: Vec<Span>,
     refusals: Vec<Refusal>,
+    /// Their numbers: an operation of hundreds of names has tens of thousands.
+    numbers: HashMap<Refusal, u16>,
 }
 
 impl<'a> Output<'a> {
@@ -206,6 +213,7 @@ impl<'a> Output<'a> {
             sources,
             places: Vec::new(),
             refusals: Vec::new(),
+            numbers: HashMap::new(),
         }
     }
 
@@ -218,12 +226,12 @@ impl<'a> Output<'a> {
     /// The number of a refusal; the same for equal ones.
     pub fn refusal(&mut self, reason: String, phase: Phase) -> u16 {
         let refusal = Refusal { reason, phase };
-        let known = self.refusals.iter().position(|known| *known == refusal);
-        let number = known.unwrap_or_else(|| {
-            self.refusals.push(refusal);
-            self.refusals.len() - 1
-        });
-        u16::try_from(number).unwrap_or(u16::MAX)
+        let next = u16::try_from(self.refusals.len()).unwrap_or(u16::MAX);
+        let (refusals, numbers) = (&mut self.refusals, &mut self.numbers);
+        *numbers.entry(refusal).or_insert_with_key(|refusal| {
+            refusals.push(refusal.clone());
+            next
+        })
     }
 
     /// The words of a place in the source, on one line.

@@ -172,23 +172,13 @@ fn phases(
             reason: require.reason.clone(),
         }));
     }
-    body.extend(guard::tests(drawing, proof.guard(), names)?);
+    body.extend(guard::tests(drawing, proof.guard(), names, conventions));
     let values = values(drawing, names, &mut body)?;
     if !rule.created.is_empty() {
         body.push(Statement::Blank);
         body.push(Statement::Comment("2. Allocate what is new.".into()));
     }
-    for created in rule.created.iter().map(|created| created.name) {
-        let (kind, name) = (rule.kind(created), names.word(created).to_string());
-        if rule.is_member(created) {
-            if rule.is_first(created) {
-                let turns = names.turns();
-                body.push(Statement::NewEach { kind, name, turns });
-            }
-        } else {
-            body.push(Statement::New { kind, name });
-        }
-    }
+    body.extend(allocation(rule, names));
     let mut sets = reassign::statements(drawing, names, conventions);
     sets.extend(values);
     if !sets.is_empty() {
@@ -227,6 +217,23 @@ fn phases(
         result: rule.result.map(|result| names.term(result.name)),
     });
     Ok(body)
+}
+
+/// What allocates everything new; a family at its first member.
+pub(super) fn allocation(rule: &Rule, names: &Names) -> Vec<Statement> {
+    let created = rule.created.iter().map(|created| created.name);
+    let created = created.filter(|&created| rule.is_first(created));
+    let allocate = |created| {
+        let (kind, name) = (rule.kind(created), names.word(created).to_string());
+        match rule.is_member(created) {
+            true => {
+                let turns = names.turns();
+                Statement::NewEach { kind, name, turns }
+            }
+            false => Statement::New { kind, name },
+        }
+    };
+    created.map(allocate).collect()
 }
 
 /// The conditions that an `and` joins; they are asked one by one, in the same order.

@@ -34,6 +34,7 @@ fn is_reserved(word: &str) -> bool {
 }
 
 /// The names of one rule.
+#[derive(Clone)]
 pub(super) struct Names {
     words: Vec<String>,
     lasts: Vec<String>,

@@ -108,6 +108,8 @@ pub(super) enum Statement {
         list: String,
         body: Vec<Statement>,
     },
+    /// A sheet over the mesh, and a block in which what is new, and what is set, is noted on it.
+    Foresee { sheet: String, body: Vec<Statement> },
     /// Allocates an element.
     New { kind: Kind, name: String },
     /// Allocates an element for each index.
@@ -237,6 +239,7 @@ impl Statement {
                 value.names(see);
             }
             Self::Raise { name } => see(name),
+            Self::Foresee { body, .. } => body.iter().for_each(|statement| statement.names(see)),
             Self::Erase { element, .. } => element.names(see),
             Self::When { condition, body } => {
                 condition.names(see);

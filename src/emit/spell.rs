@@ -68,6 +68,22 @@ pub(super) trait Language {
     fn some(&mut self, turns: &Turns, condition: &Term) -> Spelled;
 }
 
+/// What a pointer is called where elements of all kinds have their pointers side by side.
+pub(super) fn field(pointer: Pointer) -> &'static str {
+    match pointer {
+        Pointer::Next => "next",
+        Pointer::Prev => "prev",
+        Pointer::Twin => "twin",
+        Pointer::Vertex => "vertex",
+        Pointer::Target => "target",
+        Pointer::Edge => "edge",
+        Pointer::Face => "face",
+        Pointer::VertexHalfedge => "vertex_halfedge",
+        Pointer::EdgeHalfedge => "edge_halfedge",
+        Pointer::FaceHalfedge => "face_halfedge",
+    }
+}
+
 /// Spells a term.
 pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
     match term {

@@ -130,6 +130,8 @@ pub(super) enum Function {
     AllInOrderAlongLoop,
     /// The same around a vertex, counterclockwise.
     AllInOrderAroundVertex,
+    /// What a sheet tells, under this name: of the sheet and of elements.
+    Foreseen(&'static str),
 }
 
 impl Term {

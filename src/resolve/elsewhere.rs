@@ -145,7 +145,7 @@ pub(super) fn name(word: &str) -> Option<Here> {
         "True" | "TRUE" => Written("true"),
         "False" | "FALSE" => Written("false"),
         "null" | "nil" | "None" | "none" | "nullptr" | "NULL" => NOTHING,
-        "const" | "auto" | "mut" | "int" | "real" | "float" | "double" => DECLARED,
+        _ if declares(word) => DECLARED,
         "switch" | "match" | "case" | "unless" => BRANCHED,
         "try" | "catch" | "except" | "throw" => ASKED,
         "foreach" | "do" | "until" | "loop" => VISITED,
@@ -158,6 +158,13 @@ pub(super) fn name(word: &str) -> Option<Here> {
         }
         _ => return None,
     })
+}
+
+/// Whether a variable is declared with this word elsewhere: `int x = 3`, `const x = 3`.
+pub(super) fn declares(word: &str) -> bool {
+    matches!(word, "const" | "auto" | "mut")
+        || Type::ALL.iter().any(|ty| ty.word() == word)
+        || type_word(word).is_some()
 }
 
 /// Says at the primary place of `diagnostic`, where `word` stands, what is written here for

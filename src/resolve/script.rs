@@ -122,8 +122,9 @@ impl Scripting<'_> {
     }
 
     pub(super) fn actions(&mut self, actions: &[Action], statements: &mut Block) {
-        for action in actions {
+        for (at, action) in actions.iter().enumerate() {
             match &action.kind {
+                _ if self.declared_elsewhere(action, actions.get(at + 1)) => {}
                 // A block in a block is nothing but a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
                 _ if self.testing.is_some() => {

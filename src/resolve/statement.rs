@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
 
 use super::declared::duplicate;
+use super::elsewhere;
 use super::parameter::type_named;
 use super::program::{Print, StatementKind};
 use super::scopes::{Binding, Local};
@@ -72,6 +73,46 @@ impl Scripting<'_> {
         }
     }
 
+    /// Whether a variable is declared as in another language, `int x = 3`: that reads as two
+    /// statements, the name of a type and an assignment. Tells so, once.
+    pub(super) fn declared_elsewhere(&mut self, action: &Action, next: Option<&Action>) -> bool {
+        let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else {
+            return false;
+        };
+        let ActionKind::Assign { target, .. } = &next.kind else {
+            return false;
+        };
+        let (Some(word), Some(name)) = (plain_name(word), plain_name(target)) else {
+            return false;
+        };
+        let scopes = &self.typing.scopes;
+        if !elsewhere::declares(&word.text)
+            || scopes.find(&word.text).is_some()
+            || scopes.find(&name.text).is_some()
+        {
+            return false;
+        }
+        let written = word.span.to(name.span);
+        let message = format!("a variable is not declared with `{}`", word.text);
+        let ours = format!("let {}", name.text);
+        let error = Diagnostic::error("unknown-name", message, written)
+            .note("a variable begins with `let`, or with `var` if it changes")
+            .fix(format!("write `{ours}`"), written, ours);
+        self.typing.report.add(error);
+        self.assumed(name, None);
+        true
+    }
+
+    /// Declares what was taken for a variable, so that it is told once only that it is none.
+    fn assumed(&mut self, name: &Ident, ty: Option<Type>) {
+        self.typing.scopes.declare(Local {
+            name: name.text.clone(),
+            span: name.span,
+            ty,
+            binding: Binding::Var,
+        });
+    }
+
     /// `x = …`, `v.position = …`
     pub(super) fn assignment(
         &mut self,
@@ -79,8 +120,10 @@ impl Scripting<'_> {
         value: &tree::Expr,
         span: Span,
     ) -> Option<StatementKind> {
+        if let Some(name) = plain_name(target) {
+            return self.set(name, value);
+        }
         match &target.kind {
-            tree::ExprKind::Name(name) if name.index.is_none() => self.set(&name.ident, value),
             tree::ExprKind::Field(base, field) => self.write(base, field, value),
             _ if is_broken(target) => {
                 self.typing.report.fail();
@@ -104,7 +147,8 @@ impl Scripting<'_> {
             let error = suggest(error, word, name.span, self.typing.scopes.names())
                 .note("a variable begins with `let` or `var`");
             self.typing.report.add(error);
-            self.typing.expression(value);
+            let ty = self.typing.expression(value).map(|value| value.ty);
+            self.assumed(name, ty);
             return None;
         };
         if let Some(error) = fixed(name, &local) {
@@ -311,6 +355,14 @@ fn is_broken(expr: &tree::Expr) -> bool {
         tree::ExprKind::Binary(_, left, right) => is_broken(left) || is_broken(right),
         tree::ExprKind::Unary(_, operand) => is_broken(operand),
         _ => false,
+    }
+}
+
+/// A name and nothing else.
+fn plain_name(expr: &tree::Expr) -> Option<&Ident> {
+    match &expr.kind {
+        tree::ExprKind::Name(name) if name.index.is_none() => Some(&name.ident),
+        _ => None,
     }
 }
 

@@ -29,13 +29,13 @@ pub struct Assembler {
     too_large: bool,
 }
 
-/// The code would need more registers, buffers or instructions than there can be.
+/// The code would need more registers, buffers, instructions or reasons to refuse than there can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLarge;
 
 impl fmt::Display for TooLarge {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("too large to compile: there are not enough registers")
+        f.write_str("too large to compile: it needs too many registers or tests")
     }
 }
 

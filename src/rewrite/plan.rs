@@ -39,7 +39,7 @@ impl Plan {
 }
 
 /// Why an op can refuse.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Refusal {
     /// The reason, as a person reads it: "`f0` is a hole".
     pub reason: String,

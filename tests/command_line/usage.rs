@@ -35,6 +35,10 @@ fn no_such_operation_or_script() {
             "write FILE::NAME with one of `flip`, `flip_any`",
         ),
         (["plan", "::"], "cannot read"),
+        (
+            ["plan", "std/polygn.hedge::flip"],
+            "did you mean `std/polygon.hedge`?",
+        ),
         (["plan", &part(&flip, "")], "no operation ``"),
     ] {
         bench.fails(2, &arguments, words);

@@ -1,4 +1,5 @@
 // Written by the test `rust_is_as_committed` with UPDATE=1.
+use std::collections::HashMap;
 use glam::DVec3;
 use hedgerow::mesh::{Attribute, ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
@@ -713,6 +714,129 @@ pub fn families_poke(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
     // 4. Erase what is gone.
     mesh.erase_face(f);
     Some(c)
+}
+
+/// Removes a vertex and merges the faces around it into one; returns the face.
+#[allow(non_snake_case)]
+pub fn families_dissolve_vertex(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    if mesh.vertex_halfedge(v).is_none() {
+        return None; // `v` is isolated: no halfedge starts there
+    }
+    let h_0 = mesh.vertex_halfedge(v);
+    let h = mesh.spokes_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let k: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(h[(i + n - 1) % n])).collect();
+    let e: Vec<EdgeId> = (0..n).map(|i| mesh.edge(h[i])).collect();
+    let g: Vec<FaceId> = (0..n).map(|i| mesh.face(h[i])).collect();
+    let w: Vec<VertexId> = (0..n).map(|i| mesh.vertex(k[i])).collect();
+    let P_first: Vec<HalfedgeId> = (0..n).map(|i| mesh.next(h[i])).collect();
+    let P_last: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(k[(i + 1) % n])).collect();
+    let P_is_empty: Vec<bool> = (0..n).map(|i| P_first[i] == k[(i + 1) % n]).collect();
+    if (0..n).any(|i| mesh.is_hole(g[i])) {
+        return None; // `g[i]` is a hole
+    }
+    if (0..n).any(|i| mesh.twin(h[i]) != k[i]) {
+        return None; // `h[i].twin` is not `k[i]`
+    }
+    if (0..n).any(|i| mesh.vertex(h[i]) != v) {
+        return None; // `h[i]` does not start at `v`
+    }
+    let mut all: Vec<VertexId> = vec![v];
+    for i in 0..n {
+        all.push(w[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `v`, `w[i]` are one vertex
+    }
+    if !all_differ(&g) {
+        return None; // two of `g[i]` are one face
+    }
+    if !(0..n).any(|i| !P_is_empty[i]) {
+        return None; // `f` would be left without halfedges
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let f = sheet.add_face();
+        for i in 0..n {
+            let mut h_2 = P_first[i];
+            while h_2 != k[(i + 1) % n] {
+                sheet.set_face(h_2, f);
+                h_2 = mesh.next(h_2);
+            }
+        }
+        let mut firsts: Vec<HalfedgeId> = Vec::new();
+        let mut lasts: Vec<HalfedgeId> = Vec::new();
+        for i in 0..n {
+            if !P_is_empty[i] {
+                firsts.push(P_first[i]);
+                lasts.push(P_last[i]);
+            }
+        }
+        let runs = firsts.len();
+        for i in 0..runs {
+            sheet.set_next(lasts[i], firsts[(i + 1) % runs]);
+        }
+        sheet.set_face_halfedge(f, firsts[0]);
+        for i in 0..n {
+            sheet.set_vertex_halfedge(w[i], P_first[i]);
+        }
+        if !sheet.three_sides(f) {
+            return None; // `f` would have fewer than 3 sides
+        }
+        if (0..n).any(|i| !sheet.two_spokes(w[i])) {
+            return None; // `w[i]` would keep a single edge
+        }
+        if !sheet.meets_once(f) {
+            return None; // `f` would meet a vertex twice
+        }
+    }
+
+    // 2. Allocate what is new.
+    let f = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    for i in 0..n {
+        let mut h_2 = P_first[i];
+        while h_2 != k[(i + 1) % n] {
+            mesh.set_face(h_2, f);
+            h_2 = mesh.next(h_2);
+        }
+    }
+    let mut firsts: Vec<HalfedgeId> = Vec::new();
+    let mut lasts: Vec<HalfedgeId> = Vec::new();
+    for i in 0..n {
+        if !P_is_empty[i] {
+            firsts.push(P_first[i]);
+            lasts.push(P_last[i]);
+        }
+    }
+    let runs = firsts.len();
+    for i in 0..runs {
+        mesh.set_next(lasts[i], firsts[(i + 1) % runs]);
+        mesh.set_prev(firsts[(i + 1) % runs], lasts[i]);
+    }
+    mesh.set_face_halfedge(f, firsts[0]);
+    for i in 0..n {
+        mesh.set_vertex_halfedge(w[i], P_first[i]);
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v);
+    for i in 0..n {
+        mesh.erase_halfedge(h[i]);
+    }
+    for i in 0..n {
+        mesh.erase_halfedge(k[i]);
+    }
+    for i in 0..n {
+        mesh.erase_edge(e[i]);
+    }
+    for i in 0..n {
+        mesh.erase_face(g[i]);
+    }
+    Some(f)
 }
 
 /// Cuts off a vertex; returns the face that comes in its place.
@@ -3649,6 +3773,684 @@ pub fn attributes_hand_on(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
     Some(f)
 }
 
+/// Removes a vertex and leaves a hole; returns the hole.
+#[allow(non_snake_case)]
+pub fn guards_open_star(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    if mesh.vertex_halfedge(v).is_none() {
+        return None; // `v` is isolated: no halfedge starts there
+    }
+    let h_0 = mesh.vertex_halfedge(v);
+    let h = mesh.spokes_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let k: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(h[(i + n - 1) % n])).collect();
+    let e: Vec<EdgeId> = (0..n).map(|i| mesh.edge(h[i])).collect();
+    let g: Vec<FaceId> = (0..n).map(|i| mesh.face(h[i])).collect();
+    let w: Vec<VertexId> = (0..n).map(|i| mesh.vertex(k[i])).collect();
+    let P_first: Vec<HalfedgeId> = (0..n).map(|i| mesh.next(h[i])).collect();
+    let P_last: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(k[(i + 1) % n])).collect();
+    let P_is_empty: Vec<bool> = (0..n).map(|i| P_first[i] == k[(i + 1) % n]).collect();
+    if (0..n).any(|i| mesh.is_hole(g[i])) {
+        return None; // `g[i]` is a hole
+    }
+    if (0..n).any(|i| mesh.twin(h[i]) != k[i]) {
+        return None; // `h[i].twin` is not `k[i]`
+    }
+    if (0..n).any(|i| mesh.vertex(h[i]) != v) {
+        return None; // `h[i]` does not start at `v`
+    }
+    let mut all: Vec<VertexId> = vec![v];
+    for i in 0..n {
+        all.push(w[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `v`, `w[i]` are one vertex
+    }
+    if !all_differ(&g) {
+        return None; // two of `g[i]` are one face
+    }
+    if !(0..n).any(|i| !P_is_empty[i]) {
+        return None; // `f` would be left without halfedges
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let f = sheet.add_face();
+        for i in 0..n {
+            let mut h_2 = P_first[i];
+            while h_2 != k[(i + 1) % n] {
+                sheet.set_face(h_2, f);
+                h_2 = mesh.next(h_2);
+            }
+        }
+        let mut firsts: Vec<HalfedgeId> = Vec::new();
+        let mut lasts: Vec<HalfedgeId> = Vec::new();
+        for i in 0..n {
+            if !P_is_empty[i] {
+                firsts.push(P_first[i]);
+                lasts.push(P_last[i]);
+            }
+        }
+        let runs = firsts.len();
+        for i in 0..runs {
+            sheet.set_next(lasts[i], firsts[(i + 1) % runs]);
+        }
+        sheet.set_face_halfedge(f, firsts[0]);
+        sheet.set_hole(f, true);
+        for i in 0..n {
+            sheet.set_vertex_halfedge(w[i], P_first[i]);
+        }
+        if (0..n).any(|i| !sheet.two_spokes(w[i])) {
+            return None; // `w[i]` would keep a single edge
+        }
+        if (0..n).any(|i| !sheet.one_hole(w[i])) {
+            return None; // the surface would be pinched at `w[i]`
+        }
+        let mut pinched = false;
+        for i in 0..n {
+            let mut h_2 = P_first[i];
+            while h_2 != k[(i + 1) % n] {
+                if !sheet.one_hole(sheet.vertex(h_2)) {
+                    pinched = true;
+                }
+                h_2 = mesh.next(h_2);
+            }
+        }
+        if pinched {
+            return None; // the surface would be pinched at a vertex of `P[i]`
+        }
+        if !sheet.meets_once(f) {
+            return None; // `f` would meet a vertex twice
+        }
+    }
+
+    // 2. Allocate what is new.
+    let f = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    for i in 0..n {
+        let mut h_2 = P_first[i];
+        while h_2 != k[(i + 1) % n] {
+            mesh.set_face(h_2, f);
+            h_2 = mesh.next(h_2);
+        }
+    }
+    let mut firsts: Vec<HalfedgeId> = Vec::new();
+    let mut lasts: Vec<HalfedgeId> = Vec::new();
+    for i in 0..n {
+        if !P_is_empty[i] {
+            firsts.push(P_first[i]);
+            lasts.push(P_last[i]);
+        }
+    }
+    let runs = firsts.len();
+    for i in 0..runs {
+        mesh.set_next(lasts[i], firsts[(i + 1) % runs]);
+        mesh.set_prev(firsts[(i + 1) % runs], lasts[i]);
+    }
+    mesh.set_face_halfedge(f, firsts[0]);
+    mesh.set_hole(f, true);
+    for i in 0..n {
+        mesh.set_vertex_halfedge(w[i], P_first[i]);
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v);
+    for i in 0..n {
+        mesh.erase_halfedge(h[i]);
+    }
+    for i in 0..n {
+        mesh.erase_halfedge(k[i]);
+    }
+    for i in 0..n {
+        mesh.erase_edge(e[i]);
+    }
+    for i in 0..n {
+        mesh.erase_face(g[i]);
+    }
+    Some(f)
+}
+
+/// Removes a vertex and merges the faces around it, and two faces never share their corners.
+#[allow(non_snake_case)]
+pub fn guards_dissolve_simply(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    if mesh.vertex_halfedge(v).is_none() {
+        return None; // `v` is isolated: no halfedge starts there
+    }
+    let h_0 = mesh.vertex_halfedge(v);
+    let h = mesh.spokes_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let k: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(h[(i + n - 1) % n])).collect();
+    let e: Vec<EdgeId> = (0..n).map(|i| mesh.edge(h[i])).collect();
+    let g: Vec<FaceId> = (0..n).map(|i| mesh.face(h[i])).collect();
+    let w: Vec<VertexId> = (0..n).map(|i| mesh.vertex(k[i])).collect();
+    let P_first: Vec<HalfedgeId> = (0..n).map(|i| mesh.next(h[i])).collect();
+    let P_last: Vec<HalfedgeId> = (0..n).map(|i| mesh.prev(k[(i + 1) % n])).collect();
+    let P_is_empty: Vec<bool> = (0..n).map(|i| P_first[i] == k[(i + 1) % n]).collect();
+    if (0..n).any(|i| mesh.is_hole(g[i])) {
+        return None; // `g[i]` is a hole
+    }
+    if (0..n).any(|i| mesh.twin(h[i]) != k[i]) {
+        return None; // `h[i].twin` is not `k[i]`
+    }
+    if (0..n).any(|i| mesh.vertex(h[i]) != v) {
+        return None; // `h[i]` does not start at `v`
+    }
+    let mut all: Vec<VertexId> = vec![v];
+    for i in 0..n {
+        all.push(w[i]);
+    }
+    if !all_differ(&all) {
+        return None; // two of `v`, `w[i]` are one vertex
+    }
+    if !all_differ(&g) {
+        return None; // two of `g[i]` are one face
+    }
+    if !(0..n).any(|i| !P_is_empty[i]) {
+        return None; // `f` would be left without halfedges
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let f = sheet.add_face();
+        for i in 0..n {
+            let mut h_2 = P_first[i];
+            while h_2 != k[(i + 1) % n] {
+                sheet.set_face(h_2, f);
+                h_2 = mesh.next(h_2);
+            }
+        }
+        let mut firsts: Vec<HalfedgeId> = Vec::new();
+        let mut lasts: Vec<HalfedgeId> = Vec::new();
+        for i in 0..n {
+            if !P_is_empty[i] {
+                firsts.push(P_first[i]);
+                lasts.push(P_last[i]);
+            }
+        }
+        let runs = firsts.len();
+        for i in 0..runs {
+            sheet.set_next(lasts[i], firsts[(i + 1) % runs]);
+        }
+        sheet.set_face_halfedge(f, firsts[0]);
+        for i in 0..n {
+            sheet.set_vertex_halfedge(w[i], P_first[i]);
+        }
+        if !sheet.three_sides(f) {
+            return None; // `f` would have fewer than 3 sides
+        }
+        if (0..n).any(|i| !sheet.two_spokes(w[i])) {
+            return None; // `w[i]` would keep a single edge
+        }
+        if !sheet.meets_once(f) {
+            return None; // `f` would meet a vertex twice
+        }
+        if !sheet.corners_own(f, w[0]) {
+            return None; // another face has the corners that `f` would have
+        }
+    }
+
+    // 2. Allocate what is new.
+    let f = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    for i in 0..n {
+        let mut h_2 = P_first[i];
+        while h_2 != k[(i + 1) % n] {
+            mesh.set_face(h_2, f);
+            h_2 = mesh.next(h_2);
+        }
+    }
+    let mut firsts: Vec<HalfedgeId> = Vec::new();
+    let mut lasts: Vec<HalfedgeId> = Vec::new();
+    for i in 0..n {
+        if !P_is_empty[i] {
+            firsts.push(P_first[i]);
+            lasts.push(P_last[i]);
+        }
+    }
+    let runs = firsts.len();
+    for i in 0..runs {
+        mesh.set_next(lasts[i], firsts[(i + 1) % runs]);
+        mesh.set_prev(firsts[(i + 1) % runs], lasts[i]);
+    }
+    mesh.set_face_halfedge(f, firsts[0]);
+    for i in 0..n {
+        mesh.set_vertex_halfedge(w[i], P_first[i]);
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_vertex(v);
+    for i in 0..n {
+        mesh.erase_halfedge(h[i]);
+    }
+    for i in 0..n {
+        mesh.erase_halfedge(k[i]);
+    }
+    for i in 0..n {
+        mesh.erase_edge(e[i]);
+    }
+    for i in 0..n {
+        mesh.erase_face(g[i]);
+    }
+    Some(f)
+}
+
+/// Fills a hole with triangles around a new vertex, and edges stay told by their ends.
+pub fn guards_fill_simply(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let c = sheet.add_vertex();
+        let a: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
+        let b: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
+        let g: Vec<_> = (0..n).map(|_| sheet.add_face()).collect();
+        sheet.set_vertex_halfedge(c, b[0]);
+        for i in 0..n {
+            sheet.set_next(h[i], a[i]);
+            sheet.set_face(h[i], g[i]);
+            sheet.set_next(a[i], b[i]);
+            sheet.set_twin(a[i], b[(i + 1) % n]);
+            sheet.set_vertex(a[i], v[(i + 1) % n]);
+            sheet.set_face(a[i], g[i]);
+            sheet.set_next(b[i], h[i]);
+            sheet.set_vertex(b[i], c);
+            sheet.set_face(b[i], g[i]);
+            sheet.set_twin(b[(i + 1) % n], a[i]);
+            sheet.set_face_halfedge(g[i], h[i]);
+        }
+        if !sheet.two_spokes(c) {
+            return None; // `c` would keep a single edge
+        }
+        if (0..n).any(|i| !sheet.meets_once(g[i])) {
+            return None; // `g[i]` would meet a vertex twice
+        }
+        if !sheet.corners_differ(c) {
+            return None; // two faces around `c` would have the same corners
+        }
+    }
+    let c_position = mesh.centroid(f);
+
+    // 2. Allocate what is new.
+    let c = mesh.add_vertex();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let g: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_vertex_halfedge(c, b[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], g[i]);
+        mesh.set_next(a[i], b[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], g[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], a[i]);
+        mesh.set_vertex(b[i], c);
+        mesh.set_face(b[i], g[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(g[i], h[i]);
+    }
+    mesh.set_position(c, c_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    Some(c)
+}
+
+/// Turns an edge within its two faces, which may have a corner in common across it.
+#[allow(non_snake_case)]
+pub fn guards_flip_any(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(mesh.next(g));
+        let P_first = mesh.next(b);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(g);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        // The guard looks at what there would be, on a sheet over the mesh.
+        {
+            let mut sheet = Sheet::new(mesh);
+            sheet.set_next(a, P_first);
+            sheet.set_vertex(a, v3);
+            sheet.set_next(b, d);
+            sheet.set_face(b, f1);
+            sheet.set_next(P_last, g);
+            sheet.set_next(d, Q_first);
+            sheet.set_vertex(d, v2);
+            sheet.set_next(g, a);
+            sheet.set_face(g, f0);
+            sheet.set_next(Q_last, b);
+            sheet.set_vertex_halfedge(v0, g);
+            sheet.set_vertex_halfedge(v1, b);
+            sheet.set_face_halfedge(f0, a);
+            sheet.set_face_halfedge(f1, d);
+            if !sheet.two_spokes(v0) {
+                continue; // `v0` would keep a single edge
+            }
+            if !sheet.two_spokes(v1) {
+                continue; // `v1` would keep a single edge
+            }
+            if !sheet.corner_once(f0, v3) {
+                continue; // `f0` would meet `v3` twice
+            }
+            if !sheet.corner_once(f1, v2) {
+                continue; // `f1` would meet `v2` twice
+            }
+            if !sheet.meets_once(f0) {
+                continue; // `f0` would meet a vertex twice
+            }
+            if !sheet.meets_once(f1) {
+                continue; // `f1` would meet a vertex twice
+            }
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, P_first);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, Q_last);
+        mesh.set_face(b, f1);
+        mesh.set_next(P_last, g);
+        mesh.set_prev(P_first, a);
+        mesh.set_next(d, Q_first);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, P_last);
+        mesh.set_face(g, f0);
+        mesh.set_next(Q_last, b);
+        mesh.set_prev(Q_first, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// The same, and edges stay told by their ends.
+#[allow(non_snake_case)]
+pub fn guards_flip_simply(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(mesh.next(g));
+        let P_first = mesh.next(b);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(g);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        // The guard looks at what there would be, on a sheet over the mesh.
+        {
+            let mut sheet = Sheet::new(mesh);
+            sheet.set_next(a, P_first);
+            sheet.set_vertex(a, v3);
+            sheet.set_next(b, d);
+            sheet.set_face(b, f1);
+            sheet.set_next(P_last, g);
+            sheet.set_next(d, Q_first);
+            sheet.set_vertex(d, v2);
+            sheet.set_next(g, a);
+            sheet.set_face(g, f0);
+            sheet.set_next(Q_last, b);
+            sheet.set_vertex_halfedge(v0, g);
+            sheet.set_vertex_halfedge(v1, b);
+            sheet.set_face_halfedge(f0, a);
+            sheet.set_face_halfedge(f1, d);
+            if !sheet.two_spokes(v0) {
+                continue; // `v0` would keep a single edge
+            }
+            if !sheet.two_spokes(v1) {
+                continue; // `v1` would keep a single edge
+            }
+            if !sheet.corner_once(f0, v3) {
+                continue; // `f0` would meet `v3` twice
+            }
+            if !sheet.corner_once(f1, v2) {
+                continue; // `f1` would meet `v2` twice
+            }
+            if !sheet.single_edge(a) {
+                continue; // two edges would join `v2` and `v3`
+            }
+            if !sheet.corners_own(f0, v3) {
+                continue; // another face has the corners that `f0` would have
+            }
+            if !sheet.corners_own(f1, v2) {
+                continue; // another face has the corners that `f1` would have
+            }
+            if !sheet.meets_once(f0) {
+                continue; // `f0` would meet a vertex twice
+            }
+            if !sheet.meets_once(f1) {
+                continue; // `f1` would meet a vertex twice
+            }
+            if !sheet.corners_own(f0, v2) {
+                continue; // another face has the corners that `f0` would have
+            }
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, P_first);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, Q_last);
+        mesh.set_face(b, f1);
+        mesh.set_next(P_last, g);
+        mesh.set_prev(P_first, a);
+        mesh.set_next(d, Q_first);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, P_last);
+        mesh.set_face(g, f0);
+        mesh.set_next(Q_last, b);
+        mesh.set_prev(Q_first, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// Joins two corners of a face, which may lie next to each other.
+#[allow(non_snake_case)]
+pub fn guards_join_any(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_first = mesh.next(a);
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    let P_is_empty = P_first == b;
+    let Q_is_empty = Q_first == a;
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let x = sheet.add_halfedge();
+        let y = sheet.add_halfedge();
+        let g = sheet.add_face();
+        let mut h = Q_first;
+        while h != a {
+            sheet.set_face(h, g);
+            h = mesh.next(h);
+        }
+        sheet.set_next(if P_is_empty { a } else { P_last }, x);
+        sheet.set_face(b, g);
+        sheet.set_next(if Q_is_empty { b } else { Q_last }, y);
+        sheet.set_next(x, a);
+        sheet.set_twin(x, y);
+        sheet.set_vertex(x, v2);
+        sheet.set_face(x, f);
+        sheet.set_next(y, b);
+        sheet.set_twin(y, x);
+        sheet.set_vertex(y, v0);
+        sheet.set_face(y, g);
+        sheet.set_face_halfedge(f, a);
+        sheet.set_face_halfedge(g, b);
+        if !sheet.three_sides(f) {
+            return None; // `f` would have fewer than 3 sides
+        }
+        if !sheet.three_sides(g) {
+            return None; // `g` would have fewer than 3 sides
+        }
+        if !sheet.meets_once(f) {
+            return None; // `f` would meet a vertex twice
+        }
+        if !sheet.meets_once(g) {
+            return None; // `g` would meet a vertex twice
+        }
+    }
+
+    // 2. Allocate what is new.
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let e = mesh.add_edge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(if P_is_empty { a } else { P_last }, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(if Q_is_empty { b } else { Q_last }, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, if P_is_empty { a } else { P_last });
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, if Q_is_empty { b } else { Q_last });
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, b);
+    Some(g)
+}
+
 /// Flips an edge where it is the longer one, as most remeshers would have it.
 pub fn values_flip_if_longer(mesh: &mut Mesh, e: EdgeId, least: f64) -> Option<EdgeId> {
     // 1. Collect: nothing is written before all of this has passed.
@@ -4437,6 +5239,87 @@ pub fn more_copy_places(mesh: &mut Mesh, h_0: HalfedgeId, k_0: HalfedgeId) -> bo
         mesh.set_position(u[i], u_position[i]);
     }
     true
+}
+
+/// The operation `more_fill`.
+pub fn more_fill(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let c = sheet.add_vertex();
+        let a: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
+        let b: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
+        let g: Vec<_> = (0..n).map(|_| sheet.add_face()).collect();
+        sheet.set_vertex_halfedge(c, b[0]);
+        for i in 0..n {
+            sheet.set_next(h[i], a[i]);
+            sheet.set_face(h[i], g[i]);
+            sheet.set_next(a[i], b[i]);
+            sheet.set_twin(a[i], b[(i + 1) % n]);
+            sheet.set_vertex(a[i], v[(i + 1) % n]);
+            sheet.set_face(a[i], g[i]);
+            sheet.set_next(b[i], h[i]);
+            sheet.set_vertex(b[i], c);
+            sheet.set_face(b[i], g[i]);
+            sheet.set_twin(b[(i + 1) % n], a[i]);
+            sheet.set_face_halfedge(g[i], h[i]);
+        }
+        if !sheet.two_spokes(c) {
+            return None; // `c` would keep a single edge
+        }
+        if (0..n).any(|i| !sheet.meets_once(g[i])) {
+            return None; // `g[i]` would meet a vertex twice
+        }
+    }
+    let c_position = mesh.centroid(f);
+
+    // 2. Allocate what is new.
+    let c = mesh.add_vertex();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let g: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_vertex_halfedge(c, b[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], g[i]);
+        mesh.set_next(a[i], b[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], g[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], a[i]);
+        mesh.set_vertex(b[i], c);
+        mesh.set_face(b[i], g[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(g[i], h[i]);
+    }
+    mesh.set_position(c, c_position);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    Some(c)
 }
 
 /// The operation `more_unpoke`.
@@ -7485,6 +8368,107 @@ pub fn surface_part_vertex(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Opt
     Some(w)
 }
 
+/// The operation `simple_part_vertex`.
+#[allow(non_snake_case)]
+pub fn simple_part_vertex(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f0 = mesh.face(a);
+    let v = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let f1 = mesh.face(b);
+    let v2 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(a);
+    let Q_last = mesh.prev(b);
+    if mesh.vertex(b) != v {
+        return None; // `b` does not start at `v`
+    }
+    if v == v1 {
+        return None; // `v` and `v1` are one vertex
+    }
+    if v == v2 {
+        return None; // `v` and `v2` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if f0 == f1 {
+        return None; // `f0` and `f1` are one face
+    }
+    // The guard looks at what there would be, on a sheet over the mesh.
+    {
+        let mut sheet = Sheet::new(mesh);
+        let w = sheet.add_vertex();
+        let x = sheet.add_halfedge();
+        let y = sheet.add_halfedge();
+        let mut h = mesh.next(mesh.twin(b));
+        while h != a {
+            sheet.set_vertex(h, w);
+            h = mesh.next(mesh.twin(h));
+        }
+        sheet.set_next(P_last, y);
+        sheet.set_vertex(b, w);
+        sheet.set_next(Q_last, x);
+        sheet.set_next(x, b);
+        sheet.set_twin(x, y);
+        sheet.set_vertex(x, v);
+        sheet.set_face(x, f1);
+        sheet.set_next(y, a);
+        sheet.set_twin(y, x);
+        sheet.set_vertex(y, w);
+        sheet.set_face(y, f0);
+        sheet.set_vertex_halfedge(v, a);
+        sheet.set_vertex_halfedge(w, b);
+        if !sheet.single_edge(b) {
+            return None; // two edges would join `v2` and `w`
+        }
+        if !sheet.single_edge(x) {
+            return None; // two edges would join `v` and `w`
+        }
+        if !sheet.corners_own(f0, v) {
+            return None; // another face has the corners that `f0` would have
+        }
+        if !sheet.corners_own(f1, w) {
+            return None; // another face has the corners that `f1` would have
+        }
+    }
+    let w_position = mesh.position(v);
+
+    // 2. Allocate what is new.
+    let w = mesh.add_vertex();
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = mesh.next(mesh.twin(b));
+    while h != a {
+        mesh.set_vertex(h, w);
+        h = mesh.next(mesh.twin(h));
+    }
+    mesh.set_prev(a, y);
+    mesh.set_next(P_last, y);
+    mesh.set_prev(b, x);
+    mesh.set_vertex(b, w);
+    mesh.set_next(Q_last, x);
+    mesh.set_next(x, b);
+    mesh.set_prev(x, Q_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f1);
+    mesh.set_next(y, a);
+    mesh.set_prev(y, P_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, w);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, f0);
+    mesh.set_vertex_halfedge(v, a);
+    mesh.set_vertex_halfedge(w, b);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_position(w, w_position);
+    Some(w)
+}
+
 /// How far a vertex goes: farther in a large face.
 fn reach(mesh: &Mesh, f: FaceId) -> f64 {
     if 3 < (mesh.face_size(f) as i64) {
@@ -7527,6 +8511,207 @@ fn same_elements<T: PartialEq>(a: &[T], b: &[T]) -> bool {
     a.len() == b.len() && a.iter().all(|x| b.contains(x))
 }
 
+/// The mesh as it will be: what is noted here counts, and of all else what the mesh says. An
+/// operation looks at its result on it before anything is written.
+struct Sheet<'m> {
+    mesh: &'m Mesh,
+    new: u32,
+    next: HashMap<HalfedgeId, HalfedgeId>,
+    twin: HashMap<HalfedgeId, HalfedgeId>,
+    vertex: HashMap<HalfedgeId, VertexId>,
+    face: HashMap<HalfedgeId, FaceId>,
+    vertex_halfedge: HashMap<VertexId, HalfedgeId>,
+    face_halfedge: HashMap<FaceId, HalfedgeId>,
+    holes: HashMap<FaceId, bool>,
+}
+
+#[allow(dead_code)]
+impl<'m> Sheet<'m> {
+    fn new(mesh: &'m Mesh) -> Self {
+        Self {
+            mesh,
+            new: u32::MAX,
+            next: HashMap::new(),
+            twin: HashMap::new(),
+            vertex: HashMap::new(),
+            face: HashMap::new(),
+            vertex_halfedge: HashMap::new(),
+            face_halfedge: HashMap::new(),
+            holes: HashMap::new(),
+        }
+    }
+
+    /// A number from the top of the range, where the mesh has none.
+    fn number(&mut self) -> u32 {
+        self.new -= 1;
+        self.new
+    }
+
+    fn add_vertex(&mut self) -> VertexId {
+        VertexId(self.number())
+    }
+
+    fn add_halfedge(&mut self) -> HalfedgeId {
+        HalfedgeId(self.number())
+    }
+
+    /// A new face is no hole.
+    fn add_face(&mut self) -> FaceId {
+        let face = FaceId(self.number());
+        self.set_hole(face, false);
+        face
+    }
+
+    fn set_next(&mut self, h: HalfedgeId, to: HalfedgeId) {
+        self.next.insert(h, to);
+    }
+
+    fn set_twin(&mut self, h: HalfedgeId, to: HalfedgeId) {
+        self.twin.insert(h, to);
+    }
+
+    fn set_vertex(&mut self, h: HalfedgeId, to: VertexId) {
+        self.vertex.insert(h, to);
+    }
+
+    fn set_face(&mut self, h: HalfedgeId, to: FaceId) {
+        self.face.insert(h, to);
+    }
+
+    fn set_vertex_halfedge(&mut self, v: VertexId, to: HalfedgeId) {
+        self.vertex_halfedge.insert(v, to);
+    }
+
+    fn set_face_halfedge(&mut self, f: FaceId, to: HalfedgeId) {
+        self.face_halfedge.insert(f, to);
+    }
+
+    fn set_hole(&mut self, f: FaceId, hole: bool) {
+        self.holes.insert(f, hole);
+    }
+
+    fn next(&self, h: HalfedgeId) -> HalfedgeId {
+        self.next.get(&h).copied().unwrap_or_else(|| self.mesh.next(h))
+    }
+
+    fn twin(&self, h: HalfedgeId) -> HalfedgeId {
+        self.twin.get(&h).copied().unwrap_or_else(|| self.mesh.twin(h))
+    }
+
+    fn vertex(&self, h: HalfedgeId) -> VertexId {
+        self.vertex.get(&h).copied().unwrap_or_else(|| self.mesh.vertex(h))
+    }
+
+    fn face(&self, h: HalfedgeId) -> FaceId {
+        self.face.get(&h).copied().unwrap_or_else(|| self.mesh.face(h))
+    }
+
+    fn is_hole(&self, f: FaceId) -> bool {
+        self.holes.get(&f).copied().unwrap_or_else(|| self.mesh.is_hole(f))
+    }
+
+    /// The halfedges that start at a vertex.
+    fn star(&self, v: VertexId) -> Vec<HalfedgeId> {
+        let first = self.vertex_halfedge.get(&v).copied();
+        let first = first.unwrap_or_else(|| self.mesh.vertex_halfedge(v));
+        let mut around = Vec::new();
+        let mut h = first;
+        while !h.is_none() {
+            around.push(h);
+            h = self.next(self.twin(h));
+            if h == first {
+                break;
+            }
+        }
+        around
+    }
+
+    /// The corners of a face.
+    fn corners(&self, f: FaceId) -> Vec<VertexId> {
+        let first = self.face_halfedge.get(&f).copied();
+        let first = first.unwrap_or_else(|| self.mesh.face_halfedge(f));
+        let mut around = vec![self.vertex(first)];
+        let mut h = self.next(first);
+        while h != first {
+            around.push(self.vertex(h));
+            h = self.next(h);
+        }
+        around
+    }
+
+    /// The corners of a face, in an order that tells whether two have the same.
+    fn sorted_corners(&self, f: FaceId) -> Vec<VertexId> {
+        let mut corners = self.corners(f);
+        corners.sort_unstable();
+        corners
+    }
+
+    fn differ<T: PartialEq>(all: &[T]) -> bool {
+        (1..all.len()).all(|at| !all[..at].contains(&all[at]))
+    }
+
+    /// Whether a face is a hole or has three sides or more.
+    fn three_sides(&self, f: FaceId) -> bool {
+        self.is_hole(f) || self.corners(f).len() > 2
+    }
+
+    /// Whether no vertex is two corners of a face.
+    fn meets_once(&self, f: FaceId) -> bool {
+        Self::differ(&self.corners(f))
+    }
+
+    /// Whether a face has no more than one corner at a vertex.
+    fn corner_once(&self, f: FaceId, v: VertexId) -> bool {
+        self.star(v).into_iter().filter(|&h| self.face(h) == f).count() <= 1
+    }
+
+    /// Whether a vertex has two edges or more, or none.
+    fn two_spokes(&self, v: VertexId) -> bool {
+        self.star(v).len() != 1
+    }
+
+    /// Whether no more than one corner of a vertex lies in a hole.
+    fn one_hole(&self, v: VertexId) -> bool {
+        self.star(v).into_iter().filter(|&h| self.is_hole(self.face(h))).count() <= 1
+    }
+
+    /// Whether no face has two corners at a vertex.
+    fn faces_differ(&self, v: VertexId) -> bool {
+        let faces: Vec<_> = self.star(v).into_iter().map(|h| self.face(h)).collect();
+        Self::differ(&faces)
+    }
+
+    fn target(&self, h: HalfedgeId) -> VertexId {
+        self.vertex(self.twin(h))
+    }
+
+    /// Whether no two edges lead from a vertex to one neighbor.
+    fn neighbors_differ(&self, v: VertexId) -> bool {
+        let neighbors: Vec<_> = self.star(v).into_iter().map(|h| self.target(h)).collect();
+        Self::differ(&neighbors)
+    }
+
+    /// Whether no other edge joins the ends of a halfedge.
+    fn single_edge(&self, h: HalfedgeId) -> bool {
+        let (star, end) = (self.star(self.vertex(h)), self.target(h));
+        star.into_iter().filter(|&h| self.target(h) == end).count() <= 1
+    }
+
+    /// Whether no two faces around a vertex have the same corners.
+    fn corners_differ(&self, v: VertexId) -> bool {
+        let faces = self.star(v).into_iter().map(|h| self.face(h));
+        let faces = faces.filter(|&f| !self.is_hole(f));
+        Self::differ(&faces.map(|f| self.sorted_corners(f)).collect::<Vec<_>>())
+    }
+
+    /// Whether no other face around a vertex has the corners of a face.
+    fn corners_own(&self, f: FaceId, v: VertexId) -> bool {
+        let others = self.star(v).into_iter().map(|h| self.face(h));
+        let mut others = others.filter(|&other| other != f && !self.is_hole(other));
+        self.is_hole(f) || others.all(|other| self.sorted_corners(other) != self.sorted_corners(f))
+    }
+}
+
 /// Calls an operation: whether it applied, and its result.
 pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool, Option<u32>) {
     use crate::places::Argument::*;
@@ -7538,6 +8723,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("dissolve_dissolve_edge", &[Element(x0)]) => { let r = dissolve_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("families_inset", &[Element(x0), Real(x1)]) => (families_inset(mesh, FaceId(x0), x1), None),
         ("families_poke", &[Element(x0)]) => { let r = families_poke(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("families_dissolve_vertex", &[Element(x0)]) => { let r = families_dissolve_vertex(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("families_bevel_vertex", &[Element(x0), Real(x1)]) => { let r = families_bevel_vertex(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("flip_flip", &[Element(x0)]) => (flip_flip(mesh, EdgeId(x0)), None),
         ("flip_flip_any", &[Element(x0)]) => (flip_flip_any(mesh, EdgeId(x0)), None),
@@ -7556,6 +8742,12 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("polygon_weld", &[Element(x0), Element(x1)]) => { let r = polygon_weld(mesh, EdgeId(x0), EdgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("attributes_split_marked", &[Element(x0), Real(x1)]) => { let r = attributes_split_marked(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("attributes_hand_on", &[Element(x0)]) => { let r = attributes_hand_on(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_open_star", &[Element(x0)]) => { let r = guards_open_star(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_dissolve_simply", &[Element(x0)]) => { let r = guards_dissolve_simply(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_fill_simply", &[Element(x0)]) => { let r = guards_fill_simply(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_flip_any", &[Element(x0)]) => (guards_flip_any(mesh, EdgeId(x0)), None),
+        ("guards_flip_simply", &[Element(x0)]) => (guards_flip_simply(mesh, EdgeId(x0)), None),
+        ("guards_join_any", &[Element(x0), Element(x1)]) => { let r = guards_join_any(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
         ("values_lift", &[Element(x0), Vec3(x1)]) => { let r = values_lift(mesh, FaceId(x0), DVec3::from_array(x1)); (r.is_some(), r.map(|r| r.0)) },
@@ -7569,6 +8761,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("more_cut_corner", &[Element(x0)]) => { let r = more_cut_corner(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_poke_from", &[Element(x0)]) => { let r = more_poke_from(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_copy_places", &[Element(x0), Element(x1)]) => (more_copy_places(mesh, HalfedgeId(x0), HalfedgeId(x1)), None),
+        ("more_fill", &[Element(x0)]) => { let r = more_fill(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_unpoke", &[Element(x0)]) => { let r = more_unpoke(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("surface_flip", &[Element(x0)]) => (surface_flip(mesh, HalfedgeId(x0)), None),
         ("simple_flip", &[Element(x0)]) => (simple_flip(mesh, HalfedgeId(x0)), None),
@@ -7601,6 +8794,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool
         ("surface_connect", &[Element(x0), Element(x1)]) => { let r = surface_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("simple_connect", &[Element(x0), Element(x1)]) => { let r = simple_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("surface_part_vertex", &[Element(x0), Element(x1)]) => { let r = surface_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_part_vertex", &[Element(x0), Element(x1)]) => { let r = simple_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         _ => panic!("{name} is not there"),
     }
 }

@@ -13,11 +13,7 @@ use crate::examples::examples;
 use crate::ops::OPS;
 
 /// What is refused, and why.
-const NOT_EMITTED: [&str; 3] = [
-    "families_dissolve_vertex: a guard of families",
-    "more_fill: a guard of families",
-    "simple_part_vertex: a guard that compares faces at the new `w` with others",
-];
+const NOT_EMITTED: [&str; 0] = [];
 
 /// An operation: its proof, from which code is emitted, and its plan, which the machine runs.
 pub struct Subject {
@@ -46,6 +42,7 @@ pub fn subjects() -> Vec<Subject> {
     let mut paths = examples();
     paths.push(folder("src/library/std/polygon.hedge"));
     paths.push(folder("tests/emit/attributes.hedge"));
+    paths.push(folder("tests/emit/guards.hedge"));
     paths.push(folder("tests/emit/values.hedge"));
     paths.push(folder("tests/families/more.hedge"));
     for path in paths {

@@ -37,6 +37,7 @@ pub fn cpp(
         headers: BTreeSet::from(["optional"]),
         refusal: "",
         is_outside: false,
+        sheet: None,
     };
     let helpers: Vec<_> = helpers
         .iter()
@@ -60,6 +61,8 @@ pub(super) struct Printer<'s> {
     pub refusal: &'static str,
     /// Whether the names of the mesh class are not in sight.
     pub is_outside: bool,
+    /// The sheet that pointers are noted on instead.
+    pub sheet: Option<String>,
 }
 
 impl Printer<'_> {
@@ -85,6 +88,7 @@ impl Printer<'_> {
             ("std::m", "algorithm"),
             ("std::reverse", "algorithm"),
             ("std::rotate", "algorithm"),
+            ("std::pair", "utility"),
             ("std::count_if", "algorithm"),
             ("std::is_permutation", "algorithm"),
             ("std::sqrt", "cmath"),

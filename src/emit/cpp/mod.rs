@@ -1,6 +1,7 @@
 //! Routines as C++17.
 
 mod function;
+mod sheet;
 mod spelling;
 mod statement;
 mod style;

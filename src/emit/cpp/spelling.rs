@@ -86,6 +86,10 @@ impl Language for Printer<'_> {
                     Function::Turned => "turned",
                     Function::AllInOrderAlongLoop => "all_in_order_along_loop",
                     Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
+                    Function::Foreseen(question) => {
+                        let of = texts.split_off(1).join(", ");
+                        return Spelled::whole(format!("{}.{question}({of})", texts.join("")));
+                    }
                     Function::Length => return Spelled::whole(format!("{}.size()", texts[0])),
                     Function::Remainder => {
                         let text = format!("{}.size() % {}", texts[0], texts[1]);

@@ -16,6 +16,11 @@ impl Printer<'_> {
     }
 
     fn statement(&mut self, statement: &Statement) {
+        if let Some(sheet) = self.sheet.clone()
+            && self.note(&sheet, statement)
+        {
+            return;
+        }
         match statement {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
@@ -95,6 +100,7 @@ impl Printer<'_> {
                 self.held(&format!("if ({condition})"), body);
             }
             Statement::Walk { walk, body } => self.walk(walk, body),
+            Statement::Foresee { sheet, body } => self.foresee(sheet, body),
             Statement::Each { item, list, body } => {
                 let ty = self.ty(Type::Face);
                 self.held(&format!("for ({ty} {item} : {list})"), body);
@@ -157,7 +163,7 @@ impl Printer<'_> {
     }
 
     /// A list of what stands for each index.
-    fn gather(&mut self, ty: &str, name: &str, turns: &Turns, item: &str) {
+    pub(super) fn gather(&mut self, ty: &str, name: &str, turns: &Turns, item: &str) {
         self.headers.insert("vector");
         self.lines.line(&format!("std::vector<{ty}> {name};"));
         let (head, push) = (turn(turns), format!("{name}.push_back({item});"));
@@ -180,6 +186,7 @@ impl Printer<'_> {
             headers: BTreeSet::new(),
             refusal: self.refusal,
             is_outside: self.is_outside,
+            sheet: self.sheet.clone(),
         };
         inner.block(body);
         let text = std::mem::take(&mut inner.lines).finish();

@@ -4,7 +4,7 @@
 //! `[f.boundary]` for those; `$Vertex` and the like for types.
 
 /// Each behind a line with its name. Those that a text calls stand before it.
-const TEXTS: &str = include_str!("functions.txt");
+const TEXTS: &str = concat!(include_str!("functions.txt"), include_str!("sheet.txt"));
 
 /// The names and texts of all functions, in order.
 fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {

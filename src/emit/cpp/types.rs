@@ -29,7 +29,9 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
                 see(Type::Face);
                 types(body, see);
             }
-            Statement::When { body, .. } | Statement::Turn { body, .. } => types(body, see),
+            Statement::When { body, .. }
+            | Statement::Turn { body, .. }
+            | Statement::Foresee { body, .. } => types(body, see),
             Statement::Refuse { when, .. } => variables(when, see),
             Statement::New { kind, .. } | Statement::NewEach { kind, .. } => see(match kind {
                 Kind::Vertex => Type::Vertex,

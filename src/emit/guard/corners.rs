@@ -1,9 +1,8 @@
 //! Tests that compare the corners of faces.
 
-use super::super::NotEmitted;
 use super::super::routine::{Statement, Step, Walk};
 use super::super::term::{Function, Term};
-use super::{Tests, has_repetition};
+use super::{Tests, Untold, has_repetition};
 use crate::diagram::{Loop, LoopKind, NameId, Pointer, Type};
 
 /// The corners of a loop of `after`: a list of those that there are, and the new ones.
@@ -24,7 +23,7 @@ struct Undrawn {
 
 impl Tests<'_, '_> {
     /// Lists the corners of a loop of `after`.
-    fn corners(&mut self, orbit: &Loop) -> Result<Corners, NotEmitted> {
+    fn corners(&mut self, orbit: &Loop) -> Result<Corners, Untold> {
         let (mut sure, mut new, mut drawn, mut later) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut paths = Vec::new();
@@ -69,7 +68,7 @@ impl Tests<'_, '_> {
         })
     }
 
-    pub(super) fn meets_twice(&mut self, face: NameId) -> Result<Term, NotEmitted> {
+    pub(super) fn meets_twice(&mut self, face: NameId) -> Result<Term, Untold> {
         let Some(orbit) = self.drawing.after.loop_of_face(face) else {
             return Ok(Term::Bool(false));
         };
@@ -80,11 +79,7 @@ impl Tests<'_, '_> {
         Ok(Term::Call(Function::AllDiffer, vec![Term::name(corners.list)]).not())
     }
 
-    pub(super) fn corner_twice(
-        &mut self,
-        face: NameId,
-        vertex: NameId,
-    ) -> Result<Term, NotEmitted> {
+    pub(super) fn corner_twice(&mut self, face: NameId, vertex: NameId) -> Result<Term, Untold> {
         let Some(orbit) = self.drawing.after.loop_of_face(face) else {
             return Ok(Term::Bool(false));
         };
@@ -134,7 +129,7 @@ impl Tests<'_, '_> {
         paths: &[NameId],
         vertex: NameId,
         then: &Statement,
-    ) -> Result<(), NotEmitted> {
+    ) -> Result<(), Untold> {
         for &path in paths {
             let walk = self.inside(path, |tests, h| {
                 let origin = tests.result.origin(tests.names, h);
@@ -149,7 +144,7 @@ impl Tests<'_, '_> {
     }
 
     /// Whether two faces around a vertex have the same corners.
-    pub(super) fn same_corners_around(&mut self, vertex: NameId) -> Result<Term, NotEmitted> {
+    pub(super) fn same_corners_around(&mut self, vertex: NameId) -> Result<Term, Untold> {
         let same = self.tally("same", Type::Bool, Term::Bool(false));
         let mut drawn = Vec::new();
         for orbit in &self.drawing.rule.after.loops {
@@ -168,11 +163,7 @@ impl Tests<'_, '_> {
     }
 
     /// Whether another face around a vertex has the corners of a face.
-    pub(super) fn same_corners_as(
-        &mut self,
-        face: NameId,
-        vertex: NameId,
-    ) -> Result<Term, NotEmitted> {
+    pub(super) fn same_corners_as(&mut self, face: NameId, vertex: NameId) -> Result<Term, Untold> {
         let same = self.tally("same", Type::Bool, Term::Bool(false));
         let mut own = None;
         let mut others = Vec::new();
@@ -240,7 +231,7 @@ impl Tests<'_, '_> {
         drawn: &[Corners],
         same: &str,
         each_other: bool,
-    ) -> Result<Vec<Statement>, NotEmitted> {
+    ) -> Result<Vec<Statement>, Untold> {
         let list = self.list("faces", Type::Face, Vec::new());
         let note = |tests: &Self, h: Term| Statement::When {
             condition: tests.is_undrawn_face(h.clone()),
@@ -293,7 +284,7 @@ impl Tests<'_, '_> {
     }
 
     /// Lists the corners of a face that is not drawn.
-    fn corners_of_undrawn(&mut self) -> Result<(Undrawn, Vec<Statement>), NotEmitted> {
+    fn corners_of_undrawn(&mut self) -> Result<(Undrawn, Vec<Statement>), Untold> {
         let undrawn = Undrawn {
             face: self.names.fresh("f"),
             corners: self.names.fresh("corners"),

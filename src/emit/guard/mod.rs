@@ -3,12 +3,14 @@
 //! Each statement that the checker left to test speaks of one orbit of `after`. That orbit is
 //! made of what is drawn and of pieces of orbits of `before`; so it can be looked at by walking
 //! those pieces ([`result`]) and reading each pointer as it will be. Here each statement becomes
-//! such a walk and a test.
+//! such a walk and a test. Where that cannot be told before the operation runs, the tests look at
+//! a [`sheet`] instead.
 
 mod corners;
 mod result;
+mod sheet;
 
-use super::NotEmitted;
+use super::build::Conventions;
 use super::names::Names;
 use super::routine::{Statement, Walk};
 use super::term::{Function, Term};
@@ -21,28 +23,35 @@ pub(super) fn tests(
     drawing: &Drawing,
     guard: &[Obligation],
     names: &mut Names,
-) -> Result<Vec<Statement>, NotEmitted> {
-    let rule = drawing.rule;
-    if let Some((_, span)) = rule.guard
-        && rule.size().is_some()
-        && guard.iter().any(Obligation::is_test)
-    {
-        return Err(NotEmitted::new("a guard of families", span));
+    conventions: Conventions,
+) -> Vec<Statement> {
+    if !guard.iter().any(Obligation::is_test) {
+        return Vec::new();
     }
+    // Name by name the result is told as if all names were known and distinct.
+    let is_plain = drawing.rule.size().is_none() && drawing.rule.aliases.is_empty();
+    let mut tried = names.clone();
+    if is_plain && let Ok(body) = by_walks(drawing, guard, &mut tried) {
+        *names = tried;
+        return body;
+    }
+    sheet::tests(drawing, guard, names, conventions)
+}
+
+/// What walks over pieces of the mesh as it is cannot tell of the result.
+struct Untold;
+
+fn by_walks(
+    drawing: &Drawing,
+    guard: &[Obligation],
+    names: &mut Names,
+) -> Result<Vec<Statement>, Untold> {
     let mut tests = Tests {
         result: Outcome::new(drawing, names),
         drawing,
         names,
         body: Vec::new(),
     };
-    // The result is told name by name here, as if all were distinct.
-    if let (Some(alias), true) = (
-        drawing.rule.aliases.first(),
-        guard.iter().any(Obligation::is_test),
-    ) {
-        let what = "a guard of names that may be one";
-        return Err(NotEmitted::new(what, alias.span));
-    }
     for obligation in guard.iter().filter(|obligation| obligation.is_test()) {
         let reason = obligation.statement.refusal(drawing.rule);
         tests.test(&obligation.statement, reason)?;
@@ -61,7 +70,7 @@ struct Tests<'d, 'n> {
 }
 
 impl Tests<'_, '_> {
-    fn test(&mut self, asked: &Asked, reason: String) -> Result<(), NotEmitted> {
+    fn test(&mut self, asked: &Asked, reason: String) -> Result<(), Untold> {
         let when = match asked {
             Asked::ThreeSides(face) => self.too_few_sides(*face),
             Asked::TwoSpokes(vertex) => self.too_few_spokes(*vertex),
@@ -129,8 +138,8 @@ impl Tests<'_, '_> {
     fn inside(
         &mut self,
         path: NameId,
-        body: impl FnOnce(&Self, Term) -> Result<Vec<Statement>, NotEmitted>,
-    ) -> Result<Vec<Statement>, NotEmitted> {
+        body: impl FnOnce(&Self, Term) -> Result<Vec<Statement>, Untold>,
+    ) -> Result<Vec<Statement>, Untold> {
         let halfedge = self.names.fresh("h");
         let Some(walk) = super::walks::along_path(self.drawing, self.names, path, halfedge.clone())
         else {
@@ -150,8 +159,8 @@ impl Tests<'_, '_> {
     fn spokes(
         &mut self,
         vertex: NameId,
-        body: impl Fn(&Self, Term) -> Result<Vec<Statement>, NotEmitted>,
-    ) -> Result<Vec<Statement>, NotEmitted> {
+        body: impl Fn(&Self, Term) -> Result<Vec<Statement>, Untold>,
+    ) -> Result<Vec<Statement>, Untold> {
         let mut walks = Vec::new();
         for piece in self.result.pieces(vertex) {
             let halfedge = self.names.fresh("h");
@@ -271,7 +280,7 @@ impl Tests<'_, '_> {
         Self::fewer(Term::name(count), 2)
     }
 
-    fn more_holes(&mut self, vertex: NameId) -> Result<Term, NotEmitted> {
+    fn more_holes(&mut self, vertex: NameId) -> Result<Term, Untold> {
         let mut sure = 0;
         let mut asked = Vec::new();
         for spoke in self.result.spokes_after(vertex) {
@@ -301,7 +310,7 @@ impl Tests<'_, '_> {
         Ok(Self::more_than_one(&count))
     }
 
-    fn more_holes_along(&mut self, path: NameId) -> Result<Term, NotEmitted> {
+    fn more_holes_along(&mut self, path: NameId) -> Result<Term, Untold> {
         let pinched = self.tally("pinched", Type::Bool, Term::Bool(false));
         let holes = self.names.fresh("holes");
         let spoke = self.names.fresh("s");
@@ -341,7 +350,7 @@ impl Tests<'_, '_> {
         Ok(Term::name(pinched))
     }
 
-    fn face_twice(&mut self, vertex: NameId) -> Result<Term, NotEmitted> {
+    fn face_twice(&mut self, vertex: NameId) -> Result<Term, Untold> {
         let mut drawn = Vec::new();
         let mut told = Vec::new();
         for spoke in self.result.spokes_after(vertex) {
@@ -354,7 +363,7 @@ impl Tests<'_, '_> {
         self.any_twice(vertex, ("faces", Type::Face), drawn, told, tell)
     }
 
-    fn neighbor_twice(&mut self, vertex: NameId) -> Result<Term, NotEmitted> {
+    fn neighbor_twice(&mut self, vertex: NameId) -> Result<Term, Untold> {
         let mut drawn = Vec::new();
         let mut told = Vec::new();
         for spoke in self.result.spokes_after(vertex) {
@@ -376,7 +385,7 @@ impl Tests<'_, '_> {
         drawn: Vec<NameId>,
         told: Vec<Told>,
         tell: impl Fn(&Self, Term) -> Told,
-    ) -> Result<Term, NotEmitted> {
+    ) -> Result<Term, Untold> {
         let (new, old): (Vec<_>, Vec<_>) = drawn
             .into_iter()
             .partition(|&name| self.result.is_new(name));
@@ -414,7 +423,7 @@ impl Tests<'_, '_> {
         Ok(counts.fold(twice, Term::or))
     }
 
-    fn other_edge(&mut self, [from, to]: [NameId; 2]) -> Result<Term, NotEmitted> {
+    fn other_edge(&mut self, [from, to]: [NameId; 2]) -> Result<Term, Untold> {
         let mut drawn = 0;
         for spoke in self.result.spokes_after(from) {
             drawn += i64::from(self.drawing.target_after(spoke) == Some(to));

@@ -7,11 +7,11 @@
 
 use std::cell::Cell;
 
-use super::super::NotEmitted;
 use super::super::names::Names;
 use super::super::routine::{Statement, Step, Walk};
 use super::super::term::{Function, Term};
 use super::super::walks::{along_path, along_spokes};
+use super::Untold;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Spoke, Type};
 
 /// What can be told of the result.
@@ -299,17 +299,13 @@ impl<'d> Outcome<'d> {
         self.told(names, &half, Pointer::Vertex, self.moves())
     }
 
-    /// The same, if it can be compared with any other.
-    pub fn known_origin(&self, names: &Names, half: Term) -> Result<Term, NotEmitted> {
+    /// The same, if it can be compared with any other: no new vertex is there to compare with.
+    pub fn known_origin(&self, names: &Names, half: Term) -> Result<Term, Untold> {
         let told = self.origin(names, half);
-        let Some((_, new)) = told.new.first() else {
-            return Ok(told.other);
-        };
-        let rule = self.drawing.rule;
-        let span = rule.guard.map_or(rule.span, |(_, span)| span);
-        let new = rule.quoted(*new);
-        let what = format!("a guard that compares faces at the new {new} with others");
-        Err(NotEmitted::new(what, span))
+        match told.new.is_empty() {
+            true => Ok(told.other),
+            false => Err(Untold),
+        }
     }
 
     /// Where an undrawn spoke will end: where its twin starts. The twin can be drawn.

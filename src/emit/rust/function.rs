@@ -7,6 +7,7 @@ use super::super::routine::{Routine, Statement};
 use super::super::spell::spell;
 use super::super::term::Term;
 use super::super::{NotEmitted, build};
+use super::sheet::SHEET;
 use super::support::FUNCTIONS;
 use crate::check::Proved;
 use crate::diagram::{Callee, Type};
@@ -27,6 +28,7 @@ pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, Not
         lines: Lines::new(4),
         used: BTreeSet::new(),
         refusal: "",
+        sheet: None,
     };
     for routine in &routines {
         printer.lines.line("");
@@ -38,7 +40,7 @@ pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, Not
     }
     let used = printer.used;
     let mut body = printer.lines.finish();
-    for (name, text) in FUNCTIONS {
+    for &(name, text) in FUNCTIONS.iter().chain(&[("Sheet", SHEET)]) {
         if used.contains(name) {
             body.push('\n');
             body.push_str(text);
@@ -59,8 +61,12 @@ pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, Not
         true => "use glam::DVec3;\n",
         false => "",
     };
+    let maps = match names(&body, "HashMap") {
+        true => "use std::collections::HashMap;\n",
+        false => "",
+    };
     Ok(format!(
-        "{vectors}use hedgerow::mesh::{{{}}};\n{body}",
+        "{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}",
         used.join(", ")
     ))
 }
@@ -76,6 +82,8 @@ pub(super) struct Printer {
     pub used: BTreeSet<&'static str>,
     /// What leaves the attempt.
     pub refusal: &'static str,
+    /// The sheet that pointers are noted on instead.
+    pub sheet: Option<String>,
 }
 
 /// A type.

@@ -2,6 +2,7 @@
 
 mod callee;
 mod function;
+mod sheet;
 mod spelling;
 mod statement;
 mod support;

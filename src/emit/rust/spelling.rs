@@ -1,6 +1,6 @@
 //! Terms as Rust.
 
-use super::super::spell::{Language, Level, Spelled, number, spell};
+use super::super::spell::{Language, Level, Spelled, field, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::callee::invoked;
 use super::function::{Printer, names, ty};
@@ -19,19 +19,7 @@ impl Language for Printer {
     }
 
     fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled {
-        let name = match pointer {
-            Pointer::Next => "next",
-            Pointer::Prev => "prev",
-            Pointer::Twin => "twin",
-            Pointer::Vertex => "vertex",
-            Pointer::Target => "target",
-            Pointer::Edge => "edge",
-            Pointer::Face => "face",
-            Pointer::VertexHalfedge => "vertex_halfedge",
-            Pointer::EdgeHalfedge => "edge_halfedge",
-            Pointer::FaceHalfedge => "face_halfedge",
-        };
-        Spelled::whole(format!("mesh.{name}({})", of.text))
+        Spelled::whole(format!("mesh.{}({})", field(pointer), of.text))
     }
 
     fn position(&mut self, of: Spelled) -> Spelled {
@@ -315,6 +303,10 @@ impl Printer {
                 return Spelled::whole(format!("{steps}.copied().collect::<Vec<_>>()"));
             }
             Function::Turned => "turned",
+            Function::Foreseen(question) => {
+                let of = args.split_off(1).join(", ");
+                return Spelled::whole(format!("{}.{question}({of})", args.join("")));
+            }
             Function::Length => return Spelled::whole(format!("{}.len()", args.join(", "))),
             Function::Remainder => {
                 let text = format!("{}.len() % {}", args[0], args[1]);

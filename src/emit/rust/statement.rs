@@ -1,9 +1,10 @@
 //! Statements as Rust.
 
 use super::super::routine::{Statement, Step, Walk};
+use super::super::spell::field;
 use super::super::term::Turns;
 use super::function::{Printer, ty};
-use crate::diagram::{Kind, Pointer, Type};
+use crate::diagram::{Kind, Type};
 
 impl Printer {
     pub fn block(&mut self, body: &[Statement], has_result: bool) {
@@ -13,6 +14,11 @@ impl Printer {
     }
 
     fn statement(&mut self, statement: &Statement, has_result: bool) {
+        if let Some(sheet) = self.sheet.clone()
+            && self.note(&sheet, statement)
+        {
+            return;
+        }
         match statement {
             Statement::Comment(text) => self.lines.comment("//", text),
             Statement::Blank => self.lines.blank(),
@@ -143,6 +149,7 @@ impl Printer {
                 self.lines.close("}");
             }
             Statement::Walk { walk, body } => self.walk(walk, body, has_result),
+            Statement::Foresee { sheet, body } => self.foresee(sheet, body, has_result),
             Statement::Each { item, list, body } => {
                 self.lines.open(&format!("for &{item} in &{list} {{"));
                 self.block(body, has_result);
@@ -153,20 +160,9 @@ impl Printer {
                     .line(&format!("let {name} = mesh.add_{}();", word(*kind)));
             }
             Statement::Set { pointer, of, value } => {
-                let field = match pointer {
-                    Pointer::Next => "next",
-                    Pointer::Prev => "prev",
-                    Pointer::Twin => "twin",
-                    Pointer::Vertex | Pointer::Target => "vertex",
-                    Pointer::Edge => "edge",
-                    Pointer::Face => "face",
-                    Pointer::VertexHalfedge => "vertex_halfedge",
-                    Pointer::EdgeHalfedge => "edge_halfedge",
-                    Pointer::FaceHalfedge => "face_halfedge",
-                };
                 let (of, value) = (self.text(of), self.text(value));
                 self.lines
-                    .line(&format!("mesh.set_{field}({of}, {value});"));
+                    .line(&format!("mesh.set_{}({of}, {value});", field(*pointer)));
             }
             Statement::SetHole { face, hole } => {
                 let face = self.text(face);
