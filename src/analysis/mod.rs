@@ -6,7 +6,6 @@
 mod action;
 mod aliases;
 mod argument;
-mod callees;
 mod completion;
 mod demand;
 pub mod element;
@@ -43,7 +42,6 @@ pub use crate::check::{Argument, Counterexample, Proved};
 pub use action::{Action, Purpose, actions};
 pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
-pub use callees::callees;
 pub use completion::{Choice, Completion, completions};
 pub use examined::Examined;
 pub use example::{NoExample, example};

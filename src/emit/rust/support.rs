@@ -65,6 +65,7 @@ fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
         "\
 /// Sets the value of an attribute.
 fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
+    mesh.note_value(column, element);
     mesh.values_mut(column).expect(\"a column of this type\")[element as usize] = value;
 }
 ",
@@ -97,6 +98,35 @@ fn all_differ<T: PartialEq>(all: &[T]) -> bool {
 /// Whether `a` and `b`, neither with repetitions, hold the same.
 fn same_elements<T: PartialEq>(a: &[T], b: &[T]) -> bool {
     a.len() == b.len() && a.iter().all(|x| b.contains(x))
+}
+",
+    ),
+    (
+        "all_or_nothing",
+        "\
+/// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
+fn all_or_nothing<T>(
+    mesh: &mut Mesh,
+    level: Level,
+    steps: impl FnOnce(&mut Mesh) -> Option<T>,
+) -> Option<T> {
+    let mark = mesh.open_journal();
+    let done = steps(mesh)
+        .filter(|_| validate_level_near(mesh, level, &mesh.written_since(&mark)).is_ok());
+    match done {
+        Some(_) => mesh.keep(mark),
+        None => mesh.roll_back(mark),
+    }
+    done
+}
+",
+    ),
+    (
+        "finite",
+        "\
+/// A position, if it is finite.
+fn finite(position: DVec3) -> Option<DVec3> {
+    position.is_finite().then_some(position)
 }
 ",
     ),
