@@ -378,11 +378,9 @@ impl Printer<'_> {
 
 /// A text that counts once, so that several emitted files can stand in one.
 fn once(name: &str, text: &str) -> String {
-    let word = |c: char| match c.is_ascii_alphanumeric() {
-        true => c.to_ascii_uppercase(),
-        false => '_',
-    };
-    let guard = format!("HEDGEROW_{}", name.chars().map(word).collect::<String>());
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    let guard = format!("HEDGEROW_{}", words.join("_").to_uppercase());
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }
 
