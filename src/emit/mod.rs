@@ -19,6 +19,7 @@ mod reassign;
 mod routine;
 mod term;
 mod walks;
+mod wide;
 
 // A routine as text.
 mod cpp;

@@ -6,5 +6,6 @@ mod sheet;
 mod spelling;
 mod statement;
 mod support;
+mod wide;
 
 pub use function::rust;
