@@ -56,8 +56,8 @@
 //! 5  cli          lsp                    the command line; the language server
 //! 4  analysis                            a text taken all the way; plain data out
 //! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
-//! 2  syntax  check  compile             text to tree; the proof; a plan
-//!    draw  emit                         a picture; pointer code in other languages
+//!    emit                               pointer code in other languages
+//! 2  syntax  check  compile  draw       text to tree; the proof; a plan; a picture
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
 //! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
 //! ```

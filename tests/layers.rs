@@ -24,7 +24,14 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("draw", &["source", "diagram", "mesh"]),
     (
         "emit",
-        &["source", "diagnostic", "diagram", "check", "compile"],
+        &[
+            "source",
+            "diagnostic",
+            "diagram",
+            "check",
+            "compile",
+            "resolve",
+        ],
     ),
     ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use super::NoExample;
 use super::element::{Element, element};
 use super::names::{Mention, SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
@@ -47,8 +48,10 @@ pub struct OpCard {
     pub head: String,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
-    /// Its diagrams, if they could ever be read.
+    /// Its diagrams, if they could ever be read; of an op in steps examples.
     pub diagram: Option<Rc<diagram::Op>>,
+    /// Why there is none of an op in steps that is proved.
+    pub no_example: Option<NoExample>,
     /// Whether they are those of this text; else they are the last that could be read.
     pub is_current: bool,
     /// What is proved.
@@ -180,11 +183,17 @@ pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
         let place = told.span();
         told.is_error() && place.file == op.span.file && op.span.touches(place.start as usize)
     });
+    let (example, no_example) = match snapshot.example(op) {
+        Some(Ok(example)) => (Some(example), None),
+        Some(Err(none)) => (None, Some(none)),
+        None => (None, None),
+    };
     OpCard {
         head: head(snapshot, op),
         docs: op.docs.clone(),
-        diagram: snapshot.readable(op),
-        is_current: snapshot.is_readable(op),
+        is_current: example.is_some() || snapshot.is_readable(op),
+        diagram: example.or_else(|| snapshot.readable(op)),
+        no_example,
         verdict: snapshot.verdict(op),
         wrong: wrong.map(|told| told.message.clone()).collect(),
     }

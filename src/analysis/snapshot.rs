@@ -14,7 +14,7 @@ use super::meaning::{Meanings, Read};
 use super::memory::{Memory, Passage};
 use super::names::Names;
 use super::shelves::tell_where;
-use super::{Examined, StepsVerdict, Verdict, files};
+use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::resolve::{Program, resolve_all};
@@ -42,6 +42,8 @@ pub struct Snapshot {
     due: BTreeSet<usize>,
     examined: Vec<OnceCell<Rc<Examined>>>,
     planned: OnceCell<Planned>,
+    /// What has been shown of ops in steps.
+    examples: RefCell<BTreeMap<usize, Result<Rc<diagram::Op>, NoExample>>>,
     memory: Rc<RefCell<Memory>>,
 }
 
@@ -112,6 +114,7 @@ impl Snapshot {
             program,
             functions,
             planned: OnceCell::new(),
+            examples: RefCell::default(),
             told,
             memory,
         }
@@ -260,22 +263,49 @@ impl Snapshot {
         Verdict::of(&op.name.text, proved, steps)
     }
 
+    /// An example of an op in steps that is proved; `None` of any other op.
+    pub fn example(&self, op: &tree::Op) -> Option<Result<Rc<diagram::Op>, NoExample>> {
+        let at = self.resolved(op)?;
+        self.program.ops[at].steps.as_ref()?;
+        if let Some(known) = self.examples.borrow().get(&at) {
+            return Some(known.clone());
+        }
+        let plans = match self.due.contains(&at) {
+            true => &self.planned().plans,
+            // One that the text does not declare, and perhaps does not call.
+            false => {
+                &self
+                    .plan(&reached(&self.program, &self.functions, vec![at]))
+                    .plans
+            }
+        };
+        plans.get(at)?.as_ref()?;
+        let found = example(&self.program, at, plans).map(Rc::new);
+        self.examples.borrow_mut().insert(at, found.clone());
+        Some(found)
+    }
+
     /// The plans of ops in steps, and of those that they call.
     fn planned(&self) -> &Planned {
         self.planned.get_or_init(|| {
             let ops = &self.program.ops;
-            if self.own().all(|op| ops[op].steps.is_none()) {
-                return Planned::default();
+            match self.own().all(|op| ops[op].steps.is_none()) {
+                true => Planned::default(),
+                false => self.plan(&self.due),
             }
-            let plan = |op| {
-                let is_due = self.due.contains(&op);
-                is_due.then(|| self.examined(op).plan.clone()).flatten()
-            };
-            let mut plans: Vec<_> = (0..ops.len()).map(plan).collect();
-            let mut told = plan_steps(&self.program, &self.functions, &mut plans);
-            told.retain(|told| told.span().file == self.file);
-            Planned { plans, told }
         })
+    }
+
+    /// The plans of some ops, with which all comes that their steps lead to.
+    fn plan(&self, due: &BTreeSet<usize>) -> Planned {
+        let plan = |op| {
+            let is_due = due.contains(&op);
+            is_due.then(|| self.examined(op).plan.clone()).flatten()
+        };
+        let mut plans: Vec<_> = (0..self.program.ops.len()).map(plan).collect();
+        let mut told = plan_steps(&self.program, &self.functions, &mut plans);
+        told.retain(|told| told.span().file == self.file);
+        Planned { plans, told }
     }
 
     fn examine(&self, op: usize) -> Rc<Examined> {
@@ -369,18 +399,21 @@ struct Planned {
 
 /// The ops of a file, and all that their steps lead to.
 fn due(program: &Program, functions: &Functions, file: FileId) -> BTreeSet<usize> {
-    let ops = &program.ops;
-    let own = (0..ops.len()).filter(|&at| ops[at].span.file == file);
-    let mut open: Vec<usize> = own.collect();
-    if open.iter().all(|&at| ops[at].steps.is_none()) {
+    let own = (0..program.ops.len()).filter(|&at| program.ops[at].span.file == file);
+    reached(program, functions, own.collect())
+}
+
+/// Some ops, and all that their steps lead to.
+fn reached(program: &Program, functions: &Functions, mut open: Vec<usize>) -> BTreeSet<usize> {
+    if open.iter().all(|&at| program.ops[at].steps.is_none()) {
         return open.into_iter().collect();
     }
     let calls = calls_of_steps(program, functions);
-    let mut due = BTreeSet::new();
+    let mut reached = BTreeSet::new();
     while let Some(op) = open.pop() {
-        if due.insert(op) {
+        if reached.insert(op) {
             open.extend(calls.get(&op).into_iter().flatten());
         }
     }
-    due
+    reached
 }

@@ -1,5 +1,6 @@
 //! `hedgerow draw`
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use super::arguments::{DrawArguments, Drawn};
@@ -10,7 +11,7 @@ use super::meshes::expect_place;
 use super::output::{complain_of, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
-use crate::analysis::{Analysis, Verdict, verdicts};
+use crate::analysis::{Analysis, Verdict, example, verdicts};
 use crate::diagnostic::Severity;
 use crate::diagram::Op;
 use crate::draw::{Picture, Section, draw_op, page, text_op};
@@ -48,7 +49,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
             }
         };
     }
-    let diagram = diagram(&program, name)?;
+    let diagram = &*diagram(&program, name)?;
     match (arguments.drawn, &arguments.output) {
         (Some(Drawn::Text), Some(output)) => write(output, text_op(diagram).as_bytes()),
         (Some(Drawn::Text), None) => {
@@ -67,18 +68,23 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
     }
 }
 
-fn diagram<'a>(program: &'a Program, name: Option<&str>) -> Result<&'a Op, Failure> {
+fn diagram<'a>(program: &'a Program, name: Option<&str>) -> Result<Cow<'a, Op>, Failure> {
     let op = program::find_op(program, name)?;
-    let diagram = program.analysis.program.ops[op].diagram.as_ref();
-    if program.analysis.program.ops[op].steps.is_some() {
-        let name = &program.analysis.program.ops[op].name;
-        let message = format!("`{name}` is done in steps: it draws nothing itself");
-        return Err(Failure::usage(message));
-    }
-    diagram.ok_or_else(|| {
-        complain_of(&program.analysis.diagnostics, &program.sources);
+    let analysis = &program.analysis;
+    let (resolved, plan) = (&analysis.program.ops[op], &analysis.plans[op]);
+    let not_understood = || {
+        complain_of(&analysis.diagnostics, &program.sources);
         Failure::NotProved
-    })
+    };
+    match (&resolved.diagram, plan) {
+        (Some(diagram), _) => Ok(Cow::Borrowed(diagram)),
+        (None, None) => Err(not_understood()),
+        (None, Some(_)) => {
+            let example = example(&analysis.program, op, &analysis.plans);
+            let example = example.map_err(|none| Failure::usage(none.to_string()))?;
+            Ok(Cow::Owned(example))
+        }
+    }
 }
 
 fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failure> {
@@ -90,19 +96,30 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
     let ops = analysis.program.ops.iter().zip(verdicts(analysis));
     let ops = ops.zip(&analysis.plans).enumerate();
     let ops = ops.filter(|(at, _)| only.is_none_or(|only| only == *at));
-    let sections = ops.map(|(_, ((op, verdict), plan))| Section {
-        name: op.name.clone(),
-        docs: match (&op.diagram, &op.steps) {
-            (Some(op), _) => op.docs.clone(),
-            (None, Some(steps)) => steps.docs.clone(),
-            (None, None) => Vec::new(),
-        },
-        picture: op.diagram.as_ref().map(draw_op),
-        verdict: match verdict.proved {
+    let sections = ops.map(|(at, ((op, verdict), plan))| {
+        let steps = op.steps.as_ref().filter(|_| plan.is_some());
+        let shown = steps.map(|_| example(&analysis.program, at, &analysis.plans));
+        let mut told = match verdict.proved {
             true => vec![show_verdict(&verdict)],
             false => failures(analysis, op.span),
-        },
-        plan: plan.as_ref().map(show_plan),
+        };
+        let mut picture = op.diagram.as_ref().map(draw_op);
+        match shown {
+            Some(Ok(example)) => picture = Some(draw_op(&example)),
+            Some(Err(none)) => told.push(none.to_string()),
+            None => {}
+        }
+        Section {
+            name: op.name.clone(),
+            docs: match (&op.diagram, &op.steps) {
+                (Some(op), _) => op.docs.clone(),
+                (None, Some(steps)) => steps.docs.clone(),
+                (None, None) => Vec::new(),
+            },
+            picture,
+            verdict: told,
+            plan: plan.as_ref().map(show_plan),
+        }
     });
     Ok(sections.collect())
 }

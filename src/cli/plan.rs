@@ -9,8 +9,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
-use crate::analysis::{Proved, callees};
-use crate::emit::{NotEmitted, Style, cpp, rust};
+use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::mesh::Level;
 use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
 
@@ -25,60 +24,48 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     }
     let (path, name) = program::part(&arguments.op);
     let program = program::read(path)?;
-    let ops: Vec<_> = match name {
+    let mut ops: Vec<_> = match name {
         Some(_) => vec![program::find_op(&program, name)?],
         // A table of everything is more than anybody reads.
         None if arguments.shown == Shown::Table => vec![program::find_op(&program, None)?],
         None => {
             let ops = program.analysis.program.ops.iter().enumerate();
             let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);
-            // One in steps has no pointers of its own to assign.
-            let (drawn, stepped): (Vec<_>, Vec<_>) = own.partition(|(_, op)| op.steps.is_none());
-            if !drawn.is_empty() && !stepped.is_empty() {
-                let names = stepped.iter().map(|(_, op)| format!("`{}`", op.name));
-                let names = names.collect::<Vec<_>>().join(", ");
-                complain(&format!("left out, since done in steps: {names}"));
-            }
-            drawn.into_iter().map(|(at, _)| at).collect()
+            own.map(|(at, _)| at).collect()
         }
     };
-    if let &[op] = ops.as_slice()
-        && let Some(plan) = &program.analysis.plans[op]
-        && let Some(steps) = &plan.steps
-    {
-        if arguments.shown != Shown::Table || arguments.output.is_some() {
-            let message = format!("`{}` is done in steps: show or emit those", plan.name);
-            return Err(Failure::usage(message));
-        }
-        say(&show_steps(plan, steps, &program));
-        return Ok(());
-    }
     if ops.is_empty() {
         program::find_op(&program, None)?;
     }
-    let (mut plans, mut proved) = (Vec::new(), Vec::new());
+    let mut plans = Vec::new();
     for &op in &ops {
-        let known = program.analysis.plans[op].as_ref();
-        let Some((plan, proof)) = known.zip(program.analysis.proved[op].as_ref()) else {
+        let Some(plan) = &program.analysis.plans[op] else {
             complain_of(&program.analysis.diagnostics, &program.sources);
             return Err(Failure::NotProved);
         };
         plans.push(plan);
-        proved.push(proof);
     }
-    let functions = callees(&program.analysis.program);
-    if name.is_none() {
-        leave_out(&mut proved, |op| match arguments.shown {
-            Shown::Cpp => cpp(&[op], &functions, &style).err(),
-            Shown::Rust => rust(&[op], &functions).err(),
-            Shown::Table | Shown::Json => None,
-        });
-    }
+    let emit = |ops: &[usize]| {
+        let selection = Selection {
+            program: &program.analysis.program,
+            proved: &program.analysis.proved,
+            sources: &program.sources,
+            ops,
+        };
+        match arguments.shown {
+            Shown::Rust => rust(&selection),
+            _ => cpp(&selection, &style),
+        }
+    };
     let text = match arguments.shown {
-        Shown::Table => tables(&plans),
+        Shown::Table => tables(&plans, &program),
         Shown::Json => data(&program, &ops, &plans)?,
-        Shown::Cpp => emitted(&program, cpp(&proved, &functions, &style))?,
-        Shown::Rust => emitted(&program, rust(&proved, &functions))?,
+        Shown::Cpp | Shown::Rust => {
+            if name.is_none() {
+                leave_out(&program, &mut ops, |op| emit(&[op]).err());
+            }
+            emitted(&program, emit(&ops))?
+        }
     };
     match &arguments.output {
         Some(output) => files::write(output, text.as_bytes()),
@@ -106,21 +93,31 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
     )
 }
 
-fn tables(plans: &[&Plan]) -> String {
-    let plans: Vec<_> = plans.iter().map(|plan| show(plan)).collect();
+fn tables(plans: &[&Plan], program: &Program) -> String {
+    let plans: Vec<_> = plans
+        .iter()
+        .map(|plan| match &plan.steps {
+            Some(steps) => show_steps(plan, steps, program),
+            None => show(plan),
+        })
+        .collect();
     plans.join("\n\n\n") + "\n"
 }
 
 /// Leaves out the ops of a file that cannot be emitted, and says so, if others can.
-fn leave_out(proved: &mut Vec<&Proved>, refused: impl Fn(&Proved) -> Option<NotEmitted>) {
-    let refused: Vec<_> = proved.iter().map(|op| refused(op)).collect();
+fn leave_out(
+    program: &Program,
+    ops: &mut Vec<usize>,
+    refused: impl Fn(usize) -> Option<NotEmitted>,
+) {
+    let refused: Vec<_> = ops.iter().map(|&op| refused(op)).collect();
     if refused.iter().all(Option::is_some) {
         return;
     }
     let mut refused = refused.into_iter();
-    proved.retain(|proved| match refused.next().flatten() {
+    ops.retain(|&op| match refused.next().flatten() {
         Some(NotEmitted { what, .. }) => {
-            let name = &proved.op().name;
+            let name = &program.analysis.program.ops[op].name;
             complain(&format!(
                 "left out: `{name}`, since {what} cannot be emitted"
             ));

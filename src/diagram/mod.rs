@@ -20,8 +20,8 @@ pub use expression::{
     Type, Unary,
 };
 pub use op::{
-    Alias, Assignment, Cycle, Edge, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op, Param,
-    Property, Ref, Require, Role, Rule, Side, Spoke, Star,
+    Alias, Assignment, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op,
+    Param, Property, Ref, Require, Role, Rule, Side, Spoke, Star,
 };
 pub use unroll::{Naming, Unrolled};
 

@@ -204,6 +204,8 @@ pub struct Param {
 pub struct Rule {
     /// Its name, where it has one.
     pub label: Option<String>,
+    /// What it was done to, where it is no rule of a program but an example of what an op does.
+    pub example: Option<Example>,
     /// All its names, in order of first mention: elements, paths and fans.
     pub names: Vec<Name>,
     /// The index of its families, if it has any.
@@ -275,6 +277,16 @@ impl Rule {
             .map(NameId)
             .filter(move |&id| self.kind(id) == kind)
     }
+}
+
+/// What an op was done to, for an example of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// What the mesh is called: "a cube".
+    pub mesh: &'static str,
+    /// Where the vertices lie before and after, by name, if the mesh is flat and no two of them
+    /// lie at one place; y points up.
+    pub places: [Vec<Option<[f64; 2]>>; 2],
 }
 
 /// `alias v2 v3`: any two of these names may stand for one element.

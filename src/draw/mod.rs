@@ -10,6 +10,7 @@
 // What is drawn.
 mod assigned;
 mod bends;
+mod example;
 mod figure;
 mod outer;
 mod pieces;

@@ -13,6 +13,7 @@ use glam::DVec2;
 use super::assigned::assigned;
 use super::bends::{bend_beside, bend_paths};
 use super::curve::direction;
+use super::example::{flat, moved};
 use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
 use super::pieces::{blocks, parts};
@@ -28,8 +29,18 @@ const SPUR: f64 = 0.62;
 /// Nodes nearer to each other than this look like one.
 const NEAR: f64 = 0.12;
 
-/// The place of every node.
-pub(super) fn places(figure: &Figure) -> Vec<DVec2> {
+/// The place of every node on both sides: the same, but of vertices that an example moves.
+pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
+    let mut places = flat(figure).unwrap_or_else(|| parts_in_a_row(figure));
+    turn_sector(figure, &mut places);
+    place_new(figure, &mut places);
+    let places: Vec<_> = places.into_iter().map(Option::unwrap_or_default).collect();
+    let after = moved(figure, &places);
+    [places, after]
+}
+
+/// The places of `before`: what hangs together stands side by side.
+fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     let mut places = vec![None; figure.nodes.len()];
     let parts = parts(figure, &figure.before);
     let mut x = 0.0;
@@ -47,9 +58,30 @@ pub(super) fn places(figure: &Figure) -> Vec<DVec2> {
         }
         x += (high - low).max(0.0) + 0.9;
     }
-    turn_sector(figure, &mut places);
-    place_new(figure, &mut places);
-    places.into_iter().map(Option::unwrap_or_default).collect()
+    level_main(figure, &mut places);
+    places
+}
+
+/// Turns a figure so that the edge an operation is called with lies level, if it lies inside.
+fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
+    let side = &figure.before;
+    let Some(main) = main_dart(figure).filter(|_| figure.drawing.rule.size().is_none()) else {
+        return;
+    };
+    let among = |_: usize| true;
+    let ring = side.around(&outside(side, &among));
+    let nodes = side.nodes(main);
+    let ends = [nodes[0], nodes[nodes.len() - 1]];
+    let [Some(from), Some(to)] = ends.map(|end| places[end]) else {
+        return;
+    };
+    let is_inside = !ends.iter().any(|end| ring.contains(end));
+    if is_inside && (to - from).length() > NEAR {
+        let turn = DVec2::from_angle((to - from).angle_to(DVec2::X));
+        for place in places.iter_mut().flatten() {
+            *place = turn.rotate(*place);
+        }
+    }
 }
 
 /// Turns a figure with families so that the sector that stands out lies at the bottom.
@@ -294,7 +326,7 @@ fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec
 }
 
 /// The pairs of nodes that pull at each other along strands.
-fn pulls(side: &Side) -> Vec<(usize, usize)> {
+pub(super) fn pulls(side: &Side) -> Vec<(usize, usize)> {
     let pairs = side
         .strands
         .iter()
@@ -303,7 +335,7 @@ fn pulls(side: &Side) -> Vec<(usize, usize)> {
 }
 
 /// Moves what has no place yet to the middle of what pulls at it.
-fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
+pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
     let mut pulls = pulls.to_vec();
     for orbit in &side.loops {
         let center = places.len();

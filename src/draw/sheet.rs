@@ -37,33 +37,34 @@ pub fn draw_op(op: &Op) -> Picture {
         .iter()
         .enumerate()
         .map(|(at, rule)| {
-            let label = match &rule.label {
-                Some(label) => Some(label.clone()),
-                None => labelled.then(|| format!("{}", at + 1)),
-            };
+            let number = (at + 1).to_string();
+            let label = rule.label.clone().or(labelled.then_some(number));
             let prefix = match &label {
                 Some(label) => format!("{}-{label}-", op.name),
                 None => format!("{}-", op.name),
             };
-            (label, Row::new(rule, &prefix))
+            let below = match &rule.example {
+                Some(of) => vec!["for example,".to_string(), format!("on {}", of.mesh)],
+                None => label.into_iter().collect(),
+            };
+            (below, Row::new(rule, &prefix))
         })
         .collect();
     let mut sheet = Sheet::new(&op.name);
-    for (label, _) in &rows {
+    for (below, _) in &rows {
         let above = words(&op.name, Style::Italic, LETTERS).half.x;
-        let below = words(label.as_deref().unwrap_or(""), Style::Upright, CAPTION)
-            .half
-            .x;
-        sheet.between = sheet
-            .between
-            .max((2.0 * above.max(below) + 30.0).min(MOST_BETWEEN));
+        let below = below
+            .iter()
+            .map(|line| words(line, Style::Upright, CAPTION).half.x);
+        let widest = below.fold(above, f64::max);
+        sheet.between = sheet.between.max((2.0 * widest + 30.0).min(MOST_BETWEEN));
     }
     sheet.widths = [0, 1].map(|side| {
         let widths = rows.iter().map(|(_, row)| row.sides[side].width());
         widths.fold(90.0, f64::max)
     });
-    for (label, row) in rows {
-        sheet.row(&op.name, label.as_deref(), row);
+    for (below, row) in rows {
+        sheet.row(&op.name, &below, row);
     }
     sheet.finish()
 }
@@ -109,10 +110,11 @@ impl Row {
         row
     }
 
-    fn drawn(figure: &Figure, unit: &[DVec2], scale: f64, prefix: &str) -> Self {
-        let places: Vec<_> = unit.iter().map(|&at| at * scale).collect();
-        let before = Panel::new(figure, None, &places, prefix);
-        let after = Panel::new(figure, Some(&before), &places, prefix);
+    fn drawn(figure: &Figure, unit: &[Vec<DVec2>; 2], scale: f64, prefix: &str) -> Self {
+        let scaled = |unit: &Vec<DVec2>| unit.iter().map(|&at| at * scale).collect::<Vec<_>>();
+        let places = unit.each_ref().map(scaled);
+        let before = Panel::new(figure, None, &places[0], prefix);
+        let after = Panel::new(figure, Some(&before), &places[1], prefix);
         let panels = [before, after];
         let crossings = panels.iter().map(Panel::crossings).sum();
         let labels = vertex_labels(figure, &panels);
@@ -165,7 +167,8 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
     for (node, of) in figure.nodes.iter().enumerate() {
         let Node::Vertex(vertex) = *of else { continue };
         let shown = [0, 1].map(|side| panels[side].dots(vertex).contains(&node));
-        if shown == [false, false] || !panels[0].stands_out(vertex) {
+        let is_named = rule.name(vertex).named && panels[0].stands_out(vertex);
+        if shown == [false, false] || !is_named {
             continue;
         }
         let directions: Vec<_> = panels
@@ -175,8 +178,9 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
         let wanted = widest_gap(&directions);
         let word = &rule.name(vertex).text;
         let label = name(word, LETTERS);
-        let center = panels[0].places[node];
+        let centers = [0, 1].map(|side| panels[side].places[node]);
         let best = |sides: &[usize], wanted: f64| {
+            let center = centers[sides[0]];
             let spot = |step: usize, far: f64| {
                 let way = direction(wanted + TAU * step as f64 / 48.0);
                 let at = center + way * (beyond_dot(&label, way) + far);
@@ -193,12 +197,13 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
         let common = best(&sides, wanted);
         let mut at = [common.at; 2];
         if sides.len() == 2 {
+            let has_moved = centers[0] != centers[1];
             let alone = [0, 1].map(|side| {
                 let directions = panels[side].directions(node);
                 best(&[side], widest_gap(&directions))
             });
             let worst = alone.iter().map(|spot| spot.cost).fold(0.0, f64::max);
-            if common.cost > worst + APART {
+            if has_moved || common.cost > worst + APART {
                 at = alone.map(|spot| spot.at);
             }
         }
@@ -212,14 +217,14 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
 
 /// How many units of a picture the radius of the figure is: so many that edges are long and
 /// faces wide enough for arrows and names.
-fn scale(figure: &Figure, places: &[DVec2]) -> f64 {
+fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
     let mut scale: f64 = 128.0;
     let mut want = |wanted: f64, length: f64| {
         if length > 0.05 {
             scale = scale.max(wanted / length);
         }
     };
-    for side in [&figure.before, &figure.after] {
+    for (side, places) in [&figure.before, &figure.after].into_iter().zip(places) {
         for strand in &side.strands {
             let pairs = strand.nodes.windows(2);
             let lengths = pairs.map(|pair| (places[pair[0]] - places[pair[1]]).length());
@@ -290,7 +295,7 @@ impl Sheet {
         }
     }
 
-    fn row(&mut self, op: &str, label: Option<&str>, row: Row) {
+    fn row(&mut self, op: &str, below: &[String], row: Row) {
         let height = row.high - row.low;
         let middle = self.y + height / 2.0;
         let mut left = MARGIN;
@@ -326,9 +331,9 @@ impl Sheet {
             Ink::Of(Status::Kept),
             DVec2::new(center, middle - 20.0),
         );
-        if let Some(label) = label {
-            let at = DVec2::new(center, middle + 21.0);
-            self.words(label, Style::Upright, CAPTION, Ink::Muted, at);
+        for (nth, line) in below.iter().enumerate() {
+            let at = DVec2::new(center, middle + 21.0 + 19.0 * nth as f64);
+            self.words(line, Style::Upright, CAPTION, Ink::Muted, at);
         }
         self.picture.crossings += row.crossings;
         self.statuses.extend(row.statuses);

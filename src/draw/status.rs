@@ -1,6 +1,6 @@
 //! What becomes of each name: kept, reassigned, new or erased.
 
-use crate::diagram::{Drawing, Kind, NameId};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId};
 
 /// What becomes of an element, path or fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -86,7 +86,7 @@ fn edge_moves(drawing: &Drawing, edge: NameId) -> bool {
     before != after
 }
 
-/// Whether other halfedges and paths follow each other around a face.
+/// Whether other halfedges and paths follow each other around a face, or it becomes a hole.
 fn loop_changes(drawing: &Drawing, face: NameId) -> bool {
     let around = |view: &crate::diagram::View| {
         let orbit = view.loop_of_face(face)?;
@@ -95,7 +95,7 @@ fn loop_changes(drawing: &Drawing, face: NameId) -> bool {
         let first = items.iter().enumerate().min_by_key(|(_, item)| **item);
         let first = first.map_or(0, |(at, _)| at);
         items.rotate_left(first);
-        Some(items)
+        Some((orbit.kind == LoopKind::Hole, items))
     };
     around(&drawing.before) != around(&drawing.after)
 }

@@ -11,7 +11,7 @@ use super::figure::Figure;
 use super::panel::Panel;
 use super::place::places;
 use super::status::Status;
-use crate::diagram::{Drawing, LoopKind, NameId, Op, Rule};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, Op, Rule};
 
 /// How many characters wide a side is, about, and how many the radius of a figure is, at least
 /// and at most.
@@ -32,9 +32,12 @@ const BETWEEN: &str = "    =>    ";
 pub fn text_op(op: &Op) -> String {
     let mut text = String::new();
     for rule in &op.rules {
-        match &rule.label {
-            Some(label) => text.push_str(&format!("{}, rule {label}\n\n", op.name)),
-            None => text.push_str(&format!("{}\n\n", op.name)),
+        match (&rule.example, &rule.label) {
+            (Some(example), _) => {
+                text.push_str(&format!("{}, for example on {}\n\n", op.name, example.mesh));
+            }
+            (None, Some(label)) => text.push_str(&format!("{}, rule {label}\n\n", op.name)),
+            (None, None) => text.push_str(&format!("{}\n\n", op.name)),
         }
         text.push_str(&text_rule(rule));
         text.push('\n');
@@ -51,6 +54,7 @@ fn text_rule(rule: &Rule) -> String {
     let none = (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN));
     let (low, high) = unit
         .iter()
+        .flatten()
         .fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
     let size = (high - low).max(DVec2::splat(0.01));
     // A whole number of rows, so that slanted lines are even.
@@ -62,9 +66,9 @@ fn text_rule(rule: &Rule) -> String {
         by: DVec2::new(3.0, 2.0) - low * scale,
     };
     let size = (size * scale + DVec2::new(8.0, 5.0)).min(MOST + 8.0);
-    let places: Vec<_> = unit.iter().map(|&at| at * RADIUS).collect();
-    let before = Panel::new(&figure, None, &places, "");
-    let after = Panel::new(&figure, Some(&before), &places, "");
+    let places = unit.map(|unit| unit.iter().map(|&at| at * RADIUS).collect::<Vec<_>>());
+    let before = Panel::new(&figure, None, &places[0], "");
+    let after = Panel::new(&figure, Some(&before), &places[1], "");
     let [before, after] = [before, after].map(|panel| {
         let mut canvas = Canvas::new(size);
         canvas.side(&panel, &grid);
@@ -95,20 +99,49 @@ fn text_rule(rule: &Rule) -> String {
     }
     let mut is_told = false;
     for (word, status) in [("new", Status::New), ("erase", Status::Erased)] {
-        let of = (0..rule.names.len() as u32).map(NameId);
-        // Of a family the first.
-        let of = of.filter(|&name| rule.is_first(name));
-        let of = of.filter(|&name| Status::of(&figure.drawing, name) == status);
-        let names: Vec<_> = of.map(|name| rule.name(name).text.as_str()).collect();
+        let names = told(&figure, status);
         if !names.is_empty() {
             if !is_told {
                 text.push('\n');
             }
             is_told = true;
-            text.push_str(&format!("{word} {}\n", names.join(" ")));
+            text.push_str(&format!("{word} {names}\n"));
         }
     }
     text
+}
+
+/// The names of a status, of a family the first; what has no name is counted.
+fn told(figure: &Figure, status: Status) -> String {
+    let rule = figure.drawing.rule;
+    let of = (0..rule.names.len() as u32).map(NameId);
+    let of = of.filter(|&name| rule.is_first(name));
+    let of: Vec<_> = of
+        .filter(|&name| Status::of(&figure.drawing, name) == status)
+        .collect();
+    let named = of.iter().map(|&name| rule.name(name));
+    let names: Vec<_> = named
+        .filter(|name| name.named)
+        .map(|name| name.text.as_str())
+        .collect();
+    let mut parts = match names.is_empty() {
+        true => Vec::new(),
+        false => vec![names.join(" ")],
+    };
+    // Every edge has its two halfedges.
+    for (kind, one, more) in [
+        (Kind::Vertex, "vertex", "vertices"),
+        (Kind::Edge, "edge", "edges"),
+        (Kind::Face, "face", "faces"),
+    ] {
+        let is_counted = |&&name: &&NameId| !rule.name(name).named && rule.kind(name) == kind;
+        match of.iter().filter(is_counted).count() {
+            0 => {}
+            1 => parts.push(format!("1 {one}")),
+            count => parts.push(format!("{count} {more}")),
+        }
+    }
+    parts.join(", ")
 }
 
 /// Where the places of a picture are in characters.
@@ -158,7 +191,7 @@ impl Canvas {
         }
         for &vertex in &side.shown {
             for node in panel.dots(vertex) {
-                let text = match panel.stands_out(vertex) {
+                let text = match is_written(&vertex) {
                     true => &word(vertex).text,
                     false => "•",
                 };
@@ -195,7 +228,13 @@ impl Canvas {
             let nodes = side.around(&orbit.darts);
             let middle = nodes.iter().map(|&node| panel.places[node]).sum::<DVec2>();
             let middle = middle / nodes.len().max(1) as f64;
-            let middle = grid.place(panel.middle(orbit).unwrap_or(middle));
+            let low = curves.iter().flat_map(Curve::points).map(|at| at.y);
+            let below = low.fold(0.0, f64::max) + 1.5;
+            let middle = match panel.middle(orbit) {
+                Some(middle) => grid.place(middle),
+                // It is the outside.
+                None => DVec2::new(grid.place(middle).x, below),
+            };
             let text = &word(orbit.face).text;
             match orbit.kind {
                 LoopKind::Hole => self.write(&format!("hole {text}"), middle, 12),

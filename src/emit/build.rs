@@ -3,17 +3,17 @@
 use std::collections::BTreeSet;
 
 use super::NotEmitted;
-use super::callee::helpers;
+use super::action::Action;
 use super::expression::{Expressions, is_spelled, is_surely_finite};
 use super::guard;
 use super::matching::Matching;
 use super::names::{Names, unreserved};
 use super::reassign;
-use super::routine::{Alternative, Helper, Routine, Statement, without_unread};
+use super::routine::{Alternative, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Callee, Drawing, Kind, Rule, Type};
+use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
 
 /// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,45 +24,37 @@ pub(super) struct Conventions {
     pub isolated_vertices: bool,
     /// Whether attributes lie in columns that have to be found first.
     pub columns: bool,
+    /// Whether the mesh knows what was done to it, and undoes it. Who changes it borrows it
+    /// then, so that nothing else in the same call can look at it.
+    pub undoes: bool,
 }
 
-/// Some operations as routines, behind the functions that they call.
-pub(super) fn routines(
-    ops: &[&Proved],
-    functions: &[Option<Callee>],
-    conventions: Conventions,
-) -> Result<(Vec<Helper>, Vec<Routine>), NotEmitted> {
-    let mut calls = BTreeSet::new();
-    let mut routines = Vec::new();
-    for op in ops {
-        routines.push(routine(op, functions, conventions, &mut calls)?);
-    }
-    Ok((helpers(&calls, functions)?, routines))
-}
-
-/// The routine of a proved operation.
-fn routine(
+/// The routine of a proved operation, and the functions that it calls; of those, the attributes
+/// that they look at are told by number.
+pub(super) fn routine(
     proved: &Proved,
-    functions: &[Option<Callee>],
+    functions: &[Option<String>],
     conventions: Conventions,
-    calls: &mut BTreeSet<u32>,
-) -> Result<Routine, NotEmitted> {
+    looks: &dyn Fn(u32) -> BTreeSet<u32>,
+) -> Result<(Routine, BTreeSet<u32>), NotEmitted> {
     let op = proved.op();
     if let Some(param) = op.params.iter().find(|param| !is_spelled(param.ty)) {
         let what = format!("a parameter of type `{}`", param.ty.word());
         return Err(NotEmitted::new(what, param.span));
     }
+    let mut all_calls = BTreeSet::new();
     let mut params = Vec::new();
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
         let mut names = Names::new(op, rule, functions);
         let mut body = alternative(rule, proof, conventions, &mut names)?;
-        calls.extend(names.take_calls());
+        let calls = names.take_calls();
         if conventions.columns {
-            let columns = names.used_attributes().cloned().map(Statement::Column);
-            body.splice(0..0, columns);
+            let seen = calls.iter().flat_map(|&call| looks(call));
+            body.splice(0..0, columns(&names, seen.collect()));
         }
+        all_calls.extend(calls);
         rules.push(Alternative {
             label: rule.label.clone(),
             body: without_unread(body),
@@ -77,13 +69,23 @@ fn routine(
             })
             .collect();
     }
-    Ok(Routine {
+    let routine = Routine {
         name: unreserved(&op.name),
         docs: op.docs.clone(),
         params,
         result: op.result,
         rules,
-    })
+    };
+    Ok((routine, all_calls))
+}
+
+/// Finds the columns of the attributes that are used, and makes sure of those that the functions
+/// look at that are called.
+pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
+    let used = names.used_attributes().cloned().map(Statement::Column);
+    let seen = seen.into_iter().filter_map(|it| names.unused_attribute(it));
+    let asked = seen.map(|attribute| Statement::Action(Action::Ask(attribute.clone())));
+    used.chain(asked).collect()
 }
 
 fn alternative(

@@ -9,68 +9,29 @@ use super::routine::{Helper, Statement};
 use super::term::Parameter;
 use crate::diagram::{Callee, Expr, ExprKind};
 
-/// The functions that some call, and those that these call, each behind those it calls.
-pub(super) fn helpers(
-    calls: &BTreeSet<u32>,
-    functions: &[Option<Callee>],
-) -> Result<Vec<Helper>, NotEmitted> {
-    let mut all = All {
-        functions,
-        begun: BTreeSet::new(),
-        done: Vec::new(),
+/// A function that computes a value, and the functions that it calls.
+pub(super) fn helper(
+    callee: &Callee,
+    functions: &[Option<String>],
+) -> Result<(Helper, BTreeSet<u32>), NotEmitted> {
+    let mut names = Names::of_function(callee, functions);
+    let body = Expressions { names: &mut names }.block(callee)?;
+    let params = callee.params.iter().zip(names.params());
+    let helper = Helper {
+        name: callee.name.clone(),
+        docs: callee.docs.clone(),
+        params: params
+            .map(|(&ty, name)| Parameter {
+                name: name.clone(),
+                ty,
+            })
+            .collect(),
+        result: Some(callee.result),
+        changes: false,
+        refuses: false,
+        body,
     };
-    for &number in calls {
-        all.add(number)?;
-    }
-    Ok(all.done)
-}
-
-struct All<'f> {
-    functions: &'f [Option<Callee>],
-    begun: BTreeSet<u32>,
-    done: Vec<Helper>,
-}
-
-impl All<'_> {
-    fn add(&mut self, number: u32) -> Result<(), NotEmitted> {
-        let known = self.functions.get(number as usize);
-        // One that calls itself needs no declaration before; those in a circle would.
-        let Some(callee) = known.and_then(Option::as_ref) else {
-            return Ok(());
-        };
-        if !self.begun.insert(number) {
-            return Ok(());
-        }
-        let mut names = Names::of_function(callee, self.functions);
-        let body = Expressions { names: &mut names }.block(callee)?;
-        for called in names.take_calls() {
-            if called != number && self.begun.contains(&called) && !self.is_done(called) {
-                let what = "functions that call each other in a circle";
-                return Err(NotEmitted::new(what, callee.value.span));
-            }
-            self.add(called)?;
-        }
-        let params = callee.params.iter().zip(names.params());
-        self.done.push(Helper {
-            name: callee.name.clone(),
-            docs: callee.docs.clone(),
-            params: params
-                .map(|(&ty, name)| Parameter {
-                    name: name.clone(),
-                    ty,
-                })
-                .collect(),
-            result: callee.result,
-            body,
-        });
-        Ok(())
-    }
-
-    fn is_done(&self, number: u32) -> bool {
-        let known = self.functions.get(number as usize);
-        let name = known.and_then(Option::as_ref).map(|callee| &callee.name);
-        self.done.iter().any(|helper| Some(&helper.name) == name)
-    }
+    Ok((helper, names.take_calls()))
 }
 
 impl Expressions<'_> {

@@ -108,7 +108,8 @@ impl Expressions<'_> {
     }
 }
 
-fn around(collection: &Collection) -> Option<(Around, &Expr)> {
+/// What a collection lies around, and which that is; none for one of the whole mesh.
+pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
     Some(match collection {
         Collection::VertexHalfedges(v) => (Around::VertexHalfedges, v),
         Collection::VertexEdges(v) => (Around::VertexEdges, v),

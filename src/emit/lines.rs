@@ -38,6 +38,12 @@ impl Lines {
         self.line(text);
     }
 
+    /// A line that closes a block and opens another one.
+    pub fn reopen(&mut self, text: &str) {
+        self.close(text);
+        self.depth += 1;
+    }
+
     /// An empty line, unless a block has just begun.
     pub fn blank(&mut self) {
         let last = self.text.trim_end_matches('\n');

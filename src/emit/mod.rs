@@ -5,9 +5,15 @@
 //! proof and not from the machine's code: the names of the drawing stay, tests and assignments
 //! that change nothing are left out, and a guard becomes walks and tests on the mesh as it is.
 //!
+//! Operations in steps call others, all or nothing; [`steps`] makes routines of them, and of the
+//! functions that they call.
+//!
 //! The code assumes a mesh in order, and of the level of the guard, where there is one.
 
+mod selection;
+
 // An operation as a routine.
+mod action;
 mod around;
 mod build;
 mod callee;
@@ -17,7 +23,9 @@ mod matching;
 mod names;
 mod reassign;
 mod routine;
+mod steps;
 mod term;
+mod value;
 mod walks;
 mod wide;
 
@@ -32,6 +40,7 @@ use crate::source::Span;
 
 pub use cpp::{Style, StyleError, cpp};
 pub use rust::rust;
+pub use selection::Selection;
 
 /// What cannot be emitted, and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,7 +7,8 @@
 use std::collections::BTreeSet;
 
 use super::term::{Attribute, Term, Turns};
-use crate::diagram::{Callee, Kind, NameId, Op, Role, Rule, Type};
+use crate::diagram::{self, Callee, Kind, NameId, Op, Role, Rule, Type};
+use crate::resolve::Variable;
 
 /// Words of C++ and Rust, and what emitted code uses itself.
 const RESERVED: &str = "
@@ -19,7 +20,7 @@ const RESERVED: &str = "
     return self short signed sizeof static std struct super switch template this throw trait true
     try type typedef typeid typename union unsafe unsized unsigned use using virtual void volatile
     wchar_t where while xor xor_eq yield mesh hedgerow main abs min max
-    attribute set_attribute";
+    attribute set_attribute journal all_or_nothing finite";
 
 /// A word that the languages leave free, as near as can be to the one that is wanted.
 pub(super) fn unreserved(word: &str) -> String {
@@ -54,12 +55,14 @@ pub(super) struct Names {
     /// The functions of the program that have a value, by number, and those that are called.
     functions: Vec<Option<String>>,
     calls: BTreeSet<u32>,
+    /// What the variables of steps are called in the program.
+    variables: Vec<String>,
     taken: BTreeSet<String>,
 }
 
 impl Names {
     /// Names for everything that a rule draws. Parameters are called the same in all rules.
-    pub fn new(op: &Op, rule: &Rule, functions: &[Option<Callee>]) -> Self {
+    pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>]) -> Self {
         let count = rule.names.len();
         let mut names = Self::without(count, functions);
         for (at, param) in op.params.iter().enumerate() {
@@ -73,17 +76,7 @@ impl Names {
         for id in (0..count as u32).map(NameId) {
             names.name(rule, id);
         }
-        for declared in rule.attributes.iter() {
-            let name = unreserved(&declared.name.replace('\'', "_"));
-            let attribute = Attribute {
-                declared: declared.name.clone(),
-                column: names.fresh(&format!("{name}_column")),
-                name,
-                element: declared.element,
-                ty: declared.ty,
-            };
-            names.attributes.push((attribute, false));
-        }
+        names.declare_attributes(&rule.attributes);
         if let Some(cycle) = &rule.cycle {
             names.turns = Turns {
                 index: names.fresh(&cycle.letter),
@@ -94,7 +87,7 @@ impl Names {
     }
 
     /// Names for a function of the program.
-    pub fn of_function(callee: &Callee, functions: &[Option<Callee>]) -> Self {
+    pub fn of_function(callee: &Callee, functions: &[Option<String>]) -> Self {
         let mut names = Self::without(0, functions);
         for name in callee.variables.iter().take(callee.params.len()) {
             let word = names.fresh(name);
@@ -103,9 +96,53 @@ impl Names {
         names
     }
 
+    /// Names for steps, or for a function that does more than compute a value: parameters
+    /// first, which are known from the beginning. Some words are taken already.
+    pub fn of_body(
+        variables: &[Variable],
+        params: usize,
+        functions: &[Option<String>],
+        attributes: &[diagram::Attribute],
+        taken: impl Iterator<Item = String>,
+    ) -> Self {
+        let mut names = Self::without(0, functions);
+        names.taken.extend(taken);
+        names.variables = variables.iter().map(|known| known.name.clone()).collect();
+        for variable in variables.iter().take(params) {
+            let word = names.fresh(&variable.name);
+            names.params.push(word);
+        }
+        names.declare_attributes(attributes);
+        names
+    }
+
+    /// Names for the attributes of the program.
+    fn declare_attributes(&mut self, attributes: &[diagram::Attribute]) {
+        for declared in attributes {
+            let name = unreserved(&declared.name.replace('\'', "_"));
+            let attribute = Attribute {
+                declared: declared.name.clone(),
+                column: self.fresh(&format!("{name}_column")),
+                name,
+                element: declared.element,
+                ty: declared.ty,
+            };
+            self.attributes.push((attribute, false));
+        }
+    }
+
+    /// The words that are taken now, to go back to.
+    pub fn mark(&self) -> BTreeSet<String> {
+        self.taken.clone()
+    }
+
+    /// Lets go of all words that were not taken then: they had meaning in one block only.
+    pub fn back_to(&mut self, mark: BTreeSet<String>) {
+        self.taken = mark;
+    }
+
     /// No names yet, of so many.
-    fn without(count: usize, functions: &[Option<Callee>]) -> Self {
-        let functions = functions.iter().map(Option::as_ref);
+    fn without(count: usize, functions: &[Option<String>]) -> Self {
         Self {
             words: Vec::new(),
             lasts: Vec::new(),
@@ -116,9 +153,8 @@ impl Names {
             is_turning: false,
             params: Vec::new(),
             folds: Vec::new(),
-            functions: functions
-                .map(|callee| callee.map(|callee| callee.name.clone()))
-                .collect(),
+            functions: functions.to_vec(),
+            variables: Vec::new(),
             calls: BTreeSet::new(),
             attributes: Vec::new(),
             taken: RESERVED.split_whitespace().map(String::from).collect(),
@@ -314,13 +350,14 @@ impl Names {
 
     /// Names the variable of an aggregate.
     pub fn declare(&mut self, number: u32, ty: Type) -> String {
-        let wanted = match ty {
-            Type::Vertex => "w",
-            Type::Halfedge => "h",
-            Type::Edge => "e",
-            _ => "f",
-        };
-        let word = self.fresh(wanted);
+        let known = self.variables.get(number as usize).cloned();
+        let word = known.unwrap_or_else(|| match ty {
+            Type::Vertex => "w".into(),
+            Type::Halfedge => "h".into(),
+            Type::Edge => "e".into(),
+            _ => "f".into(),
+        });
+        let word = self.fresh(&word);
         self.folds.push((number, word.clone()));
         word
     }
@@ -330,6 +367,12 @@ impl Names {
         let (attribute, is_used) = self.attributes.get_mut(number as usize)?;
         *is_used = true;
         Some(attribute.clone())
+    }
+
+    /// An attribute of the program that others use, unless this does so too.
+    pub fn unused_attribute(&self, number: u32) -> Option<&Attribute> {
+        let (attribute, is_used) = self.attributes.get(number as usize)?;
+        (!is_used).then_some(attribute)
     }
 
     /// The attributes that have been used so far.

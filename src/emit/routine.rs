@@ -5,6 +5,7 @@
 //! vertices, and what is done for each index of a family. [`build`](super::build) writes it; a
 //! printer per language spells it.
 
+use super::action::Action;
 use super::term::{Attribute, Parameter, Term, Turns};
 use crate::diagram::{Kind, Pointer, Type};
 
@@ -32,9 +33,13 @@ pub(super) struct Helper {
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Parameter>,
-    /// The type of its value.
-    pub result: Type,
-    /// Its statements; every way through them gives a value.
+    /// The type of its value, if it gives one.
+    pub result: Option<Type>,
+    /// Whether it changes the mesh.
+    pub changes: bool,
+    /// Whether it may refuse on the way; what it has done then is for its caller to undo.
+    pub refuses: bool,
+    /// Its statements; every way through them gives the value.
     pub body: Vec<Statement>,
 }
 
@@ -140,6 +145,8 @@ pub(super) enum Statement {
     Give(Term),
     /// Done.
     Return { result: Option<Term> },
+    /// What only steps and functions do.
+    Action(Action),
 }
 
 /// A walk over halfedges. Nothing that it follows is written while it goes on, but the
@@ -268,6 +275,7 @@ impl Statement {
             }
             Self::Give(value) => value.names(see),
             Self::Return { result } => result.iter().for_each(|result| result.names(see)),
+            Self::Action(action) => action.names(see),
         }
     }
 }

@@ -50,6 +50,9 @@ fn op_text(op: &OpCard, images: bool) -> String {
         text.push('\n');
         text.push_str(&docs(&op.docs));
     }
+    if let Some(none) = &op.no_example {
+        text.push_str(&format!("\n{none}\n"));
+    }
     if let Some(diagram) = &op.diagram {
         if !op.is_current {
             text.push_str("\nThe picture is of the last text that could be read.\n");

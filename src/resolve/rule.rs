@@ -71,6 +71,7 @@ pub(super) fn resolve_rule(
     });
     Some(Rule {
         label: rule.name.as_ref().map(|name| name.text.clone()),
+        example: None,
         params: params.collect(),
         result,
         before: drawn_before,

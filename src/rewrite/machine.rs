@@ -135,8 +135,19 @@ impl<'p> Machine<'p> {
 
     /// Applies an operation with the arguments in slots. It is not counted.
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
+        self.apply_watched(mesh, plan, args, &mut Unwatched)
+    }
+
+    /// The same, while somebody looks on.
+    pub fn apply_watched(
+        &mut self,
+        mesh: &mut Mesh,
+        plan: &Plan,
+        args: &[u64],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
         self.start(args);
-        self.carry_out::<false>(mesh, plan, Call::of(plan), &mut Unwatched)
+        self.carry_out::<false>(mesh, plan, Call::of(plan), watch)
     }
 
     fn start(&mut self, args: &[u64]) {

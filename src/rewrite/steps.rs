@@ -4,7 +4,7 @@
 //! the level that it was: a journal of the mesh knows what was written, so both cost no more
 //! than the steps did.
 
-use super::{Call, Machine, Outcome, Plan, Trap, Watch};
+use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 
 /// What the plan of an operation in steps has besides its code.
@@ -80,6 +80,10 @@ impl Machine<'_> {
         call: Call<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
+        // Steps that call each other can take long without a loop.
+        if self.progress.tick(watch).is_break() {
+            return Err(Trap::new(Message::Interrupted));
+        }
         let (level, holding, drains) = (self.level, self.holding, self.drains.open_ones());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();

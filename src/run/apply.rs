@@ -1,4 +1,4 @@
-//! One call of an operation, from outside of any script.
+//! Calls of one operation, from outside of any script.
 
 use std::sync::Arc;
 
@@ -9,7 +9,8 @@ use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Mesh, Value};
 use crate::resolve::{Program, Script, Variable};
-use crate::rewrite::{Machine, Outcome, Plan, Trap, Unwatched};
+use crate::rewrite::{Machine, Outcome, Plan, Trap, Unwatched, Watch};
+use crate::source::Span;
 
 /// What became of a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,56 +74,100 @@ pub fn apply(
     mesh: &mut Mesh,
     arguments: &[(String, Argument)],
 ) -> Result<Applied, Box<Failure>> {
-    let failure = |diagnostic| {
-        Box::new(Failure {
-            diagnostic,
-            report: Report::default(),
+    let application = Application::new(program, op, plans).map_err(failure)?;
+    application.apply(mesh, arguments, &mut Unwatched)
+}
+
+/// An operation of a program, to be applied to any number of meshes.
+#[derive(Clone, Debug)]
+pub struct Application<'p> {
+    op: usize,
+    plans: &'p [Option<Plan>],
+    plan: &'p Plan,
+    parameters: Program,
+    columns: Columns,
+    place: Span,
+}
+
+impl<'p> Application<'p> {
+    /// The operation of this number, with the plans of all.
+    ///
+    /// # Errors
+    /// It is not proved, or the default of an attribute has no value.
+    pub fn new(
+        program: &Program,
+        op: usize,
+        plans: &'p [Option<Plan>],
+    ) -> Result<Self, Diagnostic> {
+        let place = program.ops.get(op).map(|op| match &op.diagram {
+            Some(diagram) => diagram.name_span,
+            None => op.span,
+        });
+        let place = place.unwrap_or_default();
+        let Some(plan) = plans.get(op).and_then(Option::as_ref) else {
+            let message = "this operation is not proved, so it cannot run";
+            return Err(Diagnostic::error("unproved-op", message, place));
+        };
+        Ok(Self {
+            op,
+            plans,
+            plan,
+            parameters: parameters_alone(program, op),
+            columns: columns(program, plan, plans)?,
+            place,
         })
-    };
-    let place = program.ops.get(op).map(|op| match &op.diagram {
-        Some(diagram) => diagram.name_span,
-        None => op.span,
-    });
-    let place = place.unwrap_or_default();
-    let Some(plan) = plans.get(op).and_then(Option::as_ref) else {
-        let message = "this operation is not proved, so it cannot run";
-        return Err(failure(Diagnostic::error("unproved-op", message, place)));
-    };
-    expect_level(plan, mesh, place).map_err(failure)?;
-    let parameters = parameters_alone(program, op);
-    let prepared = prepare(&parameters, 0, &[]).map_err(|mut errors| failure(errors.remove(0)))?;
-    let mut code = prepared.code().clone();
-    let slots = prepared
-        .slots(mesh, arguments, &mut code.texts)
-        .map_err(failure)?;
-    let columns = columns(program, plan, plans).map_err(failure)?;
-    let mut machine = Machine::new(plans);
-    machine.trust_level(level_for_steps(plans, &[op], plan.level, mesh));
-    machine.use_columns(columns.bind(mesh).map_err(failure)?);
-    machine.remember_created();
-    let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));
-    machine
-        .run(mesh, &code, &slots, &mut Unwatched)
-        .map_err(trapped)?;
-    let slots = machine.window().to_vec();
-    let outcome = machine
-        .apply(mesh, plan, &slots)
-        .map_err(|trap| failure(in_plan(plan, trap, &prepared)));
-    columns.release(mesh);
-    let outcome = outcome?;
-    Ok(match outcome {
-        Outcome::Applied { result } => {
-            let created = machine.created().to_vec();
-            Applied::Done {
-                result: plan.result.zip(result),
-                created,
+    }
+
+    /// Applies it, while somebody looks on. Parameters that are not given take their defaults.
+    ///
+    /// # Errors
+    /// As of [`apply`]; or it was interrupted, and the mesh is as it was.
+    pub fn apply(
+        &self,
+        mesh: &mut Mesh,
+        arguments: &[(String, Argument)],
+        watch: &mut dyn Watch,
+    ) -> Result<Applied, Box<Failure>> {
+        let Self { plans, plan, .. } = *self;
+        expect_level(plan, mesh, self.place).map_err(failure)?;
+        let prepared = prepare(&self.parameters, 0, &[]);
+        let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
+        let mut code = prepared.code().clone();
+        let slots = prepared
+            .slots(mesh, arguments, &mut code.texts)
+            .map_err(failure)?;
+        let mut machine = Machine::new(plans);
+        machine.trust_level(level_for_steps(plans, &[self.op], plan.level, mesh));
+        machine.use_columns(self.columns.bind(mesh).map_err(failure)?);
+        machine.remember_created();
+        let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));
+        machine.run(mesh, &code, &slots, watch).map_err(trapped)?;
+        let slots = machine.window().to_vec();
+        let outcome = machine
+            .apply_watched(mesh, plan, &slots, watch)
+            .map_err(|trap| failure(in_plan(plan, trap, &prepared)));
+        self.columns.release(mesh);
+        Ok(match outcome? {
+            Outcome::Applied { result } => {
+                let created = machine.created().to_vec();
+                Applied::Done {
+                    result: plan.result.zip(result),
+                    created,
+                }
             }
-        }
-        Outcome::Refused { reason } => {
-            let known = reason.and_then(|reason| plan.refusals.get(usize::from(reason)));
-            let reason = known.map_or("the diagram does not match here", |known| &known.reason);
-            Applied::Refused(reason.to_owned())
-        }
+            Outcome::Refused { reason } => {
+                let known = reason.and_then(|reason| plan.refusals.get(usize::from(reason)));
+                let reason = known.map_or("the diagram does not match here", |known| &known.reason);
+                Applied::Refused(reason.to_owned())
+            }
+        })
+    }
+}
+
+fn failure(diagnostic: Diagnostic) -> Box<Failure> {
+    Box::new(Failure {
+        diagnostic,
+        report: Report::default(),
     })
 }
 

@@ -30,7 +30,7 @@ mod argument;
 mod report;
 mod testing;
 
-pub use apply::{Applied, apply, arguments, attributes};
+pub use apply::{Application, Applied, apply, arguments, attributes};
 pub use argument::Argument;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};

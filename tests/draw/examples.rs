@@ -6,13 +6,13 @@ use std::path::Path;
 
 use hedgerow::draw::{TextBox, draw_op, text_op};
 
-use super::{example_ops, folder, shipped_ops};
+use super::{example_ops, folder, shipped_ops, steps};
 
 #[test]
 fn pictures_are_as_committed() {
     let update = std::env::var_os("UPDATE").is_some();
     let mut names = BTreeSet::new();
-    for (stem, op) in example_ops() {
+    for (stem, op) in [example_ops(), steps::shipped()].concat() {
         let name = match op.name == stem {
             true => stem,
             false => format!("{stem}-{}", op.name),
@@ -75,7 +75,7 @@ fn every_named_element_has_an_id_and_a_title() {
 #[test]
 fn no_two_texts_overlap() {
     let mut pairs = 0;
-    for (stem, op) in example_ops() {
+    for (stem, op) in [example_ops(), steps::shipped()].concat() {
         let picture = draw_op(&op);
         let texts = picture.texts();
         for (at, a) in texts.iter().enumerate() {
@@ -100,7 +100,7 @@ fn no_two_texts_overlap() {
 
 #[test]
 fn no_two_edges_cross() {
-    for (stem, op) in example_ops() {
+    for (stem, op) in [example_ops(), steps::shipped()].concat() {
         assert_eq!(draw_op(&op).crossings(), 0, "{stem}::{}", op.name);
     }
 }

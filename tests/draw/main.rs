@@ -7,6 +7,7 @@ mod dice;
 mod examples;
 mod meshes;
 mod mutants;
+mod steps;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,9 +27,9 @@ fn example_ops() -> Vec<(String, Op)> {
     ops
 }
 
-/// Those of the standard library too.
+/// Those of the standard library too, of those in steps examples.
 fn shipped_ops() -> Vec<(String, Op)> {
-    [example_ops(), ops_in("src/library/std")].concat()
+    [example_ops(), ops_in("src/library/std"), steps::shipped()].concat()
 }
 
 fn ops_in(name: &str) -> Vec<(String, Op)> {
@@ -47,7 +48,7 @@ fn ops_in(name: &str) -> Vec<(String, Op)> {
     ops
 }
 
-/// The operations of a text.
+/// The operations of a text that are drawn.
 fn ops_of(text: &str) -> Vec<Op> {
     let mut sources = Sources::new();
     let file = sources.add("test.hedge".to_string(), text.to_string());

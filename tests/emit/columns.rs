@@ -97,9 +97,7 @@ pub fn all_numbers(mesh: &Mesh) -> Vec<f64> {
 
 /// Where the attributes of an operation lie, by their numbers.
 pub fn of(subject: &Subject, mesh: &Mesh) -> Vec<Option<ColumnId>> {
-    let declared = subject.proved.op().rules.first();
-    let declared = declared.map_or(&[][..], |rule| &rule.attributes);
-    let found = declared.iter().map(|attribute| {
+    let found = subject.attributes.iter().map(|attribute| {
         let kind = match attribute.element {
             Type::Vertex => Vertex,
             Type::Halfedge => Halfedge,

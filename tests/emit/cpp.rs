@@ -15,7 +15,7 @@ use tempfile::TempDir;
 use crate::columns;
 use crate::meshes::Dice;
 use crate::places::{Argument, Done, Tally, arguments, by_machine, compare, places, report};
-use crate::subjects::{Subject, folder, functions, subjects};
+use crate::subjects::{Subject, emissions, folder};
 
 /// Whether there is a compiler. In CI there has to be one.
 fn has_compiler() -> bool {
@@ -46,13 +46,13 @@ fn compile(folder: &Path) {
 }
 
 /// The function that calls an op by its number.
-fn calls(subjects: &[Subject]) -> String {
+fn calls(subjects: &[&Subject]) -> String {
     let mut text =
         String::from("bool call(int op, Built& b) {\n  Mesh& mesh = b.mesh;\n  switch (op) {\n");
     for (at, subject) in subjects.iter().enumerate() {
         let mut reads = String::new();
         let mut args = Vec::new();
-        for (number, param) in subject.proved.op().params.iter().enumerate() {
+        for (number, param) in subject.params.iter().enumerate() {
             let read = match param.ty {
                 Type::Vertex => "b.v[number()]",
                 Type::Halfedge => "b.h[number()]",
@@ -176,12 +176,20 @@ fn done<'t>(words: &mut impl Iterator<Item = &'t str>) -> Done {
 
 /// Compiles the ops in a style and holds the driver against the machine.
 fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
-    let mut subjects = subjects();
+    let mut emissions = emissions();
+    // Steps are emitted as Rust only.
+    emissions.retain(|emission| emission.name == "drawn");
+    let texts = emissions.iter();
+    let text: String = texts
+        .map(|emission| cpp(&emission.selection(), style).unwrap())
+        .collect();
+    let mut subjects: Vec<_> = emissions
+        .iter()
+        .flat_map(|emission| &emission.subjects)
+        .collect();
     // Refusals that hang by the last bit of a length fall the other way for short reals.
     subjects.retain(|subject| tolerance < 1e-8 || !hangs_by_a_bit(subject));
     let bench = TempDir::new().unwrap();
-    let proved: Vec<_> = subjects.iter().map(|subject| &subject.proved).collect();
-    let text = cpp(&proved, &functions(&subjects), style).unwrap();
     let signature = |line: &&str| {
         line.contains(" HalfEdgeMesh::") && line.ends_with(") {") && !line.starts_with([' ', 'i'])
     };
@@ -228,7 +236,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
                     }
                 }
                 input.push('\n');
-                let machine = by_machine(subject, &place.mesh, &arguments);
+                let machine = by_machine(subject, &place, &arguments);
                 expected.push((at, arguments, machine));
             }
         }
@@ -254,7 +262,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
         let emitted = done(&mut words);
         let tally = &mut tallies[*at];
         compare(
-            &subjects[*at],
+            subjects[*at],
             arguments,
             tally,
             tolerance,
@@ -262,7 +270,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
         );
     }
     assert_eq!(words.next(), None);
-    let tallies: Vec<_> = subjects.iter().zip(tallies).collect();
+    let tallies: Vec<_> = subjects.into_iter().zip(tallies).collect();
     report(title, &tallies);
 }
 

@@ -1,4 +1,6 @@
 // Written by the test `rust_is_as_committed` with UPDATE=1.
+
+mod drawn {
 use std::collections::HashMap;
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use hedgerow::mesh::{Attribute, ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
@@ -8661,6 +8663,7 @@ fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
 
 /// Sets the value of an attribute.
 fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
+    mesh.note_value(column, element);
     mesh.values_mut(column).expect("a column of this type")[element as usize] = value;
 }
 
@@ -9003,94 +9006,1914 @@ impl<'m> Sheet<'m> {
         self.is_hole(f) || others.all(|other| self.sorted_corners(other) != self.sorted_corners(f))
     }
 }
+}
+
+mod polygon_in_steps {
+use glam::DVec3;
+use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate_level_near};
+
+/// Shrinks a face to one vertex at its centroid, which is returned.
+///
+/// ```text
+///      \          /            \        /
+///       v3------v2               \    /
+///       |   f    |       ->         v
+///       v0------v1               /    \
+///      /          \            /        \
+/// ```
+///
+/// A triangle at a side of the face would be left with two sides: it vanishes, as in
+/// `collapse`, and so does a hole. Refused if no face would be left, as of a tetrahedron.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn polygon_collapse_face(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    if mesh.is_hole(f) {
+        return None; // the face is a hole
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let center = mesh.centroid(f);
+        let mut v = mesh.vertex(mesh.face_halfedge(f));
+        let mut left = (mesh.face_size(f) as i64) - 1;
+        // The last side begins and ends at the vertex then.
+        for e in mesh.face_halfedges(f).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(e) {
+                continue;
+            }
+            if 0 < left {
+                v = contract(mesh, e)?;
+                left = left - 1;
+            }
+        }
+        if !drop_monogon(mesh, f) {
+            return None;
+        }
+        for h in mesh.spokes(v).collect::<Vec<_>>() {
+            if !mesh.halfedge_alive(h) {
+                continue;
+            }
+            if (mesh.face_size(mesh.face(h)) as i64) == 2 {
+                let f_2 = mesh.face(h);
+                if !zip(mesh, f_2) {
+                    return None; // no face would be left
+                }
+            }
+        }
+        mesh.set_position(v, finite(center)?);
+        Some(v)
+    })
+}
+
+/// Removes a vertex, and merges the faces around it into one, which is returned.
+///
+/// ```text
+///     .-----.-----.           .-----.-----.
+///     |     |     |           |           |
+///     |     |     |           |           |
+///     .-----v-----.     ->    .     f     .
+///     |     |     |           |           |
+///     |     |     |           |           |
+///     '-----'-----'           '-----'-----'
+/// ```
+///
+/// On the boundary the two edges along the hole become one. Refused if a neighbor would keep a
+/// single edge, or the face or the hole fewer than three sides.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn polygon_dissolve_vertex(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
+    if (mesh.degree(v) as i64) <= 1 {
+        return None; // the vertex has no faces to merge
+    }
+    if mesh.is_boundary_vertex(v) && (mesh.degree(v) as i64) <= 2 {
+        return None; // the vertex has a single face
+    }
+    if !mesh.spokes(v).filter(|&h| mesh.is_boundary_halfedge(h)).all(|h| 3 < (mesh.face_size(mesh.face(h)) as i64)) {
+        return None; // a hole of two edges would be left
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let border = mesh.is_boundary_vertex(v);
+        let mut f = mesh.face(mesh.vertex_halfedge(v));
+        // Inside, the last of them is a spur, and the vertex goes with it.
+        for e in mesh.spokes(v).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(e) || mesh.is_boundary_edge(e) {
+                continue;
+            }
+            f = remove(mesh, e)?;
+        }
+        if border {
+            straighten(mesh, v)?;
+        }
+        Some(f)
+    })
+}
+
+/// Cuts a corner off: each edge of the vertex ends at a vertex of its own, and these make a
+/// new face, which is returned.
+///
+/// ```text
+///          |                     |
+///          |                     u
+///      ----v----       ->     --u u--
+///          |                     u
+///          |                     |
+/// ```
+///
+/// The new vertices start where the old one is, and lie at the share `t` of the way along the
+/// edges. A vertex of two edges is refused.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<FaceId> {
+    if (mesh.degree(v) as i64) <= 2 {
+        return None; // the vertex has fewer than three edges
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        for s in mesh.spokes(v).collect::<Vec<_>>() {
+            let far = mesh.position(mesh.target(s));
+            let e = mesh.edge(s);
+            let u = polygon_bisect(mesh, e)?;
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(v), far, t))?);
+        }
+        for s in mesh.spokes(v).collect::<Vec<_>>() {
+            let a = mesh.next(s);
+            let b = mesh.prev(s);
+            cut(mesh, a, b)?;
+        }
+        let mut f = mesh.face(mesh.vertex_halfedge(v));
+        for e in mesh.spokes(v).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(e) {
+                continue;
+            }
+            f = remove(mesh, e)?;
+        }
+        Some(f)
+    })
+}
+
+/// Cuts an edge off: each other edge at its ends ends at a vertex of its own, and these make a
+/// new face in the place of the edge, which is returned.
+///
+/// ```text
+///     \        /             \          /
+///      \      /               u--------u
+///       a--e-b        ->      |    f   |
+///      /      \               u--------u
+///     /        \             /          \
+/// ```
+///
+/// The new vertices start where the ends of the edge are, and lie at the share `t` of the way
+/// along their edges. Refused at the boundary, and if the face would have two sides.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn polygon_bevel_edge(mesh: &mut Mesh, e: EdgeId, t: f64) -> Option<FaceId> {
+    if mesh.is_boundary_edge(e) {
+        return None; // the edge lies on the boundary
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let h = mesh.edge_halfedge(e);
+        let a = mesh.vertex(h);
+        let b = mesh.target(h);
+        for s in mesh.spokes(a).collect::<Vec<_>>() {
+            if mesh.edge(s) == e {
+                continue;
+            }
+            let far = mesh.position(mesh.target(s));
+            let e_2 = mesh.edge(s);
+            let u = polygon_bisect(mesh, e_2)?;
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(a), far, t))?);
+        }
+        for s in mesh.spokes(b).collect::<Vec<_>>() {
+            if mesh.edge(s) == e {
+                continue;
+            }
+            let far = mesh.position(mesh.target(s));
+            let e_2 = mesh.edge(s);
+            let u = polygon_bisect(mesh, e_2)?;
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(b), far, t))?);
+        }
+        // Cut the corners around both ends, and along the two sides of the edge.
+        for s in mesh.spokes(a).collect::<Vec<_>>() {
+            if mesh.edge(s) == e || mesh.edge(mesh.prev(s)) == e {
+                continue;
+            }
+            let a_2 = mesh.next(s);
+            let b_2 = mesh.prev(s);
+            cut(mesh, a_2, b_2)?;
+        }
+        for s in mesh.spokes(b).collect::<Vec<_>>() {
+            if mesh.edge(s) == e || mesh.edge(mesh.prev(s)) == e {
+                continue;
+            }
+            let a_2 = mesh.next(s);
+            let b_2 = mesh.prev(s);
+            cut(mesh, a_2, b_2)?;
+        }
+        let a_2 = mesh.next(mesh.next(h));
+        let b_2 = mesh.prev(h);
+        cut(mesh, a_2, b_2)?;
+        let a_2 = mesh.next(mesh.next(mesh.twin(h)));
+        let b_2 = mesh.prev(mesh.twin(h));
+        cut(mesh, a_2, b_2)?;
+        let mut f = mesh.face(h);
+        for s in mesh.spokes(a).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(s) {
+                continue;
+            }
+            f = remove(mesh, s)?;
+        }
+        for s in mesh.spokes(b).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(s) {
+                continue;
+            }
+            f = remove(mesh, s)?;
+        }
+        Some(f)
+    })
+}
+
+/// Makes a face a hole.
+///
+/// Where the face lies at the boundary, it joins the hole there: the edges between the two go,
+/// and the vertices that have no other. Refused if two holes would meet at a vertex.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn polygon_open_face(mesh: &mut Mesh, f: FaceId) -> bool {
+    if mesh.is_hole(f) {
+        return false; // the face is a hole already
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        open(mesh, f)?;
+        for e in mesh.face_halfedges(f).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(e) || !mesh.is_boundary_halfedge(mesh.edge_halfedge(e)) || !mesh.is_boundary_halfedge(mesh.twin(mesh.edge_halfedge(e))) {
+                continue;
+            }
+            if remove(mesh, e).is_none() {
+                if !vanish(mesh, e) {
+                    return None;
+                }
+            }
+        }
+        Some(())
+    }).is_some()
+}
+
+/// Shrinks an edge until its ends are one vertex at its midpoint, which is returned.
+///
+/// ```text
+///      .--P--.                 .--P--.
+///      |     |                  \   /
+///      v0-e-v1        ->          v0
+///      |     |                  /   \
+///      '--Q--'                 '--Q--'
+/// ```
+#[allow(non_snake_case)]
+fn contract(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(a);
+        while h != d {
+            mesh.set_vertex(h, v0);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+        mesh.set_face_halfedge(f1, Q_first);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(v0);
+    }
+    None
+}
+
+/// Makes the two sides of a face, or of a hole, one edge, so that the loop is gone.
+///
+/// ```text
+///        .-b-.
+///      v0  f  v1      ->     v0--a--v1
+///        '-a-'
+/// ```
+fn zip(mesh: &mut Mesh, f: FaceId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge of f is tried.
+    for a in mesh.face_halfedges(f).collect::<Vec<_>>() {
+        let b = mesh.next(a);
+        let a_ = mesh.twin(a);
+        let b_ = mesh.twin(b);
+        let v0 = mesh.vertex(b_);
+        let v1 = mesh.vertex(a_);
+        let ea = mesh.edge(a);
+        let eb = mesh.edge(b);
+        if mesh.next(b) != a {
+            continue; // `f` does not have 2 corners
+        }
+        if mesh.face(a) != f {
+            continue; // `a` does not lie in `f`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if a == b_ {
+            continue; // `a` and `b'` are one halfedge
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_twin(a_, b_);
+        mesh.set_twin(b_, a_);
+        mesh.set_edge(b_, ea);
+        mesh.set_vertex_halfedge(v0, b_);
+        mesh.set_vertex_halfedge(v1, a_);
+        mesh.set_edge_halfedge(ea, a_);
+
+        // 4. Erase what is gone.
+        mesh.erase_face(f);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(b);
+        mesh.erase_edge(eb);
+        return true;
+    }
+    false
+}
+
+/// Removes a face with a single side, an edge that ends where it begins.
+#[allow(non_snake_case)]
+fn drop_monogon(mesh: &mut Mesh, f: FaceId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let a = mesh.face_halfedge(f);
+    let d = mesh.twin(a);
+    let v = mesh.vertex(d);
+    let g = mesh.face(d);
+    let e = mesh.edge(a);
+    let P_first = mesh.next(d);
+    let P_last = mesh.prev(d);
+    let P_is_empty = P_first == d;
+    if mesh.is_hole(f) {
+        return false; // `f` is a hole
+    }
+    if mesh.next(a) != a {
+        return false; // `f` does not have 1 corners
+    }
+    if mesh.face(a) != f {
+        return false; // `a` does not lie in `f`
+    }
+    if P_is_empty {
+        return false; // `g` would be left without halfedges
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_next(P_last, P_first);
+    mesh.set_prev(P_first, P_last);
+    mesh.set_vertex_halfedge(v, P_first);
+    mesh.set_face_halfedge(g, P_first);
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    mesh.erase_halfedge(a);
+    mesh.erase_halfedge(d);
+    mesh.erase_edge(e);
+    true
+}
+
+/// Removes an edge and nothing else, whatever lies on its two sides; returns the loop that is
+/// left there.
+fn remove(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    remove_between_faces(mesh, e).or_else(|| remove_beside_a_hole(mesh, e)).or_else(|| remove_spur(mesh, e)).or_else(|| remove_bridge(mesh, e))
+}
+
+#[allow(non_snake_case)]
+fn remove_between_faces(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remove_beside_a_hole(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if !mesh.is_hole(f0) {
+            continue; // `f0` is not a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remove_spur(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.next(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(a);
+        let Q_is_empty = Q_first == a;
+        if mesh.twin(a) != d {
+            continue; // `a.twin` is not `d`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if Q_is_empty {
+            continue; // `f0` would be left without halfedges
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_face_halfedge(f0, Q_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_vertex(v1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remove_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(d);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(a);
+        let P_is_empty = P_first == d;
+        let Q_is_empty = Q_first == a;
+        if !mesh.is_hole(f0) {
+            continue; // `f0` is not a hole
+        }
+        if mesh.face(d) != f0 {
+            continue; // `d` does not lie in `f0`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if P_is_empty {
+            continue; // `f0` would be left without halfedges
+        }
+        if Q_is_empty {
+            continue; // `g` would be left without halfedges
+        }
+
+        // 2. Allocate what is new.
+        let g = mesh.add_face();
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != a {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+        mesh.set_face_halfedge(g, Q_first);
+        mesh.set_hole(g, true);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(f0);
+    }
+    None
+}
+
+/// Removes a vertex with two edges, which become one; returns it.
+///
+/// ```text
+///     u--a--v--b--w     ->     u----a----w
+/// ```
+#[allow(non_snake_case)]
+fn straighten(mesh: &mut Mesh, v: VertexId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge that starts at v is tried.
+    for b in mesh.spokes(v).collect::<Vec<_>>() {
+        let a = mesh.prev(b);
+        let d = mesh.twin(a);
+        let c = mesh.twin(b);
+        let f = mesh.face(a);
+        let u = mesh.vertex(a);
+        let w = mesh.vertex(c);
+        let g = mesh.face(c);
+        let e = mesh.edge(a);
+        let e2 = mesh.edge(b);
+        let P_first = mesh.next(b);
+        let Q_last = mesh.prev(c);
+        if mesh.next(c) != d {
+            continue; // `c.next` is not `d`
+        }
+        if mesh.vertex(b) != v {
+            continue; // `b` does not start at `v`
+        }
+        if u == v {
+            continue; // `u` and `v` are one vertex
+        }
+        if u == w {
+            continue; // `u` and `w` are one vertex
+        }
+        if v == w {
+            continue; // `v` and `w` are one vertex
+        }
+        if f == g {
+            continue; // `f` and `g` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, P_first);
+        mesh.set_prev(P_first, a);
+        mesh.set_prev(d, Q_last);
+        mesh.set_vertex(d, w);
+        mesh.set_next(Q_last, d);
+        mesh.set_vertex_halfedge(w, d);
+        mesh.set_face_halfedge(f, a);
+        mesh.set_face_halfedge(g, d);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v);
+        mesh.erase_halfedge(b);
+        mesh.erase_halfedge(c);
+        mesh.erase_edge(e2);
+        return Some(e);
+    }
+    None
+}
+
+/// Cuts an edge in two at its midpoint; returns the new vertex.
+///
+/// ```text
+///      .---P---.               .---P---.
+///      |  f0   |               |  f0   |
+///      |       |               |       |
+///      v0--e--v1     ->        v0--m--v1
+///      |       |               |       |
+///      |  f1   |               |  f1   |
+///      '---Q---'               '---Q---'
+/// ```
+///
+/// The loops at the edge, faces or holes, get a side more. Each of the two halfedges is
+/// followed by a new one, and the twin of the old one is now the new one across. Never
+/// refused.
+#[allow(non_snake_case)]
+fn polygon_bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let Q_first = mesh.next(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let e1 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, q);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, q);
+        mesh.set_twin(d, p);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(Q_first, q);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, d);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e1);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, Q_first);
+        mesh.set_prev(q, d);
+        mesh.set_twin(q, a);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e);
+        mesh.set_face(q, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, p);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+/// Cuts a loop in two, from the corner where `a` starts to the corner where `b` starts; returns
+/// the new edge. Of a hole, the part from `b` on becomes a face.
+fn cut(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    cut_face_in_two(mesh, a, b).or_else(|| cut_face_off_a_hole(mesh, a, b))
+}
+
+#[allow(non_snake_case)]
+fn cut_face_in_two(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+#[allow(non_snake_case)]
+fn cut_face_off_a_hole(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// Removes an edge that is all there is of a piece of the mesh.
+fn vanish(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.next(a);
+        let f = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        if mesh.next(d) != a {
+            continue; // `f` does not have 2 corners
+        }
+        if mesh.twin(a) != d {
+            continue; // `a.twin` is not `d`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_vertex(v0);
+        mesh.erase_vertex(v1);
+        mesh.erase_face(f);
+        return true;
+    }
+    false
+}
+
+/// Makes a face a hole.
+fn open(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge of f is tried.
+    for a in mesh.face_halfedges(f).collect::<Vec<_>>() {
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        if mesh.is_hole(f) {
+            continue; // `f` is a hole
+        }
+        if mesh.face(a) != f {
+            continue; // `a` does not lie in `f`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_hole(f, true);
+        return Some(f);
+    }
+    None
+}
+
+/// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
+fn all_or_nothing<T>(
+    mesh: &mut Mesh,
+    level: Level,
+    steps: impl FnOnce(&mut Mesh) -> Option<T>,
+) -> Option<T> {
+    let mark = mesh.open_journal();
+    let done = steps(mesh)
+        .filter(|_| validate_level_near(mesh, level, &mesh.written_since(&mark)).is_ok());
+    match done {
+        Some(_) => mesh.keep(mark),
+        None => mesh.roll_back(mark),
+    }
+    done
+}
+
+/// A position, if it is finite.
+fn finite(position: DVec3) -> Option<DVec3> {
+    position.is_finite().then_some(position)
+}
+}
+
+mod steps_in_steps {
+use glam::DVec3;
+use hedgerow::mesh::{Attribute, ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Level, Mesh, VertexId, validate_level_near};
+
+/// Bisects an edge several times, always beside the last new vertex.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_divide(mesh: &mut Mesh, e: EdgeId, n: i64) -> Option<VertexId> {
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight");
+    let Some(weight_column) = weight_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return None; // the mesh has no attribute `weight` of this type
+    };
+    if 12 <= n {
+        return None; // that is too often
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let mut m = bisect(mesh, e)?;
+        for _ in 0..twos(mesh, n) + 1 {
+            let weight = attribute::<f64>(mesh, weight_column, m.0) + 1.0;
+            set_attribute(mesh, weight_column, m.0, weight);
+            let e_2 = mesh.edge(mesh.vertex_halfedge(m));
+            m = bisect(mesh, e_2)?;
+        }
+        Some(m)
+    })
+}
+
+/// Bisects two sides of a face, and joins the new vertices.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_halve(mesh: &mut Mesh, h: HalfedgeId, t: f64) -> Option<EdgeId> {
+    let tint_column = mesh.find_column(ElementKind::Vertex, "tint");
+    let Some(tint_column) = tint_column.filter(|&c| mesh.values::<DVec3>(c).is_some()) else {
+        return None; // the mesh has no attribute `tint` of this type
+    };
+    let fresh_column = mesh.find_column(ElementKind::Edge, "fresh");
+    let Some(fresh_column) = fresh_column.filter(|&c| mesh.values::<bool>(c).is_some()) else {
+        return None; // the mesh has no attribute `fresh` of this type
+    };
+    if mesh.find_column(ElementKind::Vertex, "weight").and_then(|c| mesh.values::<f64>(c)).is_none() {
+        return None; // the mesh has no attribute `weight` of this type
+    }
+    if mesh.find_column(ElementKind::Halfedge, "mark").and_then(|c| mesh.values::<f64>(c)).is_none() {
+        return None; // the mesh has no attribute `mark` of this type
+    }
+    if mesh.is_boundary_halfedge(h) {
+        return None; // there is no face
+    }
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let e = mesh.edge(h);
+        let m = bisect(mesh, e)?;
+        // nothing is finite for 0
+        mesh.set_position(m, finite(mesh.position(m) / t)?);
+        load(mesh, m, t);
+        let k = mesh.next(mesh.next(mesh.next(h)));
+        let e = mesh.edge(k);
+        let n = steps_bisect_heavy(mesh, e)?;
+        let tint = DVec3::lerp(attribute::<DVec3>(mesh, tint_column, m.0), DVec3::new(1.0, 2.0, t), 0.5);
+        set_attribute(mesh, tint_column, n.0, tint);
+        if mesh.face(k) != mesh.face(h) || !(t < 6.0) {
+            return None; // the sides lie apart
+        }
+        let a = mesh.next(h);
+        let b = mesh.next(k);
+        let e = cut(mesh, a, b)?;
+        set_attribute(mesh, fresh_column, e.0, true);
+        Some(e)
+    })
+}
+
+/// Halves faces at a vertex, those that can be.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_halve_around(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<VertexId> {
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight");
+    let Some(weight_column) = weight_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return None; // the mesh has no attribute `weight` of this type
+    };
+    let mark_column = mesh.find_column(ElementKind::Halfedge, "mark");
+    let Some(mark_column) = mark_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return None; // the mesh has no attribute `mark` of this type
+    };
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let mut done: i64 = 0;
+        for h in mesh.spokes(v).collect::<Vec<_>>() {
+            if 2 < done {
+                continue;
+            }
+            // Some of these are refused after several steps.
+            if let Some(e) = steps_halve(mesh, h, t) {
+                done = done + 1;
+                let halfedge = mesh.edge_halfedge(e);
+                set_attribute(mesh, mark_column, halfedge.0, 3.0);
+            } else {
+                let e = mesh.edge(h);
+                if steps_divide(mesh, e, done + 7).is_some() {
+                    set_attribute(mesh, weight_column, v.0, 0.0);
+                } else {
+                    break;
+                }
+            }
+        }
+        if done <= 0 {
+            return None; // nothing was halved
+        }
+        Some(v)
+    })
+}
+
+/// Triangulates a face.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_triangulate(mesh: &mut Mesh, f: FaceId, by: f64) -> bool {
+    let class_column = mesh.find_column(ElementKind::Face, "class");
+    let Some(class_column) = class_column.filter(|&c| mesh.values::<i64>(c).is_some()) else {
+        return false; // the mesh has no attribute `class` of this type
+    };
+    if mesh.find_column(ElementKind::Vertex, "weight").and_then(|c| mesh.values::<f64>(c)).is_none() {
+        return false; // the mesh has no attribute `weight` of this type
+    }
+    if mesh.find_column(ElementKind::Halfedge, "mark").and_then(|c| mesh.values::<f64>(c)).is_none() {
+        return false; // the mesh has no attribute `mark` of this type
+    }
+    if mesh.find_column(ElementKind::Edge, "fresh").and_then(|c| mesh.values::<bool>(c)).is_none() {
+        return false; // the mesh has no attribute `fresh` of this type
+    }
+    if mesh.is_hole(f) {
+        return false; // it is a hole
+    }
+    all_or_nothing(mesh, Level::Simple, |mesh| {
+        let first = mesh.vertex(mesh.face_halfedge(f));
+        load(mesh, first, by);
+        if 3.0 < by {
+            let h = mesh.face_halfedge(f);
+            slice(mesh, h)?;
+        }
+        let n = cut_ears(mesh, f);
+        if n <= 0 {
+            return None; // it is a triangle
+        }
+        let class_ = n + attribute::<i64>(mesh, class_column, f.0);
+        set_attribute(mesh, class_column, f.0, class_);
+        let mut g = f;
+        if by < 1.0 {
+            let h = mesh.face_halfedge(f);
+            g = slice(mesh, h)?;
+        } else if by < 2.0 {
+            let e = mesh.edge(mesh.face_halfedge(g));
+            contract(mesh, e)?;
+            return Some(());
+        }
+        let class_ = attribute::<i64>(mesh, class_column, g.0) + 1;
+        set_attribute(mesh, class_column, g.0, class_);
+        Some(())
+    }).is_some()
+}
+
+/// Contracts all edges of a vertex that can be contracted, as long as the mesh stays simple.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_draw_in(mesh: &mut Mesh, v: VertexId) -> bool {
+    let fresh_column = mesh.find_column(ElementKind::Edge, "fresh");
+    let Some(fresh_column) = fresh_column.filter(|&c| mesh.values::<bool>(c).is_some()) else {
+        return false; // the mesh has no attribute `fresh` of this type
+    };
+    all_or_nothing(mesh, Level::Simple, |mesh| {
+        let mut left: i64 = 2;
+        for e in mesh.spokes(v).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+            if !mesh.edge_alive(e) || attribute::<bool>(mesh, fresh_column, e.0) {
+                continue;
+            }
+            contract(mesh, e);
+            left = left - 1;
+            if left == 0 {
+                break;
+            }
+        }
+        Some(())
+    }).is_some()
+}
+
+/// Removes what lies between the faces around an edge, from its ends; nothing is asked.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_clear(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    all_or_nothing(mesh, Level::Map, |mesh| {
+        let f = mesh.face(mesh.edge_halfedge(e));
+        for v in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))].into_iter().map(|h| mesh.vertex(h)).collect::<Vec<_>>() {
+            if !mesh.vertex_alive(v) {
+                continue;
+            }
+            for s in mesh.spokes(v).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
+                if !mesh.edge_alive(s) || s == e || mesh.is_boundary_edge(s) {
+                    continue;
+                }
+                for g in [mesh.edge_halfedge(s), mesh.twin(mesh.edge_halfedge(s))].into_iter().map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f)).collect::<Vec<_>>() {
+                    if !mesh.face_alive(g) || g == f {
+                        continue;
+                    }
+                    if 3 < (mesh.face_size(g) as i64) {
+                        remove(mesh, s);
+                        break;
+                    }
+                }
+            }
+        }
+        Some(mesh.face(mesh.edge_halfedge(e)))
+    })
+}
+
+/// How often 2 divides a number.
+fn twos(_mesh: &Mesh, n: i64) -> i64 {
+    let mut rest = n;
+    let mut count: i64 = 0;
+    while ((rest % 2 + 2) % 2) == 0 {
+        if rest == 0 {
+            break;
+        }
+        rest = rest / 2 - i64::from(rest % 2 != 0 && (rest < 0) != (2 < 0));
+        count = count + 1;
+    }
+    count
+}
+
+/// Cuts an edge in two at its midpoint; returns the new vertex.
+///
+/// ```text
+///      .---P---.               .---P---.
+///      |  f0   |               |  f0   |
+///      |       |               |       |
+///      v0--e--v1     ->        v0--m--v1
+///      |       |               |       |
+///      |  f1   |               |  f1   |
+///      '---Q---'               '---Q---'
+/// ```
+///
+/// The loops at the edge, faces or holes, get a side more. Each of the two halfedges is
+/// followed by a new one, and the twin of the old one is now the new one across. Never
+/// refused.
+#[allow(non_snake_case)]
+fn bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let Q_first = mesh.next(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let e1 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, q);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, q);
+        mesh.set_twin(d, p);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(Q_first, q);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, d);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e1);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, Q_first);
+        mesh.set_prev(q, d);
+        mesh.set_twin(q, a);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e);
+        mesh.set_face(q, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, p);
+        mesh.set_position(m, m_position);
+        return Some(m);
+    }
+    None
+}
+
+fn load(mesh: &mut Mesh, v: VertexId, by: f64) {
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight").expect("whoever calls asks for it");
+    let mark_column = mesh.find_column(ElementKind::Halfedge, "mark").expect("whoever calls asks for it");
+    if mesh.is_boundary_vertex(v) && by < 0.0 {
+        return;
+    }
+    let weight = attribute::<f64>(mesh, weight_column, v.0) + by;
+    set_attribute(mesh, weight_column, v.0, weight);
+    // All around it, too.
+    for h in mesh.spokes(v).collect::<Vec<_>>() {
+        if mesh.is_boundary_halfedge(h) {
+            continue;
+        }
+        let mark = attribute::<f64>(mesh, mark_column, h.0) + by;
+        set_attribute(mesh, mark_column, h.0, mark);
+    }
+}
+
+/// The greatest weight around a vertex.
+fn heaviest(mesh: &Mesh, v: VertexId) -> f64 {
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight").expect("whoever calls asks for it");
+    let mut most: f64 = 0.0;
+    for w in mesh.neighbors(v).collect::<Vec<_>>() {
+        if attribute::<f64>(mesh, weight_column, w.0) <= most {
+            continue;
+        }
+        most = attribute::<f64>(mesh, weight_column, w.0);
+    }
+    most
+}
+
+/// Bisects an edge at a vertex that is heavy enough.
+#[allow(non_snake_case)]
+fn steps_bisect_heavy(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight");
+    let Some(weight_column) = weight_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return None; // the mesh has no attribute `weight` of this type
+    };
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let Q_first = mesh.next(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        if !(1.0 < heaviest(mesh, v0)) {
+            continue; // nothing heavy is near
+        }
+        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+        let m_weight = heaviest(mesh, v1);
+
+        // 2. Allocate what is new.
+        let m = mesh.add_vertex();
+        let p = mesh.add_halfedge();
+        let q = mesh.add_halfedge();
+        let e1 = mesh.add_edge();
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, p);
+        mesh.set_twin(a, q);
+        mesh.set_prev(P_first, p);
+        mesh.set_next(d, q);
+        mesh.set_twin(d, p);
+        mesh.set_edge(d, e1);
+        mesh.set_prev(Q_first, q);
+        mesh.set_next(p, P_first);
+        mesh.set_prev(p, a);
+        mesh.set_twin(p, d);
+        mesh.set_vertex(p, m);
+        mesh.set_edge(p, e1);
+        mesh.set_face(p, f0);
+        mesh.set_next(q, Q_first);
+        mesh.set_prev(q, d);
+        mesh.set_twin(q, a);
+        mesh.set_vertex(q, m);
+        mesh.set_edge(q, e);
+        mesh.set_face(q, f1);
+        mesh.set_vertex_halfedge(m, p);
+        mesh.set_edge_halfedge(e, a);
+        mesh.set_edge_halfedge(e1, p);
+        mesh.set_position(m, m_position);
+        set_attribute(mesh, weight_column, m.0, m_weight);
+        return Some(m);
+    }
+    None
+}
+
+/// Cuts a loop in two, from the corner where `a` starts to the corner where `b` starts; returns
+/// the new edge. Of a hole, the part from `b` on becomes a face.
+fn cut(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    cut_face_in_two(mesh, a, b).or_else(|| cut_face_off_a_hole(mesh, a, b))
+}
+
+#[allow(non_snake_case)]
+fn cut_face_in_two(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+#[allow(non_snake_case)]
+fn cut_face_off_a_hole(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let f = mesh.face(a);
+    let v0 = mesh.vertex(a);
+    let v1 = mesh.vertex(mesh.next(a));
+    let v2 = mesh.vertex(b);
+    let v3 = mesh.vertex(mesh.next(b));
+    let P_last = mesh.prev(b);
+    let Q_first = mesh.next(b);
+    let Q_last = mesh.prev(a);
+    if !mesh.is_hole(f) {
+        return None; // `f` is not a hole
+    }
+    if mesh.face(b) != f {
+        return None; // `b` does not lie in `f`
+    }
+    if v0 == v1 {
+        return None; // `v0` and `v1` are one vertex
+    }
+    if v0 == v2 {
+        return None; // `v0` and `v2` are one vertex
+    }
+    if v0 == v3 {
+        return None; // `v0` and `v3` are one vertex
+    }
+    if v1 == v2 {
+        return None; // `v1` and `v2` are one vertex
+    }
+    if v1 == v3 {
+        return None; // `v1` and `v3` are one vertex
+    }
+    if v2 == v3 {
+        return None; // `v2` and `v3` are one vertex
+    }
+
+    // 2. Allocate what is new.
+    let e = mesh.add_edge();
+    let x = mesh.add_halfedge();
+    let y = mesh.add_halfedge();
+    let g = mesh.add_face();
+
+    // 3. Reassign every pointer that changes.
+    let mut h = Q_first;
+    while h != a {
+        mesh.set_face(h, g);
+        h = mesh.next(h);
+    }
+    mesh.set_prev(a, x);
+    mesh.set_next(P_last, x);
+    mesh.set_prev(b, y);
+    mesh.set_face(b, g);
+    mesh.set_next(Q_last, y);
+    mesh.set_next(x, a);
+    mesh.set_prev(x, P_last);
+    mesh.set_twin(x, y);
+    mesh.set_vertex(x, v2);
+    mesh.set_edge(x, e);
+    mesh.set_face(x, f);
+    mesh.set_next(y, b);
+    mesh.set_prev(y, Q_last);
+    mesh.set_twin(y, x);
+    mesh.set_vertex(y, v0);
+    mesh.set_edge(y, e);
+    mesh.set_face(y, g);
+    mesh.set_edge_halfedge(e, x);
+    mesh.set_face_halfedge(f, a);
+    mesh.set_face_halfedge(g, y);
+    Some(e)
+}
+
+/// Cuts triangles off a face until a triangle is left; how many.
+fn cut_ears(mesh: &mut Mesh, f: FaceId) -> i64 {
+    let fresh_column = mesh.find_column(ElementKind::Edge, "fresh").expect("whoever calls asks for it");
+    let mut cuts: i64 = 0;
+    let mut h = mesh.face_halfedge(f);
+    while 3 < (mesh.face_size(mesh.face(h)) as i64) {
+        let b = mesh.next(mesh.next(h));
+        if let Some(e) = cut(mesh, h, b) {
+            set_attribute(mesh, fresh_column, e.0, true);
+            cuts = cuts + 1;
+            h = mesh.twin(mesh.edge_halfedge(e));
+        } else {
+            break;
+        }
+    }
+    cuts
+}
+
+/// Cuts a face, which must be done, and gives the part cut off.
+fn slice(mesh: &mut Mesh, h: HalfedgeId) -> Option<FaceId> {
+    let class_column = mesh.find_column(ElementKind::Face, "class").expect("whoever calls asks for it");
+    let b = mesh.next(mesh.next(h));
+    let e = cut(mesh, h, b)?;
+    let face = mesh.face(mesh.edge_halfedge(e));
+    set_attribute(mesh, class_column, face.0, 7);
+    Some(mesh.face(mesh.edge_halfedge(e)))
+}
+
+/// Shrinks an edge until its ends are one vertex at its midpoint, which is returned.
+///
+/// ```text
+///      .--P--.                 .--P--.
+///      |     |                  \   /
+///      v0-e-v1        ->          v0
+///      |     |                  /   \
+///      '--Q--'                 '--Q--'
+/// ```
+#[allow(non_snake_case)]
+fn contract(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+        // 3. Reassign every pointer that changes.
+        let mut h = mesh.next(a);
+        while h != d {
+            mesh.set_vertex(h, v0);
+            h = mesh.next(mesh.twin(h));
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+        mesh.set_face_halfedge(f1, Q_first);
+        mesh.set_position(v0, v0_position);
+
+        // 4. Erase what is gone.
+        mesh.erase_vertex(v1);
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(v0);
+    }
+    None
+}
+
+/// Removes an edge and nothing else, whatever lies on its two sides; returns the loop that is
+/// left there.
+fn remove(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    remove_between_faces(mesh, e).or_else(|| remove_beside_a_hole(mesh, e)).or_else(|| remove_spur(mesh, e)).or_else(|| remove_bridge(mesh, e))
+}
+
+#[allow(non_snake_case)]
+fn remove_between_faces(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remove_beside_a_hole(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if !mesh.is_hole(f0) {
+            continue; // `f0` is not a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remove_spur(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.next(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(a);
+        let Q_is_empty = Q_first == a;
+        if mesh.twin(a) != d {
+            continue; // `a.twin` is not `d`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if Q_is_empty {
+            continue; // `f0` would be left without halfedges
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_face_halfedge(f0, Q_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_vertex(v1);
+        return Some(f0);
+    }
+    None
+}
+
+#[allow(non_snake_case)]
+fn remove_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(d);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(a);
+        let P_is_empty = P_first == d;
+        let Q_is_empty = Q_first == a;
+        if !mesh.is_hole(f0) {
+            continue; // `f0` is not a hole
+        }
+        if mesh.face(d) != f0 {
+            continue; // `d` does not lie in `f0`
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if P_is_empty {
+            continue; // `f0` would be left without halfedges
+        }
+        if Q_is_empty {
+            continue; // `g` would be left without halfedges
+        }
+
+        // 2. Allocate what is new.
+        let g = mesh.add_face();
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != a {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+        mesh.set_face_halfedge(g, Q_first);
+        mesh.set_hole(g, true);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        return Some(f0);
+    }
+    None
+}
+
+/// The value of an attribute.
+fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
+    mesh.values(column).expect("a column of this type")[element as usize]
+}
+
+/// Sets the value of an attribute.
+fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
+    mesh.note_value(column, element);
+    mesh.values_mut(column).expect("a column of this type")[element as usize] = value;
+}
+
+/// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
+fn all_or_nothing<T>(
+    mesh: &mut Mesh,
+    level: Level,
+    steps: impl FnOnce(&mut Mesh) -> Option<T>,
+) -> Option<T> {
+    let mark = mesh.open_journal();
+    let done = steps(mesh)
+        .filter(|_| validate_level_near(mesh, level, &mesh.written_since(&mark)).is_ok());
+    match done {
+        Some(_) => mesh.keep(mark),
+        None => mesh.roll_back(mark),
+    }
+    done
+}
+
+/// A position, if it is finite.
+fn finite(position: DVec3) -> Option<DVec3> {
+    position.is_finite().then_some(position)
+}
+}
+
+use crate::places::Argument::{self, *};
+use glam::DVec3;
+use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 
 /// Calls an operation: whether it applied, and its result.
-pub fn call(name: &str, mesh: &mut Mesh, a: &[crate::places::Argument]) -> (bool, Option<u32>) {
-    use crate::places::Argument::*;
+pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) {
     match (name, a) {
-        ("collapse_collapse", &[Element(x0)]) => { let r = collapse_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("collapse_collapse_polygon", &[Element(x0)]) => { let r = collapse_collapse_polygon(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("connect_connect", &[Element(x0), Element(x1)]) => { let r = connect_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("contract_contract", &[Element(x0)]) => { let r = contract_contract(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("dissolve_dissolve_edge", &[Element(x0)]) => { let r = dissolve_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("families_inset", &[Element(x0), Real(x1)]) => (families_inset(mesh, FaceId(x0), x1), None),
-        ("families_poke", &[Element(x0)]) => { let r = families_poke(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("families_dissolve_vertex", &[Element(x0)]) => { let r = families_dissolve_vertex(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("families_bevel_vertex", &[Element(x0), Real(x1)]) => { let r = families_bevel_vertex(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
-        ("flip_flip", &[Element(x0)]) => (flip_flip(mesh, EdgeId(x0)), None),
-        ("flip_flip_any", &[Element(x0)]) => (flip_flip_any(mesh, EdgeId(x0)), None),
-        ("remesh_split", &[Element(x0)]) => { let r = remesh_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("remesh_collapse", &[Element(x0), Real(x1)]) => { let r = remesh_collapse(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
-        ("remesh_flip", &[Element(x0)]) => (remesh_flip(mesh, EdgeId(x0)), None),
-        ("split_split", &[Element(x0)]) => { let r = split_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_bisect", &[Element(x0)]) => { let r = polygon_bisect(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_connect", &[Element(x0), Element(x1)]) => { let r = polygon_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_dissolve_edge", &[Element(x0)]) => { let r = polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_flip", &[Element(x0)]) => (polygon_flip(mesh, EdgeId(x0)), None),
-        ("polygon_split", &[Element(x0)]) => { let r = polygon_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_collapse", &[Element(x0)]) => { let r = polygon_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_extrude", &[Element(x0), Real(x1), Real(x2)]) => { let r = polygon_extrude(mesh, FaceId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_inset_vertex", &[Element(x0)]) => { let r = polygon_inset_vertex(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_weld", &[Element(x0), Element(x1)]) => { let r = polygon_weld(mesh, EdgeId(x0), EdgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("attributes_split_marked", &[Element(x0), Real(x1)]) => { let r = attributes_split_marked(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
-        ("attributes_hand_on", &[Element(x0)]) => { let r = attributes_hand_on(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("attributes_note_plane", &[Element(x0)]) => (attributes_note_plane(mesh, HalfedgeId(x0)), None),
-        ("guards_open_star", &[Element(x0)]) => { let r = guards_open_star(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("guards_dissolve_simply", &[Element(x0)]) => { let r = guards_dissolve_simply(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("guards_fill_simply", &[Element(x0)]) => { let r = guards_fill_simply(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("guards_flip_any", &[Element(x0)]) => (guards_flip_any(mesh, EdgeId(x0)), None),
-        ("guards_flip_simply", &[Element(x0)]) => (guards_flip_simply(mesh, EdgeId(x0)), None),
-        ("guards_join_any", &[Element(x0), Element(x1)]) => { let r = guards_join_any(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
-        ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
-        ("values_lift", &[Element(x0), Vec3(x1)]) => { let r = values_lift(mesh, FaceId(x0), DVec3::from_array(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("values_mark", &[Element(x0)]) => { let r = values_mark(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("values_cut", &[Element(x0), Element(x1)]) => { let r = values_cut(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("values_pierce", &[Element(x0)]) => { let r = values_pierce(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("values_stretch", &[Element(x0)]) => (values_stretch(mesh, HalfedgeId(x0)), None),
-        ("values_settle", &[Element(x0), Real(x1)]) => { let r = values_settle(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
-        ("values_mangle", &[Element(x0), Real(x1)]) => (values_mangle(mesh, HalfedgeId(x0), x1), None),
-        ("values_fold_up", &[Element(x0)]) => (values_fold_up(mesh, EdgeId(x0)), None),
-        ("more_extrude", &[Element(x0)]) => (more_extrude(mesh, FaceId(x0)), None),
-        ("more_collapse_face", &[Element(x0)]) => { let r = more_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("more_cut_every_other_side", &[Element(x0)]) => (more_cut_every_other_side(mesh, FaceId(x0)), None),
-        ("more_cut_corner", &[Element(x0)]) => { let r = more_cut_corner(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("more_poke_from", &[Element(x0)]) => { let r = more_poke_from(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("more_copy_places", &[Element(x0), Element(x1)]) => (more_copy_places(mesh, HalfedgeId(x0), HalfedgeId(x1)), None),
-        ("more_fill", &[Element(x0)]) => { let r = more_fill(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("more_unpoke", &[Element(x0)]) => { let r = more_unpoke(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_flip", &[Element(x0)]) => (surface_flip(mesh, HalfedgeId(x0)), None),
-        ("simple_flip", &[Element(x0)]) => (simple_flip(mesh, HalfedgeId(x0)), None),
-        ("surface_flip_any", &[Element(x0)]) => (surface_flip_any(mesh, HalfedgeId(x0)), None),
-        ("simple_flip_any", &[Element(x0)]) => (simple_flip_any(mesh, HalfedgeId(x0)), None),
-        ("surface_split", &[Element(x0)]) => { let r = surface_split(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_split", &[Element(x0)]) => { let r = simple_split(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_split_border", &[Element(x0)]) => { let r = surface_split_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_split_border", &[Element(x0)]) => { let r = simple_split_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_bisect", &[Element(x0)]) => { let r = surface_bisect(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_bisect", &[Element(x0)]) => { let r = simple_bisect(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_collapse", &[Element(x0)]) => { let r = surface_collapse(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_collapse", &[Element(x0)]) => { let r = simple_collapse(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_collapse_border", &[Element(x0)]) => { let r = surface_collapse_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_collapse_border", &[Element(x0)]) => { let r = simple_collapse_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_contract", &[Element(x0)]) => { let r = surface_contract(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_contract", &[Element(x0)]) => { let r = simple_contract(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_dissolve_edge", &[Element(x0)]) => { let r = surface_dissolve_edge(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_dissolve_edge", &[Element(x0)]) => { let r = simple_dissolve_edge(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_dissolve_into_hole", &[Element(x0)]) => { let r = surface_dissolve_into_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_dissolve_into_hole", &[Element(x0)]) => { let r = simple_dissolve_into_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_dissolve_any", &[Element(x0)]) => { let r = surface_dissolve_any(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_dissolve_any", &[Element(x0)]) => { let r = simple_dissolve_any(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_open_face", &[Element(x0)]) => { let r = surface_open_face(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_open_face", &[Element(x0)]) => { let r = simple_open_face(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_fill_hole", &[Element(x0)]) => { let r = surface_fill_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_fill_hole", &[Element(x0)]) => { let r = simple_fill_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_zip", &[Element(x0)]) => { let r = surface_zip(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_zip", &[Element(x0)]) => { let r = simple_zip(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_connect", &[Element(x0), Element(x1)]) => { let r = surface_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_connect", &[Element(x0), Element(x1)]) => { let r = simple_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("surface_part_vertex", &[Element(x0), Element(x1)]) => { let r = surface_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
-        ("simple_part_vertex", &[Element(x0), Element(x1)]) => { let r = simple_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("collapse_collapse", &[Element(x0)]) => { let r = drawn::collapse_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("collapse_collapse_polygon", &[Element(x0)]) => { let r = drawn::collapse_collapse_polygon(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("connect_connect", &[Element(x0), Element(x1)]) => { let r = drawn::connect_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("contract_contract", &[Element(x0)]) => { let r = drawn::contract_contract(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("dissolve_dissolve_edge", &[Element(x0)]) => { let r = drawn::dissolve_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("families_inset", &[Element(x0), Real(x1)]) => (drawn::families_inset(mesh, FaceId(x0), x1), None),
+        ("families_poke", &[Element(x0)]) => { let r = drawn::families_poke(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("families_dissolve_vertex", &[Element(x0)]) => { let r = drawn::families_dissolve_vertex(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("families_bevel_vertex", &[Element(x0), Real(x1)]) => { let r = drawn::families_bevel_vertex(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("flip_flip", &[Element(x0)]) => (drawn::flip_flip(mesh, EdgeId(x0)), None),
+        ("flip_flip_any", &[Element(x0)]) => (drawn::flip_flip_any(mesh, EdgeId(x0)), None),
+        ("remesh_split", &[Element(x0)]) => { let r = drawn::remesh_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("remesh_collapse", &[Element(x0), Real(x1)]) => { let r = drawn::remesh_collapse(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("remesh_flip", &[Element(x0)]) => (drawn::remesh_flip(mesh, EdgeId(x0)), None),
+        ("split_split", &[Element(x0)]) => { let r = drawn::split_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_bisect", &[Element(x0)]) => { let r = drawn::polygon_bisect(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_connect", &[Element(x0), Element(x1)]) => { let r = drawn::polygon_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_dissolve_edge", &[Element(x0)]) => { let r = drawn::polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_flip", &[Element(x0)]) => (drawn::polygon_flip(mesh, EdgeId(x0)), None),
+        ("polygon_split", &[Element(x0)]) => { let r = drawn::polygon_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_collapse", &[Element(x0)]) => { let r = drawn::polygon_collapse(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_extrude", &[Element(x0), Real(x1), Real(x2)]) => { let r = drawn::polygon_extrude(mesh, FaceId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_inset_vertex", &[Element(x0)]) => { let r = drawn::polygon_inset_vertex(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_weld", &[Element(x0), Element(x1)]) => { let r = drawn::polygon_weld(mesh, EdgeId(x0), EdgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("attributes_split_marked", &[Element(x0), Real(x1)]) => { let r = drawn::attributes_split_marked(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("attributes_hand_on", &[Element(x0)]) => { let r = drawn::attributes_hand_on(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("attributes_note_plane", &[Element(x0)]) => (drawn::attributes_note_plane(mesh, HalfedgeId(x0)), None),
+        ("guards_open_star", &[Element(x0)]) => { let r = drawn::guards_open_star(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_dissolve_simply", &[Element(x0)]) => { let r = drawn::guards_dissolve_simply(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_fill_simply", &[Element(x0)]) => { let r = drawn::guards_fill_simply(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("guards_flip_any", &[Element(x0)]) => (drawn::guards_flip_any(mesh, EdgeId(x0)), None),
+        ("guards_flip_simply", &[Element(x0)]) => (drawn::guards_flip_simply(mesh, EdgeId(x0)), None),
+        ("guards_join_any", &[Element(x0), Element(x1)]) => { let r = drawn::guards_join_any(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_flip_if_longer", &[Element(x0), Real(x1)]) => { let r = drawn::values_flip_if_longer(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("values_wander", &[Element(x0), Real(x1), Int(x2)]) => { let r = drawn::values_wander(mesh, VertexId(x0), x1, x2); (r.is_some(), r.map(|r| r.0)) },
+        ("values_lift", &[Element(x0), Vec3(x1)]) => { let r = drawn::values_lift(mesh, FaceId(x0), DVec3::from_array(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_mark", &[Element(x0)]) => { let r = drawn::values_mark(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_cut", &[Element(x0), Element(x1)]) => { let r = drawn::values_cut(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_pierce", &[Element(x0)]) => { let r = drawn::values_pierce(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("values_stretch", &[Element(x0)]) => (drawn::values_stretch(mesh, HalfedgeId(x0)), None),
+        ("values_settle", &[Element(x0), Real(x1)]) => { let r = drawn::values_settle(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("values_mangle", &[Element(x0), Real(x1)]) => (drawn::values_mangle(mesh, HalfedgeId(x0), x1), None),
+        ("values_fold_up", &[Element(x0)]) => (drawn::values_fold_up(mesh, EdgeId(x0)), None),
+        ("more_extrude", &[Element(x0)]) => (drawn::more_extrude(mesh, FaceId(x0)), None),
+        ("more_collapse_face", &[Element(x0)]) => { let r = drawn::more_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_cut_every_other_side", &[Element(x0)]) => (drawn::more_cut_every_other_side(mesh, FaceId(x0)), None),
+        ("more_cut_corner", &[Element(x0)]) => { let r = drawn::more_cut_corner(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_poke_from", &[Element(x0)]) => { let r = drawn::more_poke_from(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_copy_places", &[Element(x0), Element(x1)]) => (drawn::more_copy_places(mesh, HalfedgeId(x0), HalfedgeId(x1)), None),
+        ("more_fill", &[Element(x0)]) => { let r = drawn::more_fill(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("more_unpoke", &[Element(x0)]) => { let r = drawn::more_unpoke(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_flip", &[Element(x0)]) => (drawn::surface_flip(mesh, HalfedgeId(x0)), None),
+        ("simple_flip", &[Element(x0)]) => (drawn::simple_flip(mesh, HalfedgeId(x0)), None),
+        ("surface_flip_any", &[Element(x0)]) => (drawn::surface_flip_any(mesh, HalfedgeId(x0)), None),
+        ("simple_flip_any", &[Element(x0)]) => (drawn::simple_flip_any(mesh, HalfedgeId(x0)), None),
+        ("surface_split", &[Element(x0)]) => { let r = drawn::surface_split(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_split", &[Element(x0)]) => { let r = drawn::simple_split(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_split_border", &[Element(x0)]) => { let r = drawn::surface_split_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_split_border", &[Element(x0)]) => { let r = drawn::simple_split_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_bisect", &[Element(x0)]) => { let r = drawn::surface_bisect(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_bisect", &[Element(x0)]) => { let r = drawn::simple_bisect(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_collapse", &[Element(x0)]) => { let r = drawn::surface_collapse(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_collapse", &[Element(x0)]) => { let r = drawn::simple_collapse(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_collapse_border", &[Element(x0)]) => { let r = drawn::surface_collapse_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_collapse_border", &[Element(x0)]) => { let r = drawn::simple_collapse_border(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_contract", &[Element(x0)]) => { let r = drawn::surface_contract(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_contract", &[Element(x0)]) => { let r = drawn::simple_contract(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_dissolve_edge", &[Element(x0)]) => { let r = drawn::surface_dissolve_edge(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_dissolve_edge", &[Element(x0)]) => { let r = drawn::simple_dissolve_edge(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_dissolve_into_hole", &[Element(x0)]) => { let r = drawn::surface_dissolve_into_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_dissolve_into_hole", &[Element(x0)]) => { let r = drawn::simple_dissolve_into_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_dissolve_any", &[Element(x0)]) => { let r = drawn::surface_dissolve_any(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_dissolve_any", &[Element(x0)]) => { let r = drawn::simple_dissolve_any(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_open_face", &[Element(x0)]) => { let r = drawn::surface_open_face(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_open_face", &[Element(x0)]) => { let r = drawn::simple_open_face(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_fill_hole", &[Element(x0)]) => { let r = drawn::surface_fill_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_fill_hole", &[Element(x0)]) => { let r = drawn::simple_fill_hole(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_zip", &[Element(x0)]) => { let r = drawn::surface_zip(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_zip", &[Element(x0)]) => { let r = drawn::simple_zip(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_connect", &[Element(x0), Element(x1)]) => { let r = drawn::surface_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_connect", &[Element(x0), Element(x1)]) => { let r = drawn::simple_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("surface_part_vertex", &[Element(x0), Element(x1)]) => { let r = drawn::surface_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("simple_part_vertex", &[Element(x0), Element(x1)]) => { let r = drawn::simple_part_vertex(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_collapse_face", &[Element(x0)]) => { let r = polygon_in_steps::polygon_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_dissolve_vertex", &[Element(x0)]) => { let r = polygon_in_steps::polygon_dissolve_vertex(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_bevel_vertex", &[Element(x0), Real(x1)]) => { let r = polygon_in_steps::polygon_bevel_vertex(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_bevel_edge", &[Element(x0), Real(x1)]) => { let r = polygon_in_steps::polygon_bevel_edge(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("polygon_open_face", &[Element(x0)]) => (polygon_in_steps::polygon_open_face(mesh, FaceId(x0)), None),
+        ("steps_divide", &[Element(x0), Int(x1)]) => { let r = steps_in_steps::steps_divide(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("steps_halve", &[Element(x0), Real(x1)]) => { let r = steps_in_steps::steps_halve(mesh, HalfedgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("steps_halve_around", &[Element(x0), Real(x1)]) => { let r = steps_in_steps::steps_halve_around(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("steps_triangulate", &[Element(x0), Real(x1)]) => (steps_in_steps::steps_triangulate(mesh, FaceId(x0), x1), None),
+        ("steps_draw_in", &[Element(x0)]) => (steps_in_steps::steps_draw_in(mesh, VertexId(x0)), None),
+        ("steps_clear", &[Element(x0)]) => { let r = steps_in_steps::steps_clear(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         _ => panic!("{name} is not there"),
     }
 }

@@ -3,7 +3,7 @@
 use hedgerow::diagram::Type;
 use hedgerow::mesh::same_up_to_renumbering;
 use hedgerow::mesh::{ElementKind, Level, Mesh, equal_up_to_renumbering, highest_level, validate};
-use hedgerow::rewrite::{Machine, Outcome};
+use hedgerow::rewrite::{Machine, Message, Outcome};
 
 use crate::columns;
 use crate::meshes::{Dice, meshes as many, shuffle_pointers};
@@ -67,7 +67,7 @@ pub fn arguments(
     dice: &mut Dice,
 ) -> Vec<Vec<Argument>> {
     let mut all = vec![Vec::new()];
-    for param in &subject.proved.op().params {
+    for param in &subject.params {
         let kind = match param.ty {
             Type::Vertex => ElementKind::Vertex,
             Type::Halfedge => ElementKind::Halfedge,
@@ -111,18 +111,21 @@ fn value(ty: Type, dice: &mut Dice) -> Argument {
 pub type Done = Option<(Mesh, Option<u32>)>;
 
 /// What the machine does.
-pub fn by_machine(subject: &Subject, mesh: &Mesh, arguments: &[Argument]) -> Done {
-    let mut mesh = mesh.clone();
+pub fn by_machine(subject: &Subject, place: &Place, arguments: &[Argument]) -> Done {
+    let mut mesh = place.mesh.clone();
     let slots: Vec<u64> = arguments
         .iter()
         .flat_map(|argument| argument.slots())
         .collect();
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::new(&subject.plans);
     machine.use_columns(columns::of(subject, &mesh));
-    let outcome = machine.apply(&mut mesh, &subject.plan, &slots);
-    match outcome.expect("nothing traps") {
-        Outcome::Applied { result } => Some((mesh, result)),
-        Outcome::Refused { .. } => None,
+    machine.trust_level(place.level);
+    match machine.apply(&mut mesh, &subject.plan, &slots) {
+        Ok(Outcome::Applied { result }) => Some((mesh, result)),
+        Ok(Outcome::Refused { .. }) => None,
+        // Steps that would set such a position are undone, and a script stops there.
+        Err(trap) if trap.message == Message::NotFinite => None,
+        Err(trap) => panic!("{} traps: {trap:?}", subject.name),
     }
 }
 

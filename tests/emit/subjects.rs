@@ -2,10 +2,12 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
-use hedgerow::analysis::{Analysis, Nowhere, Proved, callees};
-use hedgerow::diagram::Callee;
-use hedgerow::emit::{Style, cpp};
+use hedgerow::analysis::{Analysis, Nowhere, Proved};
+use hedgerow::diagram::{Attribute, Param, Type};
+use hedgerow::emit::{Selection, Style, cpp};
+use hedgerow::resolve::Program;
 use hedgerow::rewrite::Plan;
 use hedgerow::source::Sources;
 
@@ -15,29 +17,67 @@ use crate::ops::OPS;
 /// What is refused, and why.
 const NOT_EMITTED: [&str; 0] = [];
 
-/// An operation: its proof, from which code is emitted, and its plan, which the machine runs.
+/// An operation as the machine runs it.
 pub struct Subject {
     pub name: String,
-    pub proved: Proved,
+    pub params: Vec<Param>,
+    pub result: Option<Type>,
+    /// The attributes of its program.
+    pub attributes: Vec<Attribute>,
     pub plan: Plan,
-    /// The functions of its program.
-    pub functions: Vec<Option<Callee>>,
+    /// The plans of its program, which steps call.
+    pub plans: Rc<Vec<Option<Plan>>>,
 }
 
-/// The functions that the operations call: those of the one program that has any.
-pub fn functions(subjects: &[Subject]) -> Vec<Option<Callee>> {
-    let mut all = subjects.iter().map(|subject| &subject.functions);
-    all.find(|functions| !functions.is_empty())
-        .cloned()
-        .unwrap_or_default()
+/// Operations that are emitted together.
+pub struct Emission {
+    /// What they are called together.
+    pub name: String,
+    pub program: Program,
+    pub proved: Vec<Option<Proved>>,
+    pub sources: Sources,
+    pub ops: Vec<usize>,
+    pub subjects: Vec<Subject>,
+}
+
+impl Emission {
+    /// What is emitted.
+    pub fn selection(&self) -> Selection<'_> {
+        self.of(&self.ops)
+    }
+
+    fn of<'e>(&'e self, ops: &'e [usize]) -> Selection<'e> {
+        Selection {
+            program: &self.program,
+            proved: &self.proved,
+            sources: &self.sources,
+            ops,
+        }
+    }
+
+    /// Why an operation cannot be emitted, if it cannot.
+    fn refuses(&self, op: usize) -> Option<String> {
+        let refused = cpp(&self.of(&[op]), &Style::default()).err()?;
+        Some(refused.what)
+    }
 }
 
 pub fn folder(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// All operations, each under a name of its own.
-pub fn subjects() -> Vec<Subject> {
+/// All operations, each under a name of its own: those that are drawn, then those in steps, file
+/// by file.
+pub fn emissions() -> Vec<Emission> {
+    let mut all = vec![drawn()];
+    for path in ["src/library/std/polygon.hedge", "tests/emit/steps.hedge"] {
+        all.push(in_steps(path));
+    }
+    all
+}
+
+/// All drawn operations, with the functions of the one program that has any.
+fn drawn() -> Emission {
     let mut texts = Vec::new();
     let mut paths = examples();
     paths.push(folder("src/library/std/polygon.hedge"));
@@ -55,28 +95,90 @@ pub fn subjects() -> Vec<Subject> {
             texts.push((level.to_string(), text));
         }
     }
-    let mut subjects = Vec::new();
+    let mut all = Emission {
+        name: "drawn".into(),
+        program: Program::default(),
+        proved: Vec::new(),
+        sources: Sources::new(),
+        ops: Vec::new(),
+        subjects: Vec::new(),
+    };
     for (stem, text) in texts {
         for name in op_names(&text) {
             let renamed = format!("{stem}_{name}");
-            // Where it is declared, and where other items call it.
-            let text = text.replace(&format!(" {name}("), &format!(" {renamed}("));
-            let text = text.replace(&format!("({name}("), &format!("({renamed}("));
-            subjects.extend(subject(&text, &renamed));
+            let Some((subject, proved, program)) =
+                subject(&renaming(&text, &stem, &name), &renamed)
+            else {
+                continue;
+            };
+            if !program.functions.is_empty() && all.program.functions.is_empty() {
+                all.program.functions = program.functions;
+            }
+            all.proved.push(Some(proved));
+            all.subjects.push(subject);
         }
     }
     // What cannot be emitted is said by name.
-    let emits = |subject: &Subject| cpp(&[&subject.proved], &subject.functions, &Style::default());
-    let (emitted, others): (Vec<_>, Vec<_>) = subjects
-        .into_iter()
-        .partition(|subject| emits(subject).is_ok());
-    let others: Vec<_> = others
-        .iter()
-        .map(|other| format!("{}: {}", other.name, emits(other).unwrap_err().what))
-        .collect();
+    let mut others = Vec::new();
+    for (op, subject) in all.subjects.iter().enumerate() {
+        match all.refuses(op) {
+            None => all.ops.push(op),
+            Some(what) => others.push(format!("{}: {what}", subject.name)),
+        }
+    }
     assert_eq!(others, NOT_EMITTED);
-    assert!(emitted.len() > 40, "only {} operations", emitted.len());
-    emitted
+    let mut at = 0;
+    all.subjects.retain(|_| {
+        at += 1;
+        all.ops.contains(&(at - 1))
+    });
+    assert!(all.ops.len() > 40, "only {} operations", all.ops.len());
+    all
+}
+
+/// The operations in steps of a file, and what is drawn beside them.
+fn in_steps(path: &str) -> Emission {
+    let stem = Path::new(path).file_stem().unwrap().to_string_lossy();
+    let mut text = fs::read_to_string(folder(path)).unwrap();
+    for name in op_names(&text) {
+        text = renaming(&text, &stem, &name);
+    }
+    let mut sources = Sources::new();
+    let file = sources.add("test.hedge", text);
+    let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
+    assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
+    let plans = Rc::new(analysis.plans.clone());
+    let (mut ops, mut subjects) = (Vec::new(), Vec::new());
+    for (at, op) in analysis.program.ops.iter().enumerate() {
+        if op.span.file != file || op.steps.is_none() {
+            continue;
+        }
+        ops.push(at);
+        subjects.push(Subject {
+            name: op.name.clone(),
+            params: op.params.clone(),
+            result: op.result,
+            attributes: analysis.program.attributes.to_vec(),
+            plan: plans[at].clone().expect("a sound op has a plan"),
+            plans: Rc::clone(&plans),
+        });
+    }
+    assert!(!ops.is_empty(), "{path} has no steps");
+    Emission {
+        name: format!("{stem}_in_steps"),
+        program: analysis.program,
+        proved: analysis.proved,
+        sources,
+        ops,
+        subjects,
+    }
+}
+
+/// The text with an operation under a name with its file's, where it is declared and called.
+fn renaming(text: &str, stem: &str, name: &str) -> String {
+    let renamed = format!("{stem}_{name}");
+    let text = text.replace(&format!(" {name}("), &format!(" {renamed}("));
+    text.replace(&format!("({name}("), &format!("({renamed}("))
 }
 
 fn op_names(text: &str) -> Vec<String> {
@@ -85,18 +187,24 @@ fn op_names(text: &str) -> Vec<String> {
     names.map(str::to_string).collect()
 }
 
-/// The op of that name; scripts of the text may call another one that is gone.
-fn subject(text: &str, name: &str) -> Option<Subject> {
+/// The drawn op of that name; scripts of the text may call another one that is gone.
+fn subject(text: &str, name: &str) -> Option<(Subject, Proved, Program)> {
     let text = text.split("\nscript ").next()?;
     let mut sources = Sources::new();
     let file = sources.add("test.hedge", text);
     let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
     assert!(analysis.is_sound(), "{name}: {:?}", analysis.diagnostics);
     let at = analysis.op(name)?;
-    Some(Subject {
+    let proved = analysis.proved[at].clone()?;
+    let op = proved.op();
+    let attributes = op.rules.first().map(|rule| rule.attributes.to_vec());
+    let subject = Subject {
         name: name.to_string(),
-        proved: analysis.proved[at].clone()?,
+        params: op.params.clone(),
+        result: op.result,
+        attributes: attributes.unwrap_or_default(),
         plan: analysis.plans[at].clone()?,
-        functions: callees(&analysis.program),
-    })
+        plans: Rc::new(Vec::new()),
+    };
+    Some((subject, proved, analysis.program))
 }

@@ -1,7 +1,7 @@
 //! What cannot be emitted is said, with its place.
 
 use hedgerow::analysis::Analysis;
-use hedgerow::emit::{Style, cpp, rust};
+use hedgerow::emit::{Selection, Style, cpp, rust};
 use hedgerow::source::Sources;
 
 /// An op that is proved, and cannot be emitted: what that is, and its words in the text.
@@ -10,9 +10,14 @@ fn refused(text: &str) -> (String, String) {
     let file = sources.add("test.hedge", text);
     let analysis = Analysis::of(&sources, file);
     assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
-    let proved = analysis.proved[0].as_ref().expect("a proved op");
-    let told = cpp(&[proved], &[], &Style::default()).expect_err("it cannot be emitted");
-    assert_eq!(rust(&[proved], &[]), Err(told.clone()));
+    let selection = Selection {
+        program: &analysis.program,
+        proved: &analysis.proved,
+        sources: &sources,
+        ops: &[0],
+    };
+    let told = cpp(&selection, &Style::default()).expect_err("it cannot be emitted");
+    assert_eq!(rust(&selection), Err(told.clone()));
     (told.what, sources.slice(told.span).to_string())
 }
 

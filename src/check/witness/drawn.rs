@@ -32,6 +32,7 @@ impl Counterexample {
         let erased = listed(&self.before, &self.after);
         let rule = Rule {
             label: self.rule.clone(),
+            example: None,
             names: writer.names,
             cycle: None,
             params: Vec::new(),

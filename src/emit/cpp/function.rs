@@ -6,30 +6,39 @@ use super::super::lines::Lines;
 use super::super::names::unreserved;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
+use super::super::steps::{Item, Items, items};
 use super::super::term::Term;
-use super::super::{NotEmitted, build};
+use super::super::{NotEmitted, Selection, build};
 use super::style::Style;
 use super::support;
 use super::types::types;
-use crate::check::Proved;
-use crate::diagram::{Callee, Type};
+use crate::diagram::Type;
 
 /// Operations as C++17, with the functions that they call. What an operation refuses is
 /// `std::nullopt`; one without a result tells whether it applied.
 ///
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
-pub fn cpp(
-    ops: &[&Proved],
-    functions: &[Option<Callee>],
-    style: &Style,
-) -> Result<String, NotEmitted> {
+pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: style.has_prev(),
         isolated_vertices: false,
         columns: false,
+        undoes: false,
     };
-    let (helpers, routines) = build::routines(ops, functions, conventions)?;
+    let Items { called, ops } = items(selection, conventions)?;
+    let mut helpers = Vec::new();
+    let mut routines = Vec::new();
+    for item in called.iter().chain(&ops) {
+        match item {
+            Item::Function(helper) => helpers.push(helper),
+            Item::Drawn(routine) => routines.push(routine),
+            Item::Steps(_) => {
+                let span = selection.program.ops[selection.ops[0]].span;
+                return Err(NotEmitted::new("an operation in steps", span));
+            }
+        }
+    }
     let mut printer = Printer {
         style,
         lines: Lines::new(2),
@@ -129,7 +138,12 @@ impl Printer<'_> {
         let params = helper.params.iter();
         let params = params.map(|param| format!("{} {}", self.outer_type(param.ty), param.name));
         let params = params.collect::<Vec<_>>().join(", ");
-        let (result, name) = (self.outer_type(helper.result), invoked(&helper.name));
+        let (result, name) = (
+            helper
+                .result
+                .map_or("void".into(), |ty| self.outer_type(ty)),
+            invoked(&helper.name),
+        );
         self.lines
             .open(&format!("inline {result} {name}({params}) {{"));
         self.block(&helper.body);

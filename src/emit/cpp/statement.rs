@@ -159,6 +159,7 @@ impl Printer<'_> {
                     .map_or("true".into(), |result| self.text(result));
                 self.lines.line(&format!("return {result};"));
             }
+            Statement::Action(_) => {}
         }
     }
 

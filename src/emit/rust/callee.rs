@@ -1,9 +1,11 @@
 //! Functions of the program as Rust.
 
+use super::super::action::Action;
 use super::super::lines::Lines;
 use super::super::names::unreserved;
 use super::super::routine::{Helper, Statement};
 use super::function::{Printer, names, ty};
+use super::steps::bare;
 use super::support;
 
 /// What a function of the program is called: not as one that is written out.
@@ -15,20 +17,31 @@ pub(super) fn invoked(name: &str) -> String {
 }
 
 impl Printer {
-    /// Writes a function; it sees the mesh as it is.
+    /// Writes a function; it sees the mesh as it is, unless it changes it.
     pub(super) fn helper(&mut self, helper: &Helper) {
         let outer = std::mem::replace(&mut self.lines, Lines::new(4));
+        (self.refusal, self.gives_option) = ("return None;", helper.refuses);
+        self.is_asked = true;
         if let Some((last, others)) = helper.body.split_last() {
             self.block(others, true);
             match last {
                 Statement::Give(value) => {
                     let value = self.text(value);
-                    self.lines.line(&value);
+                    self.lines.line(&match helper.refuses {
+                        true => format!("Some({value})"),
+                        false => bare(&value).to_string(),
+                    });
+                }
+                Statement::Action(Action::Leave) => {
+                    if helper.refuses {
+                        self.lines.line("Some(())");
+                    }
                 }
                 last => self.block(std::slice::from_ref(last), true),
             }
         }
         let body = std::mem::replace(&mut self.lines, outer).finish();
+        (self.gives_option, self.is_asked) = (false, false);
         for line in &helper.docs {
             self.lines.line(format!("/// {line}").trim_end());
         }
@@ -37,13 +50,24 @@ impl Printer {
         } else {
             "_mesh"
         };
+        let mesh = match helper.changes {
+            true => format!("{mesh}: &mut Mesh"),
+            false => format!("{mesh}: &Mesh"),
+        };
+        let result = helper.result.map(ty);
+        let result = match (result, helper.refuses) {
+            (Some(value), false) => format!(" -> {value}"),
+            (Some(value), true) => format!(" -> Option<{value}>"),
+            (None, true) => " -> Option<()>".to_string(),
+            (None, false) => String::new(),
+        };
+        self.allow(&helper.body, &helper.params);
         let params = helper.params.iter();
         let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));
         self.lines.open(&format!(
-            "fn {}({mesh}: &Mesh{}) -> {} {{",
+            "fn {}({mesh}{}){result} {{",
             invoked(&helper.name),
             params.collect::<String>(),
-            ty(helper.result)
         ));
         for line in body.lines() {
             self.lines.line(line);

@@ -5,37 +5,43 @@ use std::collections::BTreeSet;
 use super::super::lines::Lines;
 use super::super::routine::{Routine, Statement};
 use super::super::spell::spell;
-use super::super::term::Term;
-use super::super::{NotEmitted, build};
+use super::super::steps::{Item, Items, items};
+use super::super::term::{Parameter, Term};
+use super::super::{NotEmitted, Selection, build};
 use super::support;
-use crate::check::Proved;
-use crate::diagram::{Callee, Type};
+use crate::diagram::Type;
 
 /// Operations as Rust. What an operation refuses is `None`; one without a result tells whether
 /// it applied.
 ///
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
-pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, NotEmitted> {
+pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: true,
         isolated_vertices: true,
         columns: true,
+        undoes: true,
     };
-    let (helpers, routines) = build::routines(ops, functions, conventions)?;
+    let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {
         lines: Lines::new(4),
         used: BTreeSet::new(),
         refusal: "",
+        applied: "true",
+        gives_option: false,
+        is_asked: false,
         sheet: None,
     };
-    for routine in &routines {
+    let shown = ops.iter().map(|op| (op, true));
+    for (item, is_selected) in shown.chain(called.iter().map(|item| (item, false))) {
         printer.lines.line("");
-        printer.routine(routine);
-    }
-    for helper in &helpers {
-        printer.lines.line("");
-        printer.helper(helper);
+        let visible = if is_selected { "pub fn" } else { "fn" };
+        match item {
+            Item::Function(helper) => printer.helper(helper),
+            Item::Drawn(routine) => printer.routine(routine, visible),
+            Item::Steps(whole) => printer.whole(whole, visible),
+        }
     }
     let mut body = printer.lines.finish();
     for (_, text) in support::needed(printer.used) {
@@ -49,8 +55,10 @@ pub fn rust(ops: &[&Proved], functions: &[Option<Callee>]) -> Result<String, Not
         "ElementKind",
         "FaceId",
         "HalfedgeId",
+        "Level",
         "Mesh",
         "VertexId",
+        "validate_level_near",
     ];
     let used: Vec<_> = all.into_iter().filter(|word| names(&body, word)).collect();
     let vectors = ["DMat3", "DMat4", "DVec2", "DVec3", "DVec4"];
@@ -81,6 +89,12 @@ pub(super) struct Printer {
     pub used: BTreeSet<&'static str>,
     /// What leaves the attempt.
     pub refusal: &'static str,
+    /// What an operation without a result gives when it has been applied.
+    pub applied: &'static str,
+    /// Whether a function gives its value only if nothing refuses.
+    pub gives_option: bool,
+    /// Whether the attributes have been asked for by whoever calls.
+    pub is_asked: bool,
     /// The sheet that pointers are noted on instead.
     pub sheet: Option<String>,
 }
@@ -106,14 +120,18 @@ pub(super) fn ty(ty: Type) -> &'static str {
 }
 
 impl Printer {
-    fn routine(&mut self, routine: &Routine) {
-        for line in &routine.docs {
+    /// A doc comment.
+    pub fn docs(&mut self, docs: &[String], name: &str) {
+        for line in docs {
             self.lines.line(format!("/// {line}").trim_end());
         }
-        if routine.docs.is_empty() {
-            self.lines
-                .line(&format!("/// The operation `{}`.", routine.name));
+        if docs.is_empty() {
+            self.lines.line(&format!("/// The operation `{name}`."));
         }
+    }
+
+    fn routine(&mut self, routine: &Routine, visible: &str) {
+        self.docs(&routine.docs, &routine.name);
         let result = match routine.result {
             Some(result) => format!("Option<{}>", ty(result)),
             None => "bool".to_string(),
@@ -132,12 +150,12 @@ impl Printer {
             .map(|param| param.name.clone())
             .collect();
         let head = format!(
-            "pub fn {}(mesh: &mut Mesh{}) -> {result} {{",
+            "{visible} {}(mesh: &mut Mesh{}) -> {result} {{",
             routine.name,
             params(&all)
         );
         if let [rule] = routine.rules.as_slice() {
-            self.allow(&rule.body, routine);
+            self.allow(&rule.body, &routine.params);
             self.lines.open(&head);
             self.alternative(&rule.body, routine);
             self.lines.close("}");
@@ -176,7 +194,7 @@ impl Printer {
         self.lines.close("}");
         for (name, params, rule) in bodies {
             self.lines.line("");
-            self.allow(&rule.body, routine);
+            self.allow(&rule.body, &routine.params);
             self.lines.open(&format!(
                 "fn {name}(mesh: &mut Mesh{params}) -> {result} {{"
             ));
@@ -186,11 +204,11 @@ impl Printer {
     }
 
     /// The names of the drawing stay, also where Rust would have them in small letters.
-    fn allow(&mut self, body: &[Statement], routine: &Routine) {
+    pub fn allow(&mut self, body: &[Statement], params: &[Parameter]) {
         let mut capital = false;
         let mut see = |name: &str| capital |= name.chars().any(char::is_uppercase);
         body.iter().for_each(|statement| statement.names(&mut see));
-        routine.params.iter().for_each(|param| see(&param.name));
+        params.iter().for_each(|param| see(&param.name));
         if capital {
             self.lines.line("#[allow(non_snake_case)]");
         }

@@ -5,6 +5,7 @@ mod function;
 mod sheet;
 mod spelling;
 mod statement;
+mod steps;
 mod support;
 mod wide;
 

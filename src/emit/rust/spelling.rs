@@ -224,21 +224,7 @@ impl Language for Printer {
     }
 
     fn fold(&mut self, fold: &Fold) -> Spelled {
-        let element = self.text(&fold.element);
-        let half = format!("mesh.edge_halfedge({element})");
-        let sides = format!("[{half}, mesh.twin({half})].into_iter()");
-        let real = ".filter(|&f| !mesh.is_hole(f))";
-        let mut all = match fold.around {
-            Around::VertexHalfedges => format!("mesh.spokes({element})"),
-            Around::VertexEdges => format!("mesh.spokes({element}).map(|h| mesh.edge(h))"),
-            Around::VertexFaces => format!("mesh.spokes({element}).map(|h| mesh.face(h)){real}"),
-            Around::VertexNeighbors => format!("mesh.neighbors({element})"),
-            Around::FaceHalfedges => format!("mesh.face_halfedges({element})"),
-            Around::FaceVertices => format!("mesh.face_vertices({element})"),
-            Around::FaceEdges => format!("mesh.face_halfedges({element}).map(|h| mesh.edge(h))"),
-            Around::EdgeVertices => format!("{sides}.map(|h| mesh.vertex(h))"),
-            Around::EdgeFaces => format!("{sides}.map(|h| mesh.face(h)){real}"),
-        };
+        let mut all = self.all_around(fold.around, &fold.element);
         let variable = &fold.variable.name;
         if let Some(filter) = &fold.filter {
             let filter = self.text(filter);
@@ -288,6 +274,25 @@ impl Printer {
         let args = args.iter().map(|arg| arg.text.clone());
         let args: Vec<_> = std::iter::once("mesh".to_string()).chain(args).collect();
         self.support(name, &args)
+    }
+
+    /// What lies around an element, one after the other.
+    pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
+        let element = self.text(element);
+        let half = format!("mesh.edge_halfedge({element})");
+        let sides = format!("[{half}, mesh.twin({half})].into_iter()");
+        let real = ".filter(|&f| !mesh.is_hole(f))";
+        match around {
+            Around::VertexHalfedges => format!("mesh.spokes({element})"),
+            Around::VertexEdges => format!("mesh.spokes({element}).map(|h| mesh.edge(h))"),
+            Around::VertexFaces => format!("mesh.spokes({element}).map(|h| mesh.face(h)){real}"),
+            Around::VertexNeighbors => format!("mesh.neighbors({element})"),
+            Around::FaceHalfedges => format!("mesh.face_halfedges({element})"),
+            Around::FaceVertices => format!("mesh.face_vertices({element})"),
+            Around::FaceEdges => format!("mesh.face_halfedges({element}).map(|h| mesh.edge(h))"),
+            Around::EdgeVertices => format!("{sides}.map(|h| mesh.vertex(h))"),
+            Around::EdgeFaces => format!("{sides}.map(|h| mesh.face(h)){real}"),
+        }
     }
 
     /// A function that is written out, or a method of a list or vector.

@@ -4,6 +4,7 @@ use super::super::routine::{Statement, Step, Walk};
 use super::super::spell::field;
 use super::super::term::Turns;
 use super::function::{Printer, ty};
+use super::steps::{always, bare};
 use crate::diagram::{Kind, Type};
 
 impl Printer {
@@ -31,9 +32,14 @@ impl Printer {
                     _ => "Face",
                 };
                 let ty = ty(attribute.ty);
-                self.lines.line(&format!(
-                    "let {column} = mesh.find_column(ElementKind::{kind}, \"{declared}\");"
-                ));
+                let found = format!("mesh.find_column(ElementKind::{kind}, \"{declared}\")");
+                if self.is_asked {
+                    let why = "whoever calls asks for it";
+                    return self
+                        .lines
+                        .line(&format!("let {column} = {found}.expect(\"{why}\");"));
+                }
+                self.lines.line(&format!("let {column} = {found};"));
                 self.lines.open(&format!(
                     "let Some({column}) = {column}.filter(|&c| mesh.values::<{ty}>(c).is_some()) else {{"
                 ));
@@ -70,6 +76,10 @@ impl Printer {
                 self.block(body, has_result);
                 self.lines.close("}");
                 self.refusal = outer;
+            }
+            Statement::Refuse { when, reason } if always(when) => {
+                let (refusal, reason) = (self.refusal, reason.replace('\n', " "));
+                self.lines.line(&format!("{refusal} // {reason}"));
             }
             Statement::Refuse { when, reason } => {
                 let when = self.text(when);
@@ -139,7 +149,7 @@ impl Printer {
             }
             Statement::Change { name, value } => {
                 let value = self.text(value);
-                self.lines.line(&format!("{name} = {value};"));
+                self.lines.line(&format!("{name} = {};", bare(&value)));
             }
             Statement::Raise { name } => self.lines.line(&format!("{name} += 1;")),
             Statement::When { condition, body } => {
@@ -192,15 +202,19 @@ impl Printer {
             }
             Statement::Give(value) => {
                 let value = self.text(value);
-                self.lines.line(&format!("return {value};"));
+                self.lines.line(&match self.gives_option {
+                    true => format!("return Some({value});"),
+                    false => format!("return {value};"),
+                });
             }
             Statement::Return { result } => {
                 let result = match result {
                     Some(result) => format!("Some({})", self.text(result)),
-                    None => "true".to_string(),
+                    None => self.applied.to_string(),
                 };
                 self.lines.line(&format!("return {result};"));
             }
+            Statement::Action(action) => self.action(action, has_result),
         }
     }
 

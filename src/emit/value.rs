@@ -8,7 +8,7 @@ use crate::resolve::{Function, Program, Statement, StatementKind};
 const MOST: usize = 64;
 
 /// For each function of a program its value; none for one that loops, changes or prints.
-pub fn callees(program: &Program) -> Vec<Option<Callee>> {
+pub(super) fn callees(program: &Program) -> Vec<Option<Callee>> {
     program.functions.iter().map(callee).collect()
 }
 

@@ -1,0 +1,351 @@
+//! A patch of a mesh, before and after, as a rule.
+
+use glam::DVec3;
+
+use super::patch::Patch;
+use super::trial::Trial;
+use crate::diagram::{
+    Access, Assignment, Builtin, Edge, Example, Expr, ExprKind, Kind, Loop, LoopItem, LoopKind,
+    Name, NameId, Ref, Role, Rule, Side, Type,
+};
+use crate::mesh::{Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
+use crate::resolve::{Block, ResolvedOp, StatementKind, Steps};
+use crate::source::Span;
+
+/// Positions nearer to each other than this are one.
+const SAME: f64 = 1e-9;
+
+/// The rule that an example is. Elements have the names that the signature gives them; others
+/// have none.
+pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
+    let mut writer = Writer {
+        trial,
+        patch,
+        names: Vec::new(),
+        known: Vec::new(),
+    };
+    let before = writer.side(&trial.before, false);
+    let after = writer.side(&trial.after, true);
+    let params: Vec<_> = trial
+        .place
+        .iter()
+        .map(|of| of.and_then(|of| writer.find(of, false)))
+        .collect();
+    for (param, name) in op.params.iter().zip(&params) {
+        if let Some(name) = name {
+            writer.call(*name, param.name.clone());
+        }
+    }
+    let result = trial.result.and_then(|of| writer.find(of, true));
+    if let (Some(name), Some(word)) = (result, word_of_result(op)) {
+        writer.call(name, word);
+    }
+    let listed = |is_there: &dyn Fn(&Side, NameId) -> bool| {
+        let all = (0..writer.names.len() as u32).map(NameId);
+        let all = all.filter(|&name| is_there(&before, name) != is_there(&after, name));
+        all.collect::<Vec<_>>()
+    };
+    let only = listed(&|side, name| stands(side, name));
+    let (created, erased): (Vec<_>, Vec<_>) =
+        only.into_iter().partition(|&name| stands(&after, name));
+    let assignments = writer.positions(&before);
+    let places = writer.places();
+    Rule {
+        label: None,
+        example: Some(Example {
+            mesh: trial.on,
+            places,
+        }),
+        names: writer.names,
+        cycle: None,
+        params,
+        result: result.map(mention),
+        before,
+        requires: Vec::new(),
+        guard: None,
+        aliases: Vec::new(),
+        after,
+        created: created.into_iter().map(mention).collect(),
+        erased: erased.into_iter().map(mention).collect(),
+        assignments,
+        attributes: [].into(),
+        span: Span::default(),
+    }
+}
+
+fn mention(name: NameId) -> Ref {
+    Ref::plain(name, Span::default())
+}
+
+/// Whether a name stands on a side.
+fn stands(side: &Side, name: NameId) -> bool {
+    let is = |mention: &Ref| mention.name == name;
+    let in_loops = side.loops.iter().any(|orbit| {
+        let mut items = orbit.items.iter();
+        is(&orbit.face) || items.any(|item| is(&item.from) || is(&item.item))
+    });
+    in_loops || side.edges.iter().any(|edge| is(&edge.edge))
+}
+
+/// What the steps call what they return, or a letter for it.
+fn word_of_result(op: &ResolvedOp) -> Option<String> {
+    let letter = match op.result? {
+        Type::Vertex => "v",
+        Type::Halfedge => "h",
+        Type::Edge => "e",
+        _ => "f",
+    };
+    let steps = op.steps.as_ref();
+    let word = steps.and_then(|steps| returned(steps, &steps.body.block));
+    Some(word.unwrap_or_else(|| letter.to_owned()))
+}
+
+/// The variable that a block returns.
+fn returned(steps: &Steps, block: &Block) -> Option<String> {
+    block
+        .iter()
+        .rev()
+        .find_map(|statement| match &statement.kind {
+            StatementKind::Return(Some(value)) => match value.kind {
+                ExprKind::Local(variable) => {
+                    let variable = steps.body.variables.get(variable as usize);
+                    variable.map(|variable| variable.name.clone())
+                }
+                _ => None,
+            },
+            StatementKind::If {
+                then, otherwise, ..
+            }
+            | StatementKind::IfApply {
+                then, otherwise, ..
+            } => returned(steps, otherwise).or_else(|| returned(steps, then)),
+            _ => None,
+        })
+}
+
+/// What has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Thing {
+    /// An element; a new one may have the number of one that is gone.
+    Element { of: Element, is_new: bool },
+    /// The part of a hole behind a halfedge that is not drawn.
+    Path(HalfedgeId),
+}
+
+/// Writes both sides, with one name for each thing.
+struct Writer<'t> {
+    trial: &'t Trial,
+    patch: &'t Patch,
+    names: Vec<Name>,
+    /// For each name what it stands for.
+    known: Vec<Thing>,
+}
+
+impl Writer<'_> {
+    fn thing(&self, of: Element, is_after: bool) -> Thing {
+        let is_new = is_after && self.trial.created.contains(&of);
+        Thing::Element { of, is_new }
+    }
+
+    fn find(&self, of: Element, is_after: bool) -> Option<NameId> {
+        let thing = self.thing(of, is_after);
+        let at = self.known.iter().position(|known| *known == thing);
+        at.map(|at| NameId(at as u32))
+    }
+
+    fn put(&mut self, thing: Thing) -> Ref {
+        let known = self.known.iter().position(|known| *known == thing);
+        let at = known.unwrap_or_else(|| {
+            let (kind, letter, number) = match thing {
+                Thing::Path(first) => (Kind::Path, 'P', first.0),
+                Thing::Element { of, .. } => match of.kind {
+                    ElementKind::Vertex => (Kind::Vertex, 'v', of.index),
+                    ElementKind::Halfedge => (Kind::Halfedge, 'h', of.index),
+                    ElementKind::Edge => (Kind::Edge, 'e', of.index),
+                    ElementKind::Face => (Kind::Face, 'f', of.index),
+                },
+            };
+            self.names.push(Name {
+                text: format!("{letter}{number}"),
+                kind,
+                named: false,
+                role: Role::Single,
+                span: Span::default(),
+            });
+            self.known.push(thing);
+            self.known.len() - 1
+        });
+        mention(NameId(at as u32))
+    }
+
+    /// Gives a name a word, if it has none and nothing else has that one.
+    fn call(&mut self, name: NameId, mut word: String) {
+        while self.names.iter().any(|of| of.named && of.text == word) {
+            word.push('\'');
+        }
+        let name = &mut self.names[name.index()];
+        if !name.named {
+            (name.text, name.named) = (word, true);
+        }
+    }
+
+    fn side(&mut self, mesh: &Mesh, is_after: bool) -> Side {
+        let mut side = Side::default();
+        let loops = &self.patch.loops[usize::from(is_after)];
+        for &face in loops {
+            side.loops.push(self.orbit(mesh, face, is_after));
+        }
+        let drawn =
+            |h: HalfedgeId| !self.patch.hidden.contains(&h) && loops.contains(&mesh.face(h));
+        let pairs = loops.iter().flat_map(|&f| mesh.face_halfedges(f));
+        let pairs = pairs.map(|h| (h, mesh.twin(h)));
+        let pairs = pairs.filter(|&(h, twin)| h < twin && drawn(h) && drawn(twin));
+        for (h, twin) in pairs.collect::<Vec<_>>() {
+            let mut put = |of: Element| self.put(self.thing(of, is_after));
+            side.edges.push(Edge {
+                edge: put(mesh.edge(h).into()),
+                halfedges: [put(h.into()), put(twin.into())],
+                span: Span::default(),
+            });
+        }
+        side
+    }
+
+    fn orbit(&mut self, mesh: &Mesh, face: FaceId, is_after: bool) -> Loop {
+        let hidden = &self.patch.hidden;
+        let mut around: Vec<_> = mesh.face_halfedges(face).collect();
+        // Behind something that is drawn, so that a path is not cut in two.
+        let drawn = around.iter().rposition(|h| !hidden.contains(h));
+        around.rotate_left(drawn.map_or(0, |drawn| (drawn + 1) % mesh.face_size(face)));
+        let mut items: Vec<LoopItem> = Vec::new();
+        let mut is_on_path = false;
+        for h in around {
+            let is_hidden = hidden.contains(&h);
+            if !(is_hidden && is_on_path) {
+                let from = self.thing(mesh.vertex(h).into(), is_after);
+                let item = match is_hidden {
+                    true => Thing::Path(h),
+                    false => self.thing(h.into(), is_after),
+                };
+                items.push(LoopItem {
+                    from: self.put(from),
+                    item: self.put(item),
+                });
+            }
+            is_on_path = is_hidden;
+        }
+        Loop {
+            kind: match mesh.is_hole(face) {
+                true => LoopKind::Hole,
+                false => LoopKind::Face,
+            },
+            face: self.put(self.thing(face.into(), is_after)),
+            end: items[0].from,
+            items,
+            each: false,
+            span: Span::default(),
+        }
+    }
+
+    /// Where the vertices lie, if all is flat and no two lie at one place.
+    fn places(&self) -> [Vec<Option<[f64; 2]>>; 2] {
+        let Trial { before, after, .. } = self.trial;
+        let is_flat = |mesh: &Mesh| mesh.vertices().all(|v| mesh.position(v).z == 0.0);
+        if !self.patch.is_spread
+            || !self.patch.hidden.is_empty()
+            || !is_flat(before)
+            || !is_flat(after)
+        {
+            return [Vec::new(), Vec::new()];
+        }
+        let side = |mesh: &Mesh, is_after: bool| {
+            let place = |thing: &Thing| match *thing {
+                Thing::Element { of, is_new } if of.kind == ElementKind::Vertex => {
+                    let v = VertexId(of.index);
+                    let lives = mesh.vertex_alive(v) && (is_after || !is_new);
+                    lives.then(|| mesh.position(v).truncate().to_array())
+                }
+                _ => None,
+            };
+            self.known.iter().map(place).collect()
+        };
+        [side(before, false), side(after, true)]
+    }
+
+    /// Where new vertices are put, and others moved to.
+    fn positions(&self, before: &Side) -> Vec<Assignment> {
+        let Trial {
+            before: was, after, ..
+        } = self.trial;
+        let set = self.known.iter().enumerate().filter_map(|(at, thing)| {
+            let Thing::Element { of, is_new } = *thing else {
+                return None;
+            };
+            let v = VertexId(of.index);
+            let lives = of.kind == ElementKind::Vertex && after.vertex_alive(v);
+            let to = lives.then(|| after.position(v))?;
+            let is_set = is_new || (was.vertex_alive(v) && was.position(v) != to);
+            is_set.then(|| Assignment {
+                target: mention(NameId(at as u32)),
+                attribute: Access::Position,
+                value: self.position(before, to),
+                span: Span::default(),
+            })
+        });
+        set.collect()
+    }
+
+    /// A position, by what is drawn before: between two vertices, or in the middle of a face.
+    fn position(&self, before: &Side, to: DVec3) -> Expr {
+        let was = &self.trial.before;
+        let place = |name: NameId| match self.known.get(name.index()) {
+            Some(Thing::Element { of, is_new: false }) => was.get_position(VertexId(of.index)),
+            _ => None,
+        };
+        let middle = before.loops.iter().find(|orbit| {
+            let places = orbit.items.iter().map(|item| place(item.from.name));
+            let places: Vec<_> = places.flatten().collect();
+            let middle = places.iter().sum::<DVec3>() / places.len().max(1) as f64;
+            (middle - to).length() < SAME
+        });
+        if let Some(orbit) = middle {
+            let face = value(Type::Face, ExprKind::Element(orbit.face.name));
+            return value(
+                Type::Vec3,
+                ExprKind::Call(Builtin::CentroidFace, vec![face]),
+            );
+        }
+        let items = before.loops.iter().flat_map(|orbit| {
+            let ends = orbit.items.iter().skip(1).map(|item| item.from);
+            orbit.items.iter().zip(ends.chain([orbit.end]))
+        });
+        for (item, end) in items {
+            let ends = [item.from.name, end.name];
+            let [Some(a), Some(b)] = ends.map(place) else {
+                continue;
+            };
+            let way = b - a;
+            let share = (to - a).dot(way) / way.length_squared();
+            if (0.0..=1.0).contains(&share) && (a + way * share - to).length() < SAME {
+                let position = |name| {
+                    let vertex = value(Type::Vertex, ExprKind::Element(name));
+                    let read = ExprKind::Read(Access::Position, Box::new(vertex));
+                    value(Type::Vec3, read)
+                };
+                let [a, b] = ends.map(position);
+                let share = value(Type::Real, ExprKind::Real(share));
+                let mix = ExprKind::Call(Builtin::MixVector, vec![a, b, share]);
+                return value(Type::Vec3, mix);
+            }
+        }
+        let parts = to
+            .to_array()
+            .map(|part| value(Type::Real, ExprKind::Real(part)));
+        value(Type::Vec3, ExprKind::Vector(parts.to_vec()))
+    }
+}
+
+fn value(ty: Type, kind: ExprKind) -> Expr {
+    let span = Span::default();
+    Expr { ty, kind, span }
+}

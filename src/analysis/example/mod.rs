@@ -1,0 +1,131 @@
+//! What an op in steps does, shown by example: it is done to a small mesh.
+//!
+//! Such an op draws nothing itself. So it is tried on small meshes, at one place after the
+//! other, until it is not refused and changes something; the faces around the place, before
+//! and after, are a drawing like any other. Where it can be done inside of a mesh and at a
+//! boundary, there is one of each. Everything is tried in a fixed order and only so often,
+//! also if the steps would not come to an end.
+
+mod drawn;
+mod patch;
+mod stage;
+mod trial;
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use patch::{Patch, Worth};
+use trial::{Trial, Trials};
+
+use crate::diagram;
+use crate::resolve::Program;
+use crate::rewrite::Plan;
+use crate::source::Span;
+
+/// Why nothing shows what an op does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoExample {
+    op: String,
+    /// At how many places it was tried.
+    tries: usize,
+    /// What hindered it most often.
+    because: Option<String>,
+}
+
+impl fmt::Display for NoExample {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { op, tries, because } = self;
+        write!(f, "`{op}` is done in steps, and ")?;
+        let shows = match tries {
+            0 => return write!(f, "has no example"),
+            1 => "one try on a small mesh does not show".to_owned(),
+            tries => format!("none of {tries} tries on small meshes shows"),
+        };
+        match because {
+            Some(because) => write!(f, "{shows} what it does: mostly {because}"),
+            None => write!(f, "{shows} what it does: it changed nothing"),
+        }
+    }
+}
+
+/// Examples of an op in steps as an op that is drawn: a rule for each.
+///
+/// # Errors
+/// It is not proved, or none was found.
+pub fn example(
+    program: &Program,
+    op: usize,
+    plans: &[Option<Plan>],
+) -> Result<diagram::Op, NoExample> {
+    let resolved = &program.ops[op];
+    let none = |tries, because| NoExample {
+        op: resolved.name.clone(),
+        tries,
+        because,
+    };
+    let trials = Trials::new(program, op, plans);
+    let mut trials = trials.map_err(|_| none(0, None))?;
+    let mut found = Found::default();
+    for stage in stage::closed() {
+        if !found.is_perfect {
+            trials.on(&stage, &mut |trial| found.see(trial));
+        }
+    }
+    for family in stage::open() {
+        if found.at_boundary.is_none() {
+            family
+                .iter()
+                .for_each(|stage| trials.on(stage, &mut |trial| found.see(trial)));
+        }
+    }
+    let rules = [found.inside, found.at_boundary].into_iter().flatten();
+    let rules: Vec<_> = rules
+        .map(|(_, trial, patch)| drawn::rule(resolved, &trial, &patch))
+        .collect();
+    if rules.is_empty() {
+        return Err(none(trials.tries(), trials.hindrance()));
+    }
+    let docs = resolved.steps.as_ref().map(|steps| steps.docs.clone());
+    Ok(diagram::Op {
+        name: resolved.name.clone(),
+        name_span: resolved.span,
+        docs: docs.unwrap_or_default(),
+        params: resolved.params.clone(),
+        result: resolved.result,
+        keeps: Vec::new(),
+        rules,
+        span: Span::default(),
+    })
+}
+
+/// The best examples so far.
+#[derive(Default)]
+struct Found {
+    inside: Option<(Worth, Trial, Patch)>,
+    at_boundary: Option<(Worth, Trial, Patch)>,
+    /// Whether none inside can be better.
+    is_perfect: bool,
+}
+
+impl Found {
+    /// Keeps a trial if it is better than what there was; breaks off where nothing better can
+    /// come on this mesh.
+    fn see(&mut self, trial: Trial) -> ControlFlow<()> {
+        let Some(patch) = Patch::of(&trial) else {
+            return ControlFlow::Continue(());
+        };
+        let (worth, is_perfect) = (patch.worth(), patch.is_perfect());
+        let best = match patch.has_hole() {
+            true => &mut self.at_boundary,
+            false => &mut self.inside,
+        };
+        if best.as_ref().is_none_or(|(other, ..)| worth > *other) {
+            *best = Some((worth, trial, patch));
+        }
+        if is_perfect && !self.is_perfect {
+            self.is_perfect = true;
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}

@@ -1,0 +1,188 @@
+//! What steps and functions do besides computing: variables that change, branches, loops, and
+//! calls of what changes the mesh.
+
+use super::routine::Statement;
+use super::term::{Around, Attribute, Parameter, Term};
+use crate::diagram::{Level, Type};
+
+/// An operation that calls others, all or nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Whole {
+    /// Its name.
+    pub name: String,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its parameters.
+    pub params: Vec<Parameter>,
+    /// The type of its result; without one it tells whether it applied.
+    pub result: Option<Type>,
+    /// What is asked before anything is done.
+    pub asks: Vec<Statement>,
+    /// The level that the mesh has to have in the end.
+    pub level: Level,
+    /// What it does.
+    pub body: Vec<Statement>,
+}
+
+/// A statement of steps or of a function.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Action {
+    /// A variable, with its first value.
+    Variable { place: Place, value: Term },
+    /// Calls what changes the mesh, and must do it.
+    Must { call: Call, place: Option<Place> },
+    /// Calls an operation, which may refuse.
+    May { call: Call },
+    /// Calls an operation, and goes on as it applied or refused.
+    Apply {
+        call: Call,
+        place: Option<Parameter>,
+        then: Vec<Statement>,
+        otherwise: Vec<Statement>,
+    },
+    /// Goes on as a condition holds or does not.
+    Choose {
+        condition: Term,
+        then: Vec<Statement>,
+        otherwise: Vec<Statement>,
+    },
+    /// So many times.
+    Repeat {
+        index: String,
+        count: Term,
+        body: Vec<Statement>,
+    },
+    /// As long as a condition holds.
+    While {
+        condition: Term,
+        body: Vec<Statement>,
+    },
+    /// For the elements around one that are there when the loop begins.
+    For {
+        variable: Parameter,
+        around: Around,
+        element: Term,
+        /// Whether the body may erase some of them; those have no turn.
+        may_go: bool,
+        filter: Option<Term>,
+        body: Vec<Statement>,
+    },
+    /// `break`
+    Break,
+    /// `continue`
+    Continue,
+    /// `vertex.position = value`, which has to be finite.
+    Move {
+        vertex: Term,
+        value: Term,
+        /// Whether it surely is.
+        is_finite: bool,
+    },
+    /// Refuses a mesh without an attribute.
+    Ask(Attribute),
+    /// Notes the elements that will be written to.
+    Keep(Vec<Term>),
+    /// Notes the value of an attribute that will be written to.
+    KeepAttribute { attribute: Attribute, element: Term },
+    /// Leaves a function that has no value.
+    Leave,
+}
+
+/// A call of an operation, or of a function that changes the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Call {
+    /// What is called.
+    pub name: String,
+    pub args: Vec<Term>,
+    pub of: Called,
+}
+
+/// What is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Called {
+    /// An operation with a result.
+    Operation,
+    /// One without.
+    Plain,
+    /// A function that may refuse.
+    Refusing,
+    /// A function that does not.
+    Sure,
+}
+
+/// Where a value goes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Place {
+    pub name: String,
+    pub ty: Type,
+    pub form: Form,
+}
+
+/// Whether there is a variable yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// It is new, and keeps this value.
+    Fixed,
+    /// It is new, and will change.
+    Changing,
+    /// It is there.
+    Known,
+}
+
+impl Action {
+    /// The statements inside of it.
+    pub fn bodies(&self) -> Vec<&[Statement]> {
+        match self {
+            Self::Apply {
+                then, otherwise, ..
+            }
+            | Self::Choose {
+                then, otherwise, ..
+            } => vec![then, otherwise],
+            Self::Repeat { body, .. } | Self::While { body, .. } | Self::For { body, .. } => {
+                vec![body]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Asks about every name that it reads, bodies included.
+    pub fn names(&self, see: &mut dyn FnMut(&str)) {
+        self.terms(&mut |term| term.names(see));
+        if let Self::Must {
+            place: Some(place), ..
+        } = self
+            && place.form == Form::Known
+        {
+            see(&place.name);
+        }
+        for body in self.bodies() {
+            body.iter().for_each(|statement| statement.names(see));
+        }
+    }
+
+    /// Shows its own terms, without those of its bodies.
+    pub fn terms(&self, see: &mut dyn FnMut(&Term)) {
+        match self {
+            Self::Variable { value, .. } => see(value),
+            Self::Must { call, .. } | Self::May { call } | Self::Apply { call, .. } => {
+                call.args.iter().for_each(see);
+            }
+            Self::Choose { condition, .. } | Self::While { condition, .. } => see(condition),
+            Self::Repeat { count, .. } => see(count),
+            Self::For {
+                element, filter, ..
+            } => {
+                see(element);
+                filter.iter().for_each(see);
+            }
+            Self::Move { vertex, value, .. } => {
+                see(vertex);
+                see(value);
+            }
+            Self::Keep(elements) => elements.iter().for_each(see),
+            Self::KeepAttribute { element, .. } => see(element),
+            Self::Break | Self::Continue | Self::Ask(_) | Self::Leave => {}
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! The comments that stand before statements.
+
+use crate::source::{Sources, Span};
+
+/// The lines of comment right before a place, and what stands behind it on its line.
+pub(super) fn comments(sources: &Sources, span: Span) -> Vec<String> {
+    let text = sources.get(span.file).text();
+    let before = text.get(..span.start as usize).unwrap_or("");
+    let mut lines = before.rsplit('\n');
+    // Only a statement that begins its line has the lines before it for itself.
+    let begins = lines.next().is_some_and(|line| line.trim().is_empty());
+    let above = lines.map_while(|line| line.trim().strip_prefix("//"));
+    let mut found: Vec<String> = match begins {
+        true => above.map(|line| line.trim().to_string()).collect(),
+        false => Vec::new(),
+    };
+    found.reverse();
+    let behind = text.get(span.end as usize..).unwrap_or("");
+    let behind = behind.split('\n').next().unwrap_or("").trim();
+    found.extend(behind.strip_prefix("//").map(|it| it.trim().to_string()));
+    found
+}

@@ -1,0 +1,318 @@
+//! What is emitted for some operations: they, and before them what they call.
+
+use std::collections::BTreeSet;
+
+use super::super::NotEmitted;
+use super::super::action::Whole;
+use super::super::build::{self, Conventions, columns};
+use super::super::callee;
+use super::super::expression::is_spelled;
+use super::super::names::{Names, unreserved};
+use super::super::routine::{Helper, Routine, Statement, without_unread};
+use super::super::selection::Selection;
+use super::super::term::Parameter;
+use super::super::value::callees;
+use super::body::{Ending, Surroundings, Writer};
+use super::deeds::AllDeeds;
+use super::keep::kept;
+use crate::diagram::{Callee, Param};
+use crate::resolve::Body;
+use crate::source::Span;
+
+/// Something that is emitted.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::emit) enum Item {
+    /// A function of the program.
+    Function(Helper),
+    /// A drawn operation.
+    Drawn(Routine),
+    /// An operation in steps.
+    Steps(Whole),
+}
+
+/// All that is emitted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::emit) struct Items {
+    /// What is called, each behind what it calls itself.
+    pub called: Vec<Item>,
+    /// The operations that were selected.
+    pub ops: Vec<Item>,
+}
+
+/// What is emitted for the operations of a selection.
+pub(in crate::emit) fn items(
+    selection: &Selection<'_>,
+    conventions: Conventions,
+) -> Result<Items, NotEmitted> {
+    let deeds = AllDeeds::of(selection);
+    let callees = callees(selection.program);
+    let values = deeds.functions.iter().zip(&selection.program.functions);
+    let values = values.map(|(deeds, function)| {
+        let computes = !deeds.changes && !deeds.refuses && function.result.is_some();
+        computes.then(|| function.name.clone())
+    });
+    let mut builder = Builder {
+        selection,
+        conventions,
+        values: values.collect(),
+        op_names: op_names(selection, deeds.ops.len()),
+        deeds,
+        callees,
+        begun: BTreeSet::new(),
+        done: BTreeSet::new(),
+        called: Vec::new(),
+    };
+    let mut ops = Vec::new();
+    let known = |op: usize| selection.drawn(op).is_some() || selection.program.ops.len() > op;
+    for op in selection.ops.iter().copied().filter(|&op| known(op)) {
+        let (item, needs) = builder.op(op)?;
+        for need in needs {
+            builder.need(need, selection.program.ops.get(op).map(|op| op.span))?;
+        }
+        ops.push(item);
+    }
+    Ok(Items {
+        called: builder.called,
+        ops,
+    })
+}
+
+/// What the operations are called: those of the selection come first.
+fn op_names(selection: &Selection<'_>, count: usize) -> Vec<String> {
+    let mut names = vec![String::new(); count];
+    let mut taken = BTreeSet::new();
+    for op in selection.ops.iter().copied().chain(0..count) {
+        if op >= count || !names[op].is_empty() {
+            continue;
+        }
+        let wanted = unreserved(selection.name(op));
+        let mut name = wanted.clone();
+        let mut number = 2;
+        // Files that do not see each other may use one name twice.
+        while !taken.insert(name.clone()) {
+            name = format!("{wanted}_{number}");
+            number += 1;
+        }
+        names[op] = name;
+    }
+    names
+}
+
+/// Something that is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Need {
+    Function(u32),
+    Op(usize),
+}
+
+struct Builder<'s> {
+    selection: &'s Selection<'s>,
+    conventions: Conventions,
+    deeds: AllDeeds,
+    callees: Vec<Option<Callee>>,
+    /// The functions that compute a value, by number.
+    values: Vec<Option<String>>,
+    op_names: Vec<String>,
+    begun: BTreeSet<Need>,
+    done: BTreeSet<Need>,
+    called: Vec<Item>,
+}
+
+impl Builder<'_> {
+    /// Sees to it that something called is there, behind what it calls itself.
+    fn need(&mut self, need: Need, from: Option<Span>) -> Result<(), NotEmitted> {
+        // A mesh that undoes by itself needs no other form of what is emitted anyway.
+        if let Need::Op(op) = need
+            && self.conventions.undoes
+            && self.selection.ops.contains(&op)
+        {
+            return Ok(());
+        }
+        if !self.begun.insert(need) {
+            return match (self.done.contains(&need), from) {
+                (false, Some(span)) => {
+                    let what = "functions that call each other in a circle";
+                    Err(NotEmitted::new(what, span))
+                }
+                _ => Ok(()),
+            };
+        }
+        let (item, needs) = match need {
+            Need::Function(number) => self.function(number)?,
+            Need::Op(op) => {
+                let (item, needs) = self.op(op)?;
+                match (item, self.conventions.undoes) {
+                    (Item::Drawn(routine), false) => (Item::Drawn(kept(routine)), needs),
+                    (item, _) => (item, needs),
+                }
+            }
+        };
+        // Who calls itself needs no declaration before; those in a circle would.
+        for other in needs.into_iter().filter(|&other| other != need) {
+            self.need(other, Some(self.span(need)))?;
+        }
+        self.done.insert(need);
+        self.called.push(item);
+        Ok(())
+    }
+
+    fn span(&self, need: Need) -> Span {
+        match need {
+            Need::Function(number) => self.selection.program.functions[number as usize].span,
+            Need::Op(op) => self.selection.program.ops[op].span,
+        }
+    }
+
+    fn op(&self, op: usize) -> Result<(Item, Vec<Need>), NotEmitted> {
+        if self.selection.steps(op).is_some() {
+            return self.steps(op);
+        }
+        let Some(proved) = self.selection.drawn(op) else {
+            let span = self.span(Need::Op(op));
+            let what = format!("`{}`, which is not proved,", self.selection.name(op));
+            return Err(NotEmitted::new(what, span));
+        };
+        let looks = |function| {
+            let deeds = self.deeds.function(function);
+            deeds.map_or_else(BTreeSet::new, |deeds| deeds.attributes.clone())
+        };
+        let (mut routine, calls) = build::routine(proved, &self.values, self.conventions, &looks)?;
+        routine.name = self.op_names[op].clone();
+        let needs = calls.into_iter().map(Need::Function).collect();
+        Ok((Item::Drawn(routine), needs))
+    }
+
+    fn surroundings(&self) -> Surroundings<'_> {
+        Surroundings {
+            program: self.selection.program,
+            sources: self.selection.sources,
+            deeds: &self.deeds,
+            op_names: &self.op_names,
+            conventions: self.conventions,
+        }
+    }
+
+    /// Names for a body, in which no variable hides what is called.
+    fn names(&self, body: &Body, params: &[Param]) -> Names {
+        let functions = self.selection.program.functions.iter();
+        let functions = functions.map(|function| function.name.clone());
+        let taken = match self.conventions.undoes {
+            true => self.op_names.iter().cloned().chain(functions).collect(),
+            // What is called is named with its namespace.
+            false => Vec::new(),
+        };
+        Names::of_body(
+            &body.variables,
+            params.len(),
+            &self.values,
+            &self.selection.program.attributes,
+            taken.into_iter(),
+        )
+    }
+
+    fn steps(&self, op: usize) -> Result<(Item, Vec<Need>), NotEmitted> {
+        let resolved = &self.selection.program.ops[op];
+        let Some(steps) = &resolved.steps else {
+            return Err(NotEmitted::new("an operation", resolved.span));
+        };
+        if let Some(param) = resolved.params.iter().find(|param| !is_spelled(param.ty)) {
+            let what = format!("a parameter of type `{}`", param.ty.word());
+            return Err(NotEmitted::new(what, param.span));
+        }
+        let mut names = self.names(&steps.body, &resolved.params);
+        let params = parameters(&resolved.params, &names);
+        let mut writer = Writer::new(
+            self.surroundings(),
+            &steps.body,
+            params.len(),
+            Ending::Steps,
+            &mut names,
+        );
+        let mut asks = Vec::new();
+        for require in &steps.requires {
+            asks.push(Statement::Refuse {
+                when: writer.asked(&require.condition)?.not(),
+                reason: require.reason.clone(),
+            });
+        }
+        let body = writer.write()?;
+        let needs = needs(writer.ops, writer.functions, names.take_calls());
+        if self.conventions.columns {
+            let seen = needs.iter().filter_map(|need| match need {
+                Need::Function(number) => self.deeds.function(*number),
+                Need::Op(_) => None,
+            });
+            let seen = seen.flat_map(|deeds| deeds.attributes.iter().copied());
+            asks.splice(0..0, columns(&names, seen.collect()));
+        }
+        let whole = Whole {
+            name: self.op_names[op].clone(),
+            docs: steps.docs.clone(),
+            params,
+            result: resolved.result,
+            asks,
+            level: steps.level,
+            body: without_unread(body),
+        };
+        Ok((Item::Steps(whole), needs))
+    }
+
+    fn function(&self, number: u32) -> Result<(Item, Vec<Need>), NotEmitted> {
+        let function = &self.selection.program.functions[number as usize];
+        let deeds = &self.deeds.functions[number as usize];
+        if let Some(callee) = &self.callees[number as usize]
+            && !deeds.changes
+            && deeds.attributes.is_empty()
+        {
+            let (helper, calls) = callee::helper(callee, &self.values)?;
+            let needs = calls.into_iter().map(Need::Function).collect();
+            return Ok((Item::Function(helper), needs));
+        }
+        let mut types = function.params.iter().map(|param| param.ty);
+        let wide = types.find(|ty| !is_spelled(*ty));
+        let wide = wide.or(function.result.filter(|ty| !is_spelled(*ty)));
+        if let Some(ty) = wide {
+            let what = format!("a function that takes or gives a `{}`", ty.word());
+            return Err(NotEmitted::new(what, function.span));
+        }
+        let Some(body) = &function.body else {
+            return Err(NotEmitted::new("this function", function.span));
+        };
+        let mut names = self.names(body, &function.params);
+        let params = parameters(&function.params, &names);
+        let ending = match function.result {
+            Some(_) => Ending::Value,
+            None => Ending::Nothing,
+        };
+        let mut writer = Writer::new(self.surroundings(), body, params.len(), ending, &mut names);
+        let mut written = writer.write()?;
+        let needs = needs(writer.ops, writer.functions, names.take_calls());
+        if self.conventions.columns {
+            written.splice(0..0, columns(&names, BTreeSet::new()));
+        }
+        let helper = Helper {
+            name: function.name.clone(),
+            docs: function.docs.clone(),
+            params,
+            result: function.result,
+            changes: deeds.changes,
+            refuses: deeds.refuses,
+            body: written,
+        };
+        Ok((Item::Function(helper), needs))
+    }
+}
+
+fn needs(ops: BTreeSet<usize>, functions: BTreeSet<u32>, values: BTreeSet<u32>) -> Vec<Need> {
+    let functions = functions.into_iter().chain(values).map(Need::Function);
+    functions.chain(ops.into_iter().map(Need::Op)).collect()
+}
+
+fn parameters(params: &[Param], names: &Names) -> Vec<Parameter> {
+    let named = params.iter().zip(names.params());
+    let named = named.map(|(param, name)| Parameter {
+        name: name.clone(),
+        ty: param.ty,
+    });
+    named.collect()
+}
