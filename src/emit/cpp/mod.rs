@@ -8,6 +8,7 @@ mod steps;
 mod style;
 mod support;
 mod types;
+mod wide;
 
 pub use function::cpp;
 pub use style::{Style, StyleError};

@@ -6,9 +6,11 @@
 
 use super::style::Style;
 
-/// Each behind a line with its name. Those that a text calls stand before it.
+/// Each behind a line with its name; that of a template whose first parameter is a size ends
+/// with `.n`. Those that a text calls stand before it.
 const TEXTS: &str = concat!(
     include_str!("functions.txt"),
+    include_str!("values.txt"),
     include_str!("sheet.txt"),
     include_str!("journal.txt")
 );
@@ -52,9 +54,17 @@ fn need(name: &'static str, order: &mut Vec<&'static str>) {
     order.push(name);
 }
 
+/// What a call of a function begins with; `dot.n` is called as `dot<4>(…)`.
+fn call_of(name: &str) -> String {
+    match name.strip_suffix(".n") {
+        Some(name) => format!("{name}<"),
+        None => format!("{name}("),
+    }
+}
+
 /// Whether a text calls a function: its name as a whole word, with a bracket behind it.
 fn calls(text: &str, name: &str) -> bool {
-    let call = format!("{name}(");
+    let call = call_of(name);
     text.match_indices(&call).any(|(at, _)| {
         let before = text[..at].chars().next_back();
         !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == ':' || c == '.')
@@ -76,7 +86,7 @@ pub(super) fn spelled(name: &str, style: &Style) -> String {
         if rest[at..].starts_with('$') {
             let word = &rest[at + 1..];
             let end = word
-                .find(|c: char| !c.is_ascii_alphabetic())
+                .find(|c: char| !c.is_ascii_alphanumeric())
                 .unwrap_or(word.len());
             out.push_str(&match &word[..end] {
                 "Mesh" => style.name("mesh").to_string(),
@@ -118,7 +128,7 @@ pub(super) fn spelled(name: &str, style: &Style) -> String {
 fn qualified(name: &str, text: &str) -> String {
     let mut text = text.to_string();
     for (other, _) in functions().filter(|(other, _)| *other != name) {
-        let call = format!("{other}(");
+        let call = call_of(other);
         let mut from = 0;
         while let Some(found) = text[from..].find(&call) {
             let at = from + found;
