@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::lines::Lines;
-use super::super::names::unreserved;
+use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
 use super::super::steps::{Item, Items, items};
@@ -351,13 +351,5 @@ impl Printer<'_> {
     pub fn std(&mut self, header: &'static str, name: &str, args: Vec<String>) -> Spelled {
         self.headers.insert(header);
         Spelled::whole(format!("std::{name}({})", args.join(", ")))
-    }
-}
-
-/// What a function of the program is called: not as one of the language.
-pub(super) fn invoked(name: &str) -> String {
-    match support::is_known(name) {
-        true => format!("{name}_"),
-        false => unreserved(name),
     }
 }
