@@ -2,10 +2,9 @@
 
 use super::NotEmitted;
 use super::names::Names;
-use super::term::{Around, Fold, Function, Parameter, Term};
-use crate::diagram::{
-    Access, Binary, Builtin, Collection, Expr, ExprKind, FoldFunction, Type, Unary,
-};
+use super::term::{Around, Fold, Function, Operation, Parameter, Term};
+use super::wide::{is_wide, negated, operated, type_of_call};
+use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Type, Unary};
 
 /// Writes expressions.
 pub(super) struct Expressions<'n> {
@@ -15,10 +14,6 @@ pub(super) struct Expressions<'n> {
 impl Expressions<'_> {
     /// The term of an expression.
     pub fn term(&mut self, expr: &Expr) -> Result<Term, NotEmitted> {
-        if !is_spelled(expr.ty) {
-            let what = format!("a value of type `{}`", expr.ty.word());
-            return Err(NotEmitted::new(what, expr.span));
-        }
         Ok(match &expr.kind {
             ExprKind::Bool(value) => Term::Bool(*value),
             ExprKind::Int(value) => Term::Int(*value),
@@ -47,14 +42,10 @@ impl Expressions<'_> {
             ExprKind::Local(number) => Term::name(self.names.local(*number)),
             ExprKind::Follow(pointer, base) => self.term(base)?.follow(*pointer),
             ExprKind::Read(Access::Position, base) => Term::Position(Box::new(self.term(base)?)),
-            ExprKind::Component(part, vector) => {
-                Term::Component(*part, Box::new(self.term(vector)?))
-            }
-            ExprKind::Vector(parts) => {
-                let [x, y, z] = parts.as_slice() else {
-                    return Err(NotEmitted::new("a vector of vectors", expr.span));
-                };
-                Term::Vector(Box::new([self.term(x)?, self.term(y)?, self.term(z)?]))
+            ExprKind::Component(part, whole) => self.component(*part, whole, expr.ty)?,
+            ExprKind::Vector(parts) => self.made(expr.ty, parts)?,
+            ExprKind::Unary(Unary::NegateVector, operand) if is_wide(expr.ty) => {
+                negated(expr.ty, self.term(operand)?)
             }
             ExprKind::Unary(Unary::ToReal, operand) => match &operand.kind {
                 // Exact: an int of the source that stands for a real.
@@ -68,41 +59,32 @@ impl Expressions<'_> {
             ExprKind::Unary(operator, operand) => {
                 Term::Unary(*operator, Box::new(self.term(operand)?))
             }
-            ExprKind::Binary(operator, left, right) => Term::Binary(
-                *operator,
-                Box::new(self.term(left)?),
-                Box::new(self.term(right)?),
-            ),
+            ExprKind::Binary(operator, left, right) => {
+                let sides = [self.term(left)?, self.term(right)?];
+                match is_wide(left.ty) {
+                    true => operated(*operator, left.ty, sides),
+                    false => {
+                        let [left, right] = sides.map(Box::new);
+                        Term::Binary(*operator, left, right)
+                    }
+                }
+            }
             ExprKind::Call(Builtin::IsFinite, args)
                 if args.len() == 1 && args[0].ty == Type::Vec3 =>
             {
                 Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
             }
             ExprKind::Call(builtin, args) => {
-                let of_vector = args.first().is_some_and(|arg| arg.ty != Type::Real);
-                let unknown = match builtin {
-                    Builtin::StarShaped
-                    | Builtin::KernelCentroid
-                    | Builtin::AngleCorner
-                    | Builtin::Cotangent
-                    | Builtin::DihedralAngle => true,
-                    Builtin::IsNan => of_vector,
-                    _ => false,
+                let function = match type_of_call(*builtin, args, expr.ty) {
+                    Some(ty) => Function::Of(Operation::Builtin(*builtin), ty),
+                    None => Function::Builtin(*builtin),
                 };
-                if unknown {
-                    return Err(NotEmitted::new("this function", expr.span));
-                }
                 let args = args.iter().map(|arg| self.term(arg));
-                Term::Call(Function::Builtin(*builtin), args.collect::<Result<_, _>>()?)
+                Term::Call(function, args.collect::<Result<_, _>>()?)
             }
             ExprKind::If(condition, then, otherwise) => {
                 let condition = self.term(condition)?;
                 condition.then(self.term(then)?, self.term(otherwise)?)
-            }
-            ExprKind::Fold(fold)
-                if matches!(fold.function, FoldFunction::ArgMin | FoldFunction::ArgMax) =>
-            {
-                return Err(NotEmitted::new("this aggregate", expr.span));
             }
             ExprKind::Fold(fold) => {
                 let (around, element) = around(&fold.collection)
@@ -197,6 +179,5 @@ fn is_not_zero(expr: &Expr) -> bool {
 
 /// Whether emitted code has a type for these values.
 pub(super) fn is_spelled(ty: Type) -> bool {
-    let wide = matches!(ty, Type::Vec2 | Type::Vec4 | Type::Mat3 | Type::Mat4);
-    !wide
+    ty != Type::Text
 }

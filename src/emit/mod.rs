@@ -27,6 +27,7 @@ mod steps;
 mod term;
 mod value;
 mod walks;
+mod wide;
 
 // A routine as text.
 mod cpp;

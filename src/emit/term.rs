@@ -100,6 +100,8 @@ pub(super) enum Around {
 pub(super) enum Function {
     /// One of the language.
     Builtin(Builtin),
+    /// Something that is computed of values of this type.
+    Of(Operation, Type),
     /// Whether going along a loop from the first halfedge the second comes before the third.
     InOrderAlongLoop,
     /// The same around a vertex, counterclockwise.
@@ -132,6 +134,26 @@ pub(super) enum Function {
     AllInOrderAroundVertex,
     /// What a sheet tells, under this name: of the sheet and of elements.
     Foreseen(&'static str),
+}
+
+/// What is computed of vectors and matrices, where their type tells how it is spelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operation {
+    /// An operator with two sides; the type is that of the left one.
+    Operator(Binary),
+    Negate,
+    /// A function of the language.
+    Builtin(Builtin),
+    /// A value of the type, by its parts or columns.
+    Make,
+    /// A value of the type, by a vector that is one part shorter, and that part.
+    Extend,
+    /// The first parts, as a vector of that type.
+    First(Type),
+    /// A component.
+    Part(u8),
+    /// A column of a matrix.
+    Column(u8),
 }
 
 impl Term {

@@ -1,6 +1,8 @@
 // The same mesh with other ways: pointers behind accessors, other names, half_edge in two
 // words, plain pointers as references, and operations that are members.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <set>
@@ -16,6 +18,23 @@ inline Vec operator-(Vec a, Vec b) { return Vec(a.x - b.x, a.y - b.y, a.z - b.z)
 inline Vec operator-(Vec a) { return Vec(-a.x, -a.y, -a.z); }
 inline Vec operator*(Vec a, float t) { return Vec(a.x * t, a.y * t, a.z * t); }
 inline Vec operator/(Vec a, float t) { return Vec(a.x / t, a.y / t, a.z / t); }
+
+// Other vectors and matrices: what is counted begins with zeros.
+struct Two {
+  float u = 0, v = 0;
+  float& operator[](std::size_t at) { return at == 0 ? u : v; }
+  float operator[](std::size_t at) const { return at == 0 ? u : v; }
+};
+struct Four {
+  float parts[4] = {0, 0, 0, 0};
+  float& operator[](std::size_t at) { return parts[at]; }
+  float operator[](std::size_t at) const { return parts[at]; }
+};
+struct Matrix {
+  Four columns[4];
+  Four& operator[](std::size_t at) { return columns[at]; }
+  const Four& operator[](std::size_t at) const { return columns[at]; }
+};
 }  // namespace course
 
 class HalfEdgeMesh {
@@ -38,6 +57,7 @@ class HalfEdgeMesh {
     E& edge() { return edge_; }
     F& face() { return face_; }
     float mark = 0;
+    course::Two uv;
     int number = -1;
 
    private:
@@ -51,6 +71,7 @@ class HalfEdgeMesh {
     course::Vec pos;
     float weight = 0;
     course::Vec tint;
+    course::Matrix quadric;
     int number = -1;
 
    private:
@@ -69,6 +90,8 @@ class HalfEdgeMesh {
     bool is_boundary() { return boundary; }
     bool boundary = false;
     long long class_ = 0;
+    course::Four plane;
+    std::array<std::array<float, 3>, 3> frame{};
     int number = -1;
 
    private:

@@ -8,12 +8,16 @@ use crate::subjects::Subject;
 use ElementKind::{Edge, Face, Halfedge, Vertex};
 
 /// What there is, with what a new element has.
-const ALL: [(ElementKind, &str, Value); 5] = [
+const ALL: [(ElementKind, &str, Value); 9] = [
     (Vertex, "weight", Value::Real(0.0)),
     (Vertex, "tint", Value::Vec3(glam::DVec3::ZERO)),
+    (Vertex, "quadric", Value::Mat4(glam::DMat4::ZERO)),
     (Halfedge, "mark", Value::Real(0.0)),
+    (Halfedge, "uv", Value::Vec2(glam::DVec2::ZERO)),
     (Edge, "fresh", Value::Bool(false)),
     (Face, "class", Value::Int(0)),
+    (Face, "plane", Value::Vec4(glam::DVec4::ZERO)),
+    (Face, "frame", Value::Mat3(glam::DMat3::ZERO)),
 ];
 
 /// Gives a mesh the attributes, in which all values are as a new element has them.

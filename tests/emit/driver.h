@@ -1,6 +1,7 @@
 // Reads meshes and calls, carries each call out on a fresh copy of the mesh, and prints what
 // has become of it. Numbers are those of the tables that were read; what is new counts on.
 #pragma once
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -18,6 +19,7 @@ struct Table {
   std::vector<int> vertex, edge, face, hole;
   std::vector<Vector> position, tint;
   std::vector<double> mark, weight, fresh, group;
+  std::vector<std::array<double, 16>> quadric, uv, plane, frame;
 };
 
 using VRef = decltype(Mesh().new_vertex());
@@ -45,6 +47,13 @@ inline double real() {
   return x;
 }
 
+// So many reals, in the first places.
+inline std::array<double, 16> reals(int count) {
+  std::array<double, 16> all{};
+  for (int i = 0; i < count; ++i) all[i] = real();
+  return all;
+}
+
 inline Table read_table() {
   Table t;
   t.vertices = number();
@@ -55,6 +64,7 @@ inline Table read_table() {
     t.half.push_back({});
     for (int k = 0; k < 5; ++k) t.half.back().push_back(number());
     t.mark.push_back(real());
+    t.uv.push_back(reals(2));
   }
   for (int i = 0; i < t.vertices; ++i) {
     t.vertex.push_back(number());
@@ -63,6 +73,7 @@ inline Table read_table() {
     t.weight.push_back(real());
     x = real(), y = real(), z = real();
     t.tint.push_back(Vector(x, y, z));
+    t.quadric.push_back(reals(16));
   }
   for (int i = 0; i < t.edges; ++i) {
     t.edge.push_back(number());
@@ -72,6 +83,8 @@ inline Table read_table() {
     t.face.push_back(number());
     t.hole.push_back(number());
     t.group.push_back(real());
+    t.plane.push_back(reals(4));
+    t.frame.push_back(reals(9));
   }
   return t;
 }
@@ -88,12 +101,14 @@ inline void build(const Table& t, Built& b) {
     SET(b.h[i], edge, b.e[t.half[i][3]]);
     SET(b.h[i], face, b.f[t.half[i][4]]);
     b.h[i]->mark = t.mark[i];
+    for (int k = 0; k < 2; ++k) b.h[i]->uv[k] = t.uv[i][k];
   }
   for (int i = 0; i < t.vertices; ++i) {
     SET(b.v[i], HALFEDGE, b.h[t.vertex[i]]);
     POSITION(b.v[i]) = t.position[i];
     b.v[i]->weight = t.weight[i];
     b.v[i]->tint = t.tint[i];
+    for (int k = 0; k < 16; ++k) b.v[i]->quadric[k / 4][k % 4] = t.quadric[i][k];
   }
   for (int i = 0; i < t.edges; ++i) {
     SET(b.e[i], HALFEDGE, b.h[t.edge[i]]);
@@ -103,6 +118,8 @@ inline void build(const Table& t, Built& b) {
     SET(b.f[i], HALFEDGE, b.h[t.face[i]]);
     BOUNDARY(b.f[i]) = t.hole[i];
     b.f[i]->class_ = static_cast<long long>(t.group[i]);
+    for (int k = 0; k < 4; ++k) b.f[i]->plane[k] = t.plane[i][k];
+    for (int k = 0; k < 9; ++k) b.f[i]->frame[k / 3][k % 3] = t.frame[i][k];
   }
 }
 
@@ -127,22 +144,36 @@ inline Counts numbered(Mesh& mesh) {
   return n;
 }
 
+template <class T>
+void print(const T& parts, int count) {
+  for (int k = 0; k < count; ++k) std::printf(" %.17g", double(parts[k]));
+}
+
 inline void print(Mesh& mesh) {
   Counts n = numbered(mesh);
   std::printf("%d %d %d %d\n", n.v, n.h, n.e, n.f);
   EACH(h, halfedges) {
-    std::printf("%d %d %d %d %d %.17g\n", GET(h, next)->number, GET(h, twin)->number,
+    std::printf("%d %d %d %d %d %.17g", GET(h, next)->number, GET(h, twin)->number,
                 GET(h, vertex)->number, GET(h, edge)->number, GET(h, face)->number,
                 double(h->mark));
+    print(h->uv, 2);
+    std::printf("\n");
   }
   EACH(v, vertices) {
     Vector p = POSITION(v);
     std::printf("%d %.17g %.17g %.17g", GET(v, HALFEDGE)->number, double(p.x), double(p.y), double(p.z));
     Vector q = v->tint;
-    std::printf(" %.17g %.17g %.17g %.17g\n", double(v->weight), double(q.x), double(q.y), double(q.z));
+    std::printf(" %.17g %.17g %.17g %.17g", double(v->weight), double(q.x), double(q.y), double(q.z));
+    for (int k = 0; k < 4; ++k) print(v->quadric[k], 4);
+    std::printf("\n");
   }
   EACH(e, edges) std::printf("%d %d\n", GET(e, HALFEDGE)->number, int(e->fresh));
-  EACH(f, faces) std::printf("%d %d %lld\n", GET(f, HALFEDGE)->number, int(BOUNDARY(f)), f->class_);
+  EACH(f, faces) {
+    std::printf("%d %d %lld", GET(f, HALFEDGE)->number, int(BOUNDARY(f)), f->class_);
+    print(f->plane, 4);
+    for (int k = 0; k < 3; ++k) print(f->frame[k], 3);
+    std::printf("\n");
+  }
 }
 
 // What an operation without a result, and one with a result, have done.

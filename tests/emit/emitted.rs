@@ -2,7 +2,7 @@
 
 mod drawn {
 use std::collections::HashMap;
-use glam::DVec3;
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use hedgerow::mesh::{Attribute, ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
 /// Merges the two ends of an edge between triangles at its midpoint; v1 goes.
@@ -3775,6 +3775,47 @@ pub fn attributes_hand_on(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
     Some(f)
 }
 
+/// Reads and sets vectors and matrices.
+pub fn attributes_note_plane(mesh: &mut Mesh, a: HalfedgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let quadric_column = mesh.find_column(ElementKind::Vertex, "quadric");
+    let Some(quadric_column) = quadric_column.filter(|&c| mesh.values::<DMat4>(c).is_some()) else {
+        return false; // the mesh has no attribute `quadric` of this type
+    };
+    let uv_column = mesh.find_column(ElementKind::Halfedge, "uv");
+    let Some(uv_column) = uv_column.filter(|&c| mesh.values::<DVec2>(c).is_some()) else {
+        return false; // the mesh has no attribute `uv` of this type
+    };
+    let plane_column = mesh.find_column(ElementKind::Face, "plane");
+    let Some(plane_column) = plane_column.filter(|&c| mesh.values::<DVec4>(c).is_some()) else {
+        return false; // the mesh has no attribute `plane` of this type
+    };
+    let frame_column = mesh.find_column(ElementKind::Face, "frame");
+    let Some(frame_column) = frame_column.filter(|&c| mesh.values::<DMat3>(c).is_some()) else {
+        return false; // the mesh has no attribute `frame` of this type
+    };
+    let f = mesh.face(a);
+    let v = mesh.vertex(a);
+    let w = mesh.vertex(mesh.next(a));
+    if mesh.is_hole(f) {
+        return false; // `f` is a hole
+    }
+    if v == w {
+        return false; // `v` and `w` are one vertex
+    }
+    let f_plane = (mesh.position(w) - mesh.position(v)).extend(attribute::<DVec4>(mesh, plane_column, f.0).w + 1.0);
+    let f_frame = outer3(DVec3::new(1.0, 0.0, 2.0), attribute::<DVec4>(mesh, plane_column, f.0).truncate()) + attribute::<DMat3>(mesh, frame_column, f.0) / 2.0;
+    let a_uv = DVec2::lerp(attribute::<DVec2>(mesh, uv_column, a.0), mesh.position(v).truncate(), 0.5);
+    let v_quadric = attribute::<DMat4>(mesh, quadric_column, v.0) + attribute::<DMat4>(mesh, quadric_column, w.0);
+
+    // 3. Reassign every pointer that changes.
+    set_attribute(mesh, plane_column, f.0, f_plane);
+    set_attribute(mesh, frame_column, f.0, f_frame);
+    set_attribute(mesh, uv_column, a.0, a_uv);
+    set_attribute(mesh, quadric_column, v.0, v_quadric);
+    true
+}
+
 /// Removes a vertex and leaves a hole; returns the hole.
 #[allow(non_snake_case)]
 pub fn guards_open_star(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
@@ -4565,7 +4606,7 @@ pub fn values_wander(mesh: &mut Mesh, v: VertexId, t: f64, n: i64) -> Option<Ver
         if 9 <= (mesh.spokes(v).filter(|&h| !mesh.is_boundary_halfedge(h)).filter(|&h| h == a || mesh.twin(h) == a).count() as i64) {
             continue; // no
         }
-        let v_position = DVec3::lerp(mesh.position(v), { let all = mesh.neighbors(v).map(|w_3| mesh.position(w_3)).collect::<Vec<DVec3>>(); assert!(!all.is_empty(), "a value of nothing"); all.iter().copied().sum::<DVec3>() / all.len() as f64 }, t) + mesh.vertex_normal(v) * f64::min(mesh.length(e), mesh.area(f)) + (if mesh.is_boundary_halfedge(a) { DVec3::new(0.25, 0.0, -1.0) } else { mesh.centroid(f) - mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5) }) * f64::sin(t) / 2.0 + DVec3::cross(mesh.position(w), mesh.position(v)) * ((i64::max(n, 2) as f64) * 0.125) + DVec3::normalize_or_zero(mesh.position(v) - mesh.position(w)) * f64::sqrt(f64::abs(DVec3::dot(mesh.position(v), mesh.position(w)))) + DVec3::new(f64::atan2(DVec3::cross(mesh.position(v), mesh.position(w)).length(), DVec3::dot(mesh.position(v), mesh.position(w))), mesh.face_halfedges(f).map(|h| mesh.edge(h)).filter(|&e_2| !mesh.is_boundary_edge(e_2)).map(|e_2| mesh.length(e_2)).sum::<f64>(), ((t * 7.0).round_ties_even() as i64) as f64);
+        let v_position = DVec3::lerp(mesh.position(v), { let all = mesh.neighbors(v).map(|w_3| mesh.position(w_3)).collect::<Vec<DVec3>>(); assert!(!all.is_empty(), "a value of nothing"); all.iter().copied().sum::<DVec3>() / all.len() as f64 }, t) + mesh.vertex_normal(v) * f64::min(mesh.length(e), mesh.area(f)) + (if mesh.is_boundary_halfedge(a) { DVec3::new(0.25, 0.0, -1.0) } else { mesh.centroid(f) - mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5) }) * f64::sin(t) / 2.0 + DVec3::cross(mesh.position(w), mesh.position(v)) * ((i64::max(n, 2) as f64) * 0.125) + direction(mesh.position(v) - mesh.position(w)) * f64::sqrt(f64::abs(DVec3::dot(mesh.position(v), mesh.position(w)))) + DVec3::new(f64::atan2(DVec3::cross(mesh.position(v), mesh.position(w)).length(), DVec3::dot(mesh.position(v), mesh.position(w))), mesh.face_halfedges(f).map(|h| mesh.edge(h)).filter(|&e_2| !mesh.is_boundary_edge(e_2)).map(|e_2| mesh.length(e_2)).sum::<f64>(), ((t * 7.0).round_ties_even() as i64) as f64);
         if !v_position.is_finite() {
             continue; // the new position of `v` is not finite
         }
@@ -4841,6 +4882,117 @@ pub fn values_stretch(mesh: &mut Mesh, a: HalfedgeId) -> bool {
     // 3. Reassign every pointer that changes.
     mesh.set_position(v, v_position);
     true
+}
+
+/// Moves a vertex to where it is nearest to the planes around it, and not far from where it was.
+pub fn values_settle(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Each halfedge that starts at v is tried.
+    for a in mesh.spokes(v).collect::<Vec<_>>() {
+        let f = mesh.face(a);
+        let w = mesh.vertex(mesh.next(a));
+        if mesh.is_hole(f) {
+            continue; // `f` is a hole
+        }
+        if mesh.vertex(a) != v {
+            continue; // `a` does not start at `v`
+        }
+        if v == w {
+            continue; // `v` and `w` are one vertex
+        }
+        if !quadric_of(mesh, f).is_finite() {
+            continue; // it is flat
+        }
+        if mesh.position(v).is_nan() {
+            continue; // it is flat
+        }
+        if mesh.spokes(v).map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f)).map(|f_2| quadric_of(mesh, f_2)).sum::<DMat4>() == DMat4::from_diagonal(DVec4::splat(t)) {
+            continue; // it does not change
+        }
+        let v_position = solve4(mesh.spokes(v).map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f)).map(|f_3| quadric_of(mesh, f_3)).sum::<DMat4>() + DMat4::from_diagonal(DVec4::splat(0.5)), mesh.position(v).extend(1.0)).truncate() + inverse3(DMat3::from_mat4({ let all = mesh.spokes(v).map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f)).map(|f_4| quadric_of(mesh, f_4)).collect::<Vec<DMat4>>(); assert!(!all.is_empty(), "a value of nothing"); all.iter().copied().sum::<DMat4>() / all.len() as f64 }) + DMat3::from_diagonal(DVec3::splat(1.0))) * mesh.position(w) + solve3(outer3(mesh.position(v), mesh.position(w)) / 4.0 + DMat3::from_diagonal(DVec3::splat(3.0)), DVec3::new(t, 1.0, (-DMat3::from_diagonal(DVec3::splat(t))).determinant()));
+        if !v_position.is_finite() {
+            continue; // the new position of `v` is not finite
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_position(v, v_position);
+        return Some(v);
+    }
+    None
+}
+
+/// Everything else that can be done with vectors and matrices.
+pub fn values_mangle(mesh: &mut Mesh, a: HalfedgeId, t: f64) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    let b = mesh.next(a);
+    let f = mesh.face(a);
+    let v = mesh.vertex(a);
+    let w = mesh.vertex(b);
+    let u = mesh.vertex(mesh.next(b));
+    if mesh.is_hole(f) {
+        return false; // `f` is a hole
+    }
+    if v == w {
+        return false; // `v` and `w` are one vertex
+    }
+    if v == u {
+        return false; // `v` and `u` are one vertex
+    }
+    if w == u {
+        return false; // `w` and `u` are one vertex
+    }
+    if !(0.25 < DVec2::distance(mesh.position(v).truncate(), mesh.position(w).truncate())) {
+        return false; // too near
+    }
+    let v_position = (DMat3::from_cols(mesh.position(v), mesh.position(w), mesh.position(u)) * DMat3::from_diagonal(DVec3::splat(2.0)).transpose()).y_axis + (DVec2::new(t, 1.0) * mesh.position(w).truncate() - DVec2::lerp(mesh.position(u).truncate(), (DVec4::new(1.0, 1.0, 1.0, 1.0) * t).truncate().truncate(), 0.25)).extend(1.0) + direction2(DVec2::new(t, 3.0)).extend(DVec2::new(1.0, t).length());
+    if !v_position.is_finite() {
+        return false; // the new position of `v` is not finite
+    }
+    let w_position = DVec3::new(DVec2::perp_dot(mesh.position(v).truncate(), mesh.position(w).truncate()), (DMat4::from_diagonal(DVec4::splat(t)) + outer4(mesh.position(w).extend(1.0), DVec4::new(1.0, 2.0, 3.0, 4.0))).determinant(), DVec4::dot(direction4(mesh.position(v).extend(t)), DVec4::new(1.0, mesh.position(u).x, mesh.position(u).y, mesh.position(u).z)));
+    if !w_position.is_finite() {
+        return false; // the new position of `w` is not finite
+    }
+    let u_position = DMat3::from_cols(DVec3::new(1.0, t, 0.0), mesh.position(u), DVec3::new(0.0, 0.0, 2.0)) * mesh.position(v).z * mesh.position(w) + DVec3::new(1.0, 1.0, 1.0) * DMat4::from_cols(DVec4::new(1.0, 1.0, 1.0, 1.0) * 1.0, DVec4::new(1.0, 1.0, 1.0, 1.0) * t, mesh.position(u).extend(2.0), DVec4::new(0.0, 1.0, 2.0, 3.0)).z_axis.w + (-DVec2::new(t, 2.0)).extend((DVec4::new(1.0, 1.0, 1.0, 1.0) * t / 3.0 - DVec4::new(1.0, 1.0, 1.0, 1.0) * 1.0).x) + (if DMat3::from_diagonal(DVec3::splat(1.0)) * DMat3::from_diagonal(DVec3::splat(t)) == DMat3::from_diagonal(DVec3::splat(t)) && !DMat3::from_diagonal(DVec3::splat(t)).is_nan() { DVec3::new(1.0, 1.0, 1.0) * 1.0 } else { DVec3::new(1.0, 1.0, 1.0) * 2.0 });
+    if !u_position.is_finite() {
+        return false; // the new position of `u` is not finite
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_position(v, v_position);
+    mesh.set_position(w, w_position);
+    mesh.set_position(u, u_position);
+    true
+}
+
+/// Moves a vertex by the angles around it.
+pub fn values_fold_up(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let a_ = mesh.twin(a);
+        let v = mesh.vertex(a);
+        let w = mesh.vertex(a_);
+        if v == w {
+            continue; // `v` and `w` are one vertex
+        }
+        if mesh.kernel_centroid(e).is_some() && !mesh.kernel_centroid(e).unwrap_or(DVec3::NAN).is_finite() {
+            continue; // that is never so
+        }
+        let v_position = mesh.position(v) + DVec3::new(corner_angle(mesh, a), dihedral_angle(mesh, e), cotangent(mesh, a) / 64.0) + mesh.position(mesh.vertex(mesh.edge_halfedge(least_of(mesh.spokes(v).map(|h| mesh.edge(h)), |e_2| mesh.length(e_2))))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(least_of(mesh.spokes(v).map(|h| mesh.edge(h)), |e_2| mesh.length(e_2))))), 0.5) + mesh.position(greatest_of(mesh.neighbors(v).filter(|&w_2| w_2 != v), |w_2| mesh.position(w_2).y));
+        if !v_position.is_finite() {
+            continue; // the new position of `v` is not finite
+        }
+        let w_position = if mesh.kernel_centroid(e).is_some() { mesh.kernel_centroid(e).unwrap_or(DVec3::NAN) } else { mesh.position(w) };
+        if !w_position.is_finite() {
+            continue; // the new position of `w` is not finite
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_position(v, v_position);
+        mesh.set_position(w, w_position);
+        return true;
+    }
+    false
 }
 
 /// The operation `more_extrude`.
@@ -8493,6 +8645,17 @@ fn holds(mesh: &Mesh, h: HalfedgeId) -> bool {
     if mesh.is_boundary_halfedge(h) { true } else { -reach(mesh, mesh.face(h)) <= DVec3::cross(ahead, back).z }
 }
 
+/// The plane of a face: its unit normal, and how far it is from the origin.
+fn plane_of(mesh: &Mesh, f: FaceId) -> DVec4 {
+    let n = mesh.normal(f);
+    n.extend(-DVec3::dot(n, mesh.centroid(f)))
+}
+
+/// How the distance to a face grows.
+fn quadric_of(mesh: &Mesh, f: FaceId) -> DMat4 {
+    outer4(plane_of(mesh, f), plane_of(mesh, f)) * (mesh.area(f) + 0.5)
+}
+
 /// The value of an attribute.
 fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
     mesh.values(column).expect("a column of this type")[element as usize]
@@ -8512,6 +8675,135 @@ fn all_differ<T: PartialEq>(all: &[T]) -> bool {
 /// Whether `a` and `b`, neither with repetitions, hold the same.
 fn same_elements<T: PartialEq>(a: &[T], b: &[T]) -> bool {
     a.len() == b.len() && a.iter().all(|x| b.contains(x))
+}
+
+/// The direction of a vector, or zero.
+fn direction(v: DVec3) -> DVec3 {
+    // The square of a small length is zero, that of a large one infinite.
+    let largest = v.abs().max_element();
+    match largest > 0.0 && largest.is_finite() {
+        true => (v / largest).normalize_or_zero(),
+        false => DVec3::ZERO,
+    }
+}
+
+/// The direction of a vector, or zero.
+fn direction2(v: DVec2) -> DVec2 {
+    let largest = v.abs().max_element();
+    let length = (v / largest).length();
+    match largest > 0.0 && length.is_finite() {
+        true => v / largest / length,
+        false => DVec2::ZERO,
+    }
+}
+
+/// The direction of a vector, or zero.
+fn direction4(v: DVec4) -> DVec4 {
+    let largest = v.abs().max_element();
+    let length = (v / largest).length();
+    match largest > 0.0 && length.is_finite() {
+        true => v / largest / length,
+        false => DVec4::ZERO,
+    }
+}
+
+/// A column times a row.
+fn outer3(column: DVec3, row: DVec3) -> DMat3 {
+    DMat3::from_cols(column * row.x, column * row.y, column * row.z)
+}
+
+/// A column times a row.
+fn outer4(column: DVec4, row: DVec4) -> DMat4 {
+    DMat4::from_cols(column * row.x, column * row.y, column * row.z, column * row.w)
+}
+
+/// Solves for several right sides at once by elimination with partial pivoting (Golub and Van
+/// Loan, Matrix Computations, 1996, section 3.4); not a number everywhere if the matrix is
+/// singular.
+fn eliminate<const N: usize, const M: usize>(mut a: [[f64; N]; N], mut b: [[f64; N]; M]) -> [[f64; N]; M] {
+    let largest = a.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let least = N as f64 * f64::EPSILON * largest;
+    for k in 0..N {
+        let smaller = |&i: &usize, &j: &usize| a[k][i].abs().total_cmp(&a[k][j].abs());
+        let pivot = (k..N).max_by(smaller).unwrap_or(k);
+        if !(a[k][pivot].abs() > least && a[k][pivot].is_finite()) {
+            return [[f64::NAN; N]; M];
+        }
+        a.iter_mut().for_each(|column| column.swap(k, pivot));
+        b.iter_mut().for_each(|side| side.swap(k, pivot));
+        for row in k + 1..N {
+            let factor = a[k][row] / a[k][k];
+            a.iter_mut().for_each(|column| column[row] -= factor * column[k]);
+            b.iter_mut().for_each(|side| side[row] -= factor * side[k]);
+        }
+    }
+    for side in &mut b {
+        for row in (0..N).rev() {
+            let known: f64 = (row + 1..N).map(|k| a[k][row] * side[k]).sum();
+            side[row] = (side[row] - known) / a[row][row];
+        }
+    }
+    b
+}
+
+fn inverse3(m: DMat3) -> DMat3 {
+    DMat3::from_cols_array_2d(&eliminate(m.to_cols_array_2d(), DMat3::IDENTITY.to_cols_array_2d()))
+}
+
+/// What the matrix takes to a vector.
+fn solve3(m: DMat3, to: DVec3) -> DVec3 {
+    DVec3::from_array(eliminate(m.to_cols_array_2d(), [to.to_array()])[0])
+}
+
+/// What the matrix takes to a vector.
+fn solve4(m: DMat4, to: DVec4) -> DVec4 {
+    DVec4::from_array(eliminate(m.to_cols_array_2d(), [to.to_array()])[0])
+}
+
+/// The angle at the corner where a halfedge starts, in its face.
+fn corner_angle(mesh: &Mesh, h: HalfedgeId) -> f64 {
+    let place = |h| mesh.position(mesh.vertex(h));
+    let ahead = place(mesh.next(h)) - place(h);
+    let behind = place(mesh.prev(h)) - place(h);
+    f64::atan2(ahead.cross(behind).length(), ahead.dot(behind))
+}
+
+/// The cotangent of the angle opposite to a halfedge in its triangle.
+fn cotangent(mesh: &Mesh, h: HalfedgeId) -> f64 {
+    let place = |h| mesh.position(mesh.vertex(h));
+    let a = place(h) - place(mesh.prev(h));
+    let b = place(mesh.next(h)) - place(mesh.prev(h));
+    a.dot(b) / a.cross(b).length()
+}
+
+/// The angle between the normals on both sides of an edge, positive where it stands out; zero on
+/// the boundary.
+fn dihedral_angle(mesh: &Mesh, e: EdgeId) -> f64 {
+    if mesh.is_boundary_edge(e) {
+        return 0.0;
+    }
+    let h = mesh.edge_halfedge(e);
+    let first = mesh.normal(mesh.face(h));
+    let second = mesh.normal(mesh.face(mesh.twin(h)));
+    let place = |h| mesh.position(mesh.vertex(h));
+    let along = direction(place(mesh.next(h)) - place(h));
+    f64::atan2(along.dot(first.cross(second)), first.dot(second))
+}
+
+/// The one with the least value, of several the first; what is not a number gives way.
+fn least_of<T: Copy>(all: impl IntoIterator<Item = T>, value: impl Fn(T) -> f64) -> T {
+    let valued = all.into_iter().map(|x| (x, value(x)));
+    let better = |a: &(T, f64), b: &(T, f64)| b.1 < a.1 || (a.1.is_nan() && !b.1.is_nan());
+    let best = valued.reduce(|a, b| if better(&a, &b) { b } else { a });
+    best.expect("the least of nothing").0
+}
+
+/// The one with the greatest value, of several the first; what is not a number gives way.
+fn greatest_of<T: Copy>(all: impl IntoIterator<Item = T>, value: impl Fn(T) -> f64) -> T {
+    let valued = all.into_iter().map(|x| (x, value(x)));
+    let better = |a: &(T, f64), b: &(T, f64)| b.1 > a.1 || (a.1.is_nan() && !b.1.is_nan());
+    let best = valued.reduce(|a, b| if better(&a, &b) { b } else { a });
+    best.expect("the greatest of nothing").0
 }
 
 /// The mesh as it will be: what is noted here counts, and of all else what the mesh says. An
@@ -10554,6 +10846,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("polygon_weld", &[Element(x0), Element(x1)]) => { let r = drawn::polygon_weld(mesh, EdgeId(x0), EdgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("attributes_split_marked", &[Element(x0), Real(x1)]) => { let r = drawn::attributes_split_marked(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("attributes_hand_on", &[Element(x0)]) => { let r = drawn::attributes_hand_on(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("attributes_note_plane", &[Element(x0)]) => (drawn::attributes_note_plane(mesh, HalfedgeId(x0)), None),
         ("guards_open_star", &[Element(x0)]) => { let r = drawn::guards_open_star(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("guards_dissolve_simply", &[Element(x0)]) => { let r = drawn::guards_dissolve_simply(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("guards_fill_simply", &[Element(x0)]) => { let r = drawn::guards_fill_simply(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
@@ -10567,6 +10860,9 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("values_cut", &[Element(x0), Element(x1)]) => { let r = drawn::values_cut(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("values_pierce", &[Element(x0)]) => { let r = drawn::values_pierce(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("values_stretch", &[Element(x0)]) => (drawn::values_stretch(mesh, HalfedgeId(x0)), None),
+        ("values_settle", &[Element(x0), Real(x1)]) => { let r = drawn::values_settle(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
+        ("values_mangle", &[Element(x0), Real(x1)]) => (drawn::values_mangle(mesh, HalfedgeId(x0), x1), None),
+        ("values_fold_up", &[Element(x0)]) => (drawn::values_fold_up(mesh, EdgeId(x0)), None),
         ("more_extrude", &[Element(x0)]) => (drawn::more_extrude(mesh, FaceId(x0)), None),
         ("more_collapse_face", &[Element(x0)]) => { let r = drawn::more_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_cut_every_other_side", &[Element(x0)]) => (drawn::more_cut_every_other_side(mesh, FaceId(x0)), None),

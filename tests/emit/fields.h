@@ -1,6 +1,7 @@
 // A small pointer mesh as courses have it: elements in lists, references that stay good.
 // Halfedges know no prev; a hole is a face with a flag.
 #pragma once
+#include <array>
 #include <list>
 
 struct Vec3 {
@@ -34,6 +35,7 @@ class Mesh {
     EdgeRef edge;
     FaceRef face;
     double mark = 0;
+    std::array<double, 2> uv{};
     int number = -1;
   };
   struct Vertex {
@@ -41,6 +43,7 @@ class Mesh {
     Vec3 position;
     double weight = 0;
     Vec3 tint;
+    std::array<std::array<double, 4>, 4> quadric{};
     int number = -1;
   };
   struct Edge {
@@ -52,6 +55,8 @@ class Mesh {
     HalfedgeRef halfedge;
     bool boundary = false;
     long long class_ = 0;
+    std::array<double, 4> plane{};
+    std::array<std::array<double, 3>, 3> frame{};
     int number = -1;
   };
 

@@ -83,7 +83,7 @@ impl Printer<'_> {
             let chain = |of: &str, pointer: &str| self.style.chained(of, pointer);
             let text = support::spelled(name, &chain, &|ty| self.style.qualified(ty));
             // So that functions of several files can stand in one.
-            let guard = format!("HEDGEROW_{}", name.to_uppercase());
+            let guard = format!("HEDGEROW_{}", name.to_uppercase().replace('.', "_"));
             functions.push_str(&format!(
                 "\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n"
             ));
@@ -91,6 +91,7 @@ impl Printer<'_> {
         for helper in helpers {
             functions.push_str(&format!("\n{helper}"));
         }
+        let body = self.lines.finish();
         for (word, header) in [
             ("std::vector", "vector"),
             ("std::find", "algorithm"),
@@ -103,14 +104,18 @@ impl Printer<'_> {
             ("std::sqrt", "cmath"),
             ("std::atan2", "cmath"),
             ("std::isfinite", "cmath"),
+            ("std::fabs", "cmath"),
+            ("std::array", "array"),
+            ("std::decay_t", "type_traits"),
+            ("std::numeric_limits", "limits"),
+            ("std::swap", "utility"),
             ("std::size_t", "cstddef"),
             ("std::domain_error", "stdexcept"),
         ] {
-            if functions.contains(word) {
+            if functions.contains(word) || body.contains(word) {
                 headers.insert(header);
             }
         }
-        let body = self.lines.finish();
         let headers: String = headers
             .iter()
             .map(|header| format!("#include <{header}>\n"))
@@ -154,8 +159,12 @@ impl Printer<'_> {
             Type::Int => "long long".into(),
             Type::Real => self.style.name("real").into(),
             Type::Vec3 => self.style.name("Vector").into(),
-            // Nothing of these types is built.
-            Type::Text | Type::Vec2 | Type::Vec4 | Type::Mat3 | Type::Mat4 => "auto".into(),
+            Type::Vec2 => self.style.value("Vector2"),
+            Type::Vec4 => self.style.value("Vector4"),
+            Type::Mat3 => self.style.value("Matrix3"),
+            Type::Mat4 => self.style.value("Matrix4"),
+            // Nothing of this type is built.
+            Type::Text => "auto".into(),
             Type::Vertex => self.style.name("Vertex").into(),
             Type::Halfedge => self.style.name("Halfedge").into(),
             Type::Edge => self.style.name("Edge").into(),

@@ -7,6 +7,7 @@ mod statement;
 mod style;
 mod support;
 mod types;
+mod wide;
 
 pub use function::cpp;
 pub use style::{Style, StyleError};

@@ -2,6 +2,7 @@
 
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
+use super::super::wide::is_wide;
 use super::function::{Printer, invoked};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -73,6 +74,7 @@ impl Language for Printer<'_> {
         let mut texts: Vec<String> = args.into_iter().map(|arg| arg.at(Level::Or)).collect();
         let builtin = match function {
             Function::Builtin(builtin) => builtin,
+            Function::Of(operation, ty) => return self.of_type(operation, ty, texts),
             function => {
                 let name = match function {
                     Function::InOrderAlongLoop => "in_order_along_loop",
@@ -97,7 +99,7 @@ impl Language for Printer<'_> {
                     }
                     // Meshes have none.
                     Function::IsIsolated => return Spelled::whole("false"),
-                    Function::IsFinite | Function::Builtin(_) => "is_finite",
+                    Function::IsFinite | Function::Builtin(_) | Function::Of(..) => "is_finite",
                 };
                 return Spelled::whole(self.support(name, texts));
             }
@@ -115,6 +117,11 @@ impl Language for Printer<'_> {
             Builtin::IsHole => return Spelled::whole(self.style.boundary(&texts[0])),
             Builtin::Adjacent => "adjacent",
             Builtin::LinkCondition => "link_condition",
+            Builtin::StarShaped => "star_shaped",
+            Builtin::KernelCentroid => "kernel_centroid",
+            Builtin::AngleCorner => "corner_angle",
+            Builtin::Cotangent => "cotangent",
+            Builtin::DihedralAngle => "dihedral_angle",
             Builtin::LengthEdge => {
                 let half = self.style.chained(&texts[0], "halfedge");
                 texts = vec![self.support("edge_vector", vec![half])];
@@ -169,13 +176,8 @@ impl Language for Printer<'_> {
             Builtin::Ceil => return self.std("cmath", "ceil", texts),
             Builtin::IsNan => return self.std("cmath", "isnan", texts),
             Builtin::IsFinite => return self.std("cmath", "isfinite", texts),
-            // None of these is built.
-            Builtin::StarShaped
-            | Builtin::KernelCentroid
-            | Builtin::AngleCorner
-            | Builtin::Cotangent
-            | Builtin::DihedralAngle
-            | Builtin::CrossPlane
+            // These are told with the type that they are of.
+            Builtin::CrossPlane
             | Builtin::Diagonal
             | Builtin::UpperLeft
             | Builtin::Outer
@@ -254,6 +256,12 @@ impl Language for Printer<'_> {
         };
         let body = format!("{head} {{ return {body}; }}");
         let (name, args) = match fold.function {
+            FoldFunction::Sum if is_wide(fold.ty) => {
+                return Spelled::whole(self.total("total.n", fold.ty, &[all, body]));
+            }
+            FoldFunction::Mean if is_wide(fold.ty) => {
+                return Spelled::whole(self.total("average.n", fold.ty, &[all, body]));
+            }
             FoldFunction::Count => ("count", vec![all, body]),
             FoldFunction::Any => ("any", vec![all, body]),
             FoldFunction::All => ("all", vec![all, body]),
@@ -261,8 +269,8 @@ impl Language for Printer<'_> {
             FoldFunction::Mean => ("mean", vec![all, zero, body]),
             FoldFunction::Min => ("least", vec![all, zero, body]),
             FoldFunction::Max => ("greatest", vec![all, zero, body]),
-            // Neither of these is built.
-            FoldFunction::ArgMin | FoldFunction::ArgMax => return Spelled::whole(""),
+            FoldFunction::ArgMin => ("least_of", vec![all, body]),
+            FoldFunction::ArgMax => ("greatest_of", vec![all, body]),
         };
         Spelled::whole(self.support(name, args))
     }

@@ -36,6 +36,10 @@ const PATTERNS: &[(&str, &str, Option<&str>)] = &[
     ("Edge", "EdgeRef", None),
     ("Face", "FaceRef", None),
     ("Vector", "Vec3", None),
+    ("Vector2", "", None),
+    ("Vector4", "", None),
+    ("Matrix3", "", None),
+    ("Matrix4", "", None),
     ("real", "double", Some("float")),
     ("new_vertex", "new_vertex()", None),
     ("new_halfedge", "new_halfedge()", None),
@@ -152,6 +156,21 @@ impl Style {
         self.pattern(name)
     }
 
+    /// A type of values; arrays, matrices column by column, where the mesh class has none.
+    pub(in crate::emit) fn value(&self, ty: &str) -> String {
+        let name = self.pattern(ty);
+        if !name.is_empty() {
+            return name.to_string();
+        }
+        let array = |of: &str, size: u8| format!("std::array<{of}, {size}>");
+        let (real, size) = (self.pattern("real"), if ty.ends_with('3') { 3 } else { 4 });
+        match ty {
+            "Vector2" => array(real, 2),
+            "Vector4" => array(real, 4),
+            _ => array(&array(real, size), size),
+        }
+    }
+
     /// Whether operations are members of the mesh class.
     pub(in crate::emit) fn is_member(&self) -> bool {
         self.pattern("member") == "yes"
@@ -185,10 +204,9 @@ impl Style {
 
     /// A type where the names of the mesh class are not in sight: `Mesh::VertexRef`.
     pub(in crate::emit) fn qualified(&self, ty: &str) -> String {
-        let name = self.pattern(ty);
         match self.is_nested(ty) {
-            true => format!("{}::{name}", self.pattern("mesh")),
-            false => name.to_string(),
+            true => format!("{}::{}", self.pattern("mesh"), self.pattern(ty)),
+            false => self.value(ty),
         }
     }
 

@@ -3,8 +3,13 @@
 //! `[h.twin.next]` stands for pointers as the style reads them, `[v.position]` and
 //! `[f.boundary]` for those; `$Vertex` and the like for types.
 
-/// Each behind a line with its name. Those that a text calls stand before it.
-const TEXTS: &str = concat!(include_str!("functions.txt"), include_str!("sheet.txt"));
+/// Each behind a line with its name; that of a template whose first parameter is a size ends
+/// with `.n`. Those that a text calls stand before it.
+const TEXTS: &str = concat!(
+    include_str!("functions.txt"),
+    include_str!("values.txt"),
+    include_str!("sheet.txt")
+);
 
 /// The names and texts of all functions, in order.
 fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -45,9 +50,17 @@ fn need(name: &'static str, order: &mut Vec<&'static str>) {
     order.push(name);
 }
 
+/// What a call of a function begins with; `dot.n` is called as `dot<4>(…)`.
+fn call_of(name: &str) -> String {
+    match name.strip_suffix(".n") {
+        Some(name) => format!("{name}<"),
+        None => format!("{name}("),
+    }
+}
+
 /// Whether a text calls a function: its name as a whole word, with a bracket behind it.
 fn calls(text: &str, name: &str) -> bool {
-    let call = format!("{name}(");
+    let call = call_of(name);
     text.match_indices(&call).any(|(at, _)| {
         let before = text[..at].chars().next_back();
         !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == ':' || c == '.')
@@ -67,7 +80,7 @@ pub(super) fn spelled(
         if rest[at..].starts_with('$') {
             let word = &rest[at + 1..];
             let end = word
-                .find(|c: char| !c.is_ascii_alphabetic())
+                .find(|c: char| !c.is_ascii_alphanumeric())
                 .unwrap_or(word.len());
             out.push_str(&ty(&word[..end]));
             rest = &word[end..];
@@ -98,7 +111,7 @@ pub(super) fn spelled(
 fn qualified(name: &str, text: &str) -> String {
     let mut text = text.to_string();
     for (other, _) in functions().filter(|(other, _)| *other != name) {
-        let call = format!("{other}(");
+        let call = call_of(other);
         let mut from = 0;
         while let Some(found) = text[from..].find(&call) {
             let at = from + found;

@@ -6,11 +6,11 @@ use super::super::names::unreserved;
 use super::super::routine::{Helper, Statement};
 use super::function::{Printer, names, ty};
 use super::steps::bare;
-use super::support::FUNCTIONS;
+use super::support;
 
 /// What a function of the program is called: not as one that is written out.
 pub(super) fn invoked(name: &str) -> String {
-    match FUNCTIONS.iter().any(|(known, _)| *known == name) {
+    match support::is_known(name) {
         true => format!("{name}_"),
         false => unreserved(name),
     }

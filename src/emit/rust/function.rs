@@ -8,8 +8,7 @@ use super::super::spell::spell;
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Parameter, Term};
 use super::super::{NotEmitted, Selection, build};
-use super::sheet::SHEET;
-use super::support::FUNCTIONS;
+use super::support;
 use crate::diagram::Type;
 
 /// Operations as Rust. What an operation refuses is `None`; one without a result tells whether
@@ -44,13 +43,10 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
             Item::Steps(whole) => printer.whole(whole, visible),
         }
     }
-    let used = printer.used;
     let mut body = printer.lines.finish();
-    for &(name, text) in FUNCTIONS.iter().chain(&[("Sheet", SHEET)]) {
-        if used.contains(name) {
-            body.push('\n');
-            body.push_str(text);
-        }
+    for (_, text) in support::needed(printer.used) {
+        body.push('\n');
+        body.push_str(text);
     }
     let all = [
         "Attribute",
@@ -65,9 +61,12 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         "validate_level_near",
     ];
     let used: Vec<_> = all.into_iter().filter(|word| names(&body, word)).collect();
-    let vectors = match names(&body, "DVec3") {
-        true => "use glam::DVec3;\n",
-        false => "",
+    let vectors = ["DMat3", "DMat4", "DVec2", "DVec3", "DVec4"];
+    let vectors: Vec<_> = vectors.into_iter().filter(|of| names(&body, of)).collect();
+    let vectors = match vectors.as_slice() {
+        [] => String::new(),
+        [only] => format!("use glam::{only};\n"),
+        all => format!("use glam::{{{}}};\n", all.join(", ")),
     };
     let maps = match names(&body, "HashMap") {
         true => "use std::collections::HashMap;\n",
@@ -107,8 +106,12 @@ pub(super) fn ty(ty: Type) -> &'static str {
         Type::Int => "i64",
         Type::Real => "f64",
         Type::Vec3 => "DVec3",
-        // Nothing of these types is built.
-        Type::Text | Type::Vec2 | Type::Vec4 | Type::Mat3 | Type::Mat4 => "_",
+        Type::Vec2 => "DVec2",
+        Type::Vec4 => "DVec4",
+        Type::Mat3 => "DMat3",
+        Type::Mat4 => "DMat4",
+        // Nothing of this type is built.
+        Type::Text => "_",
         Type::Vertex => "VertexId",
         Type::Halfedge => "HalfedgeId",
         Type::Edge => "EdgeId",

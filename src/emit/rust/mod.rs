@@ -7,5 +7,6 @@ mod spelling;
 mod statement;
 mod steps;
 mod support;
+mod wide;
 
 pub use function::rust;

@@ -1,12 +1,9 @@
-//! Statements that are noted on a sheet over the mesh, and what such a sheet is.
+//! Statements that are noted on a sheet over the mesh.
 
 use super::super::routine::Statement;
 use super::super::spell::field;
 use super::super::term::Turns;
 use super::function::Printer;
-
-/// The type that a sheet has, written out where it is used.
-pub(super) const SHEET: &str = include_str!("sheet.txt");
 
 impl Printer {
     /// A sheet, and the block in which it is looked at.

@@ -63,6 +63,7 @@ impl Language for Printer {
     fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {
         let builtin = match function {
             Function::Builtin(builtin) => builtin,
+            Function::Of(operation, ty) => return self.of_type(operation, ty, args),
             function => return self.own(function, args),
         };
         let first = |args: &[Spelled]| {
@@ -86,6 +87,17 @@ impl Language for Printer {
             Builtin::IsHole => return of_mesh("is_hole", &args),
             Builtin::Adjacent => return of_mesh("adjacent", &args),
             Builtin::LinkCondition => return of_mesh("link_condition", &args),
+            Builtin::StarShaped => {
+                let text = format!("mesh.kernel_centroid({}).is_some()", first(&args));
+                return Spelled::whole(text);
+            }
+            Builtin::KernelCentroid => {
+                let found = format!("mesh.kernel_centroid({})", first(&args));
+                return Spelled::whole(format!("{found}.unwrap_or(DVec3::NAN)"));
+            }
+            Builtin::AngleCorner => return self.of_mesh_part("corner_angle", &args),
+            Builtin::Cotangent => return self.of_mesh_part("cotangent", &args),
+            Builtin::DihedralAngle => return self.of_mesh_part("dihedral_angle", &args),
             Builtin::LengthEdge => return of_mesh("length", &args),
             Builtin::LengthHalfedge => {
                 return Spelled::whole(format!("mesh.vector({}).length()", first(&args)));
@@ -115,7 +127,7 @@ impl Language for Printer {
             Builtin::LengthVector => "length",
             Builtin::Dot => "dot",
             Builtin::Cross => "cross",
-            Builtin::Normalize => "normalize_or_zero",
+            Builtin::Normalize => return self.support("direction", &[first(&args)]),
             Builtin::Distance => "distance",
             Builtin::Angle => {
                 let (a, b) = (
@@ -151,13 +163,8 @@ impl Language for Printer {
             Builtin::Ceil => "ceil",
             Builtin::IsNan => "is_nan",
             Builtin::IsFinite => "is_finite",
-            // None of these is built.
-            Builtin::StarShaped
-            | Builtin::KernelCentroid
-            | Builtin::AngleCorner
-            | Builtin::Cotangent
-            | Builtin::DihedralAngle
-            | Builtin::CrossPlane
+            // These are told with the type that they are of.
+            Builtin::CrossPlane
             | Builtin::Diagonal
             | Builtin::UpperLeft
             | Builtin::Outer
@@ -171,7 +178,6 @@ impl Language for Printer {
             | Builtin::LengthVector
             | Builtin::Dot
             | Builtin::Cross
-            | Builtin::Normalize
             | Builtin::Distance => "DVec3",
             Builtin::AbsInt | Builtin::MinInt | Builtin::MaxInt => "i64",
             _ => "f64",
@@ -251,13 +257,25 @@ impl Language for Printer {
             }
             FoldFunction::Min => format!("{values}.reduce({of}::min).expect(\"{nothing}\")"),
             FoldFunction::Max => format!("{values}.reduce({of}::max).expect(\"{nothing}\")"),
-            // Neither of these is built.
-            FoldFunction::ArgMin | FoldFunction::ArgMax => String::new(),
+            FoldFunction::ArgMin | FoldFunction::ArgMax => {
+                let name = match fold.function {
+                    FoldFunction::ArgMin => "least_of",
+                    _ => "greatest_of",
+                };
+                return self.support(name, &[all, format!("|{bound}| {body}")]);
+            }
         })
     }
 }
 
 impl Printer {
+    /// A function that is written out, of an element of the mesh.
+    fn of_mesh_part(&mut self, name: &'static str, args: &[Spelled]) -> Spelled {
+        let args = args.iter().map(|arg| arg.text.clone());
+        let args: Vec<_> = std::iter::once("mesh".to_string()).chain(args).collect();
+        self.support(name, &args)
+    }
+
     /// What lies around an element, one after the other.
     pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
         let element = self.text(element);
@@ -319,7 +337,7 @@ impl Printer {
             }
             Function::AllInOrderAlongLoop => "all_in_order_along_loop",
             Function::AllInOrderAroundVertex => "all_in_order_around_vertex",
-            Function::IsFinite | Function::Builtin(_) => {
+            Function::IsFinite | Function::Builtin(_) | Function::Of(..) => {
                 return Spelled::whole(format!("{}.is_finite()", args.join(", ")));
             }
         };

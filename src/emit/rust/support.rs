@@ -1,133 +1,50 @@
 //! What emitted code needs besides the mesh, written out where it is used.
 
-/// Functions that are written out where they are used.
-pub(super) const FUNCTIONS: &[(&str, &str)] = &[
-    (
-        "in_order_along_loop",
-        "\
-/// Whether `b` comes before `c` on the way along the loop from `a`.
-fn in_order_along_loop(mesh: &Mesh, a: HalfedgeId, b: HalfedgeId, c: HalfedgeId) -> bool {
-    let mut on_the_way = mesh.loop_from(a).enumerate();
-    let found = on_the_way.find(|&(at, h)| h == b || (at > 0 && h == c));
-    found.is_some_and(|(_, h)| h == b)
+use std::collections::BTreeSet;
+
+/// Each behind a line with its name.
+const TEXTS: &str = concat!(
+    include_str!("functions.txt"),
+    include_str!("values.txt"),
+    include_str!("sheet.txt")
+);
+
+/// The names and texts of all functions, in order.
+fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let parts = TEXTS.split("//@ ").skip(1);
+    parts.filter_map(|part| part.split_once('\n'))
 }
-",
-    ),
-    (
-        "in_order_around_vertex",
-        "\
-/// Whether `b` comes before `c` on the way around the vertex from `a`, counterclockwise.
-fn in_order_around_vertex(mesh: &Mesh, a: HalfedgeId, b: HalfedgeId, c: HalfedgeId) -> bool {
-    let mut on_the_way = mesh.spokes_from(a).enumerate();
-    let found = on_the_way.find(|&(at, h)| h == b || (at > 0 && h == c));
-    found.is_some_and(|(_, h)| h == b)
+
+/// Whether there is a function of that name.
+pub(super) fn is_known(name: &str) -> bool {
+    functions().any(|(known, _)| known == name)
 }
-",
-    ),
-    (
-        "all_in_order_along_loop",
-        "\
-/// Whether a walk along the loop from the first, once around, meets all others in their order.
-fn all_in_order_along_loop(mesh: &Mesh, all: &[HalfedgeId]) -> bool {
-    let mut open = all.iter().peekable();
-    for h in all.first().into_iter().flat_map(|&first| mesh.loop_from(first)) {
-        open.next_if_eq(&&h);
+
+/// The functions of these names, and those that they call, in order.
+pub(super) fn needed(mut used: BTreeSet<&'static str>) -> Vec<(&'static str, &'static str)> {
+    loop {
+        let count = used.len();
+        for (name, text) in functions() {
+            if used.contains(name) {
+                used.extend(
+                    functions()
+                        .map(|(other, _)| other)
+                        .filter(|other| calls(text, other)),
+                );
+            }
+        }
+        if used.len() == count {
+            return functions()
+                .filter(|(name, _)| used.contains(name))
+                .collect();
+        }
     }
-    open.next().is_none()
 }
-",
-    ),
-    (
-        "all_in_order_around_vertex",
-        "\
-/// Whether a walk around the vertex from the first, once and counterclockwise, meets all others
-/// in their order.
-fn all_in_order_around_vertex(mesh: &Mesh, all: &[HalfedgeId]) -> bool {
-    let mut open = all.iter().peekable();
-    for h in all.first().into_iter().flat_map(|&first| mesh.spokes_from(first)) {
-        open.next_if_eq(&&h);
-    }
-    open.next().is_none()
+
+/// Whether a text calls a function.
+fn calls(text: &str, name: &str) -> bool {
+    text.match_indices(&format!("{name}(")).any(|(at, _)| {
+        let before = text[..at].chars().next_back();
+        !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == ':' || c == '.')
+    })
 }
-",
-    ),
-    (
-        "attribute",
-        "\
-/// The value of an attribute.
-fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
-    mesh.values(column).expect(\"a column of this type\")[element as usize]
-}
-",
-    ),
-    (
-        "set_attribute",
-        "\
-/// Sets the value of an attribute.
-fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
-    mesh.note_value(column, element);
-    mesh.values_mut(column).expect(\"a column of this type\")[element as usize] = value;
-}
-",
-    ),
-    (
-        "turned",
-        "\
-/// All, turned so that the first stands at the place, counted around.
-fn turned(mut all: Vec<HalfedgeId>, place: i64) -> Vec<HalfedgeId> {
-    if !all.is_empty() {
-        let by = place.rem_euclid(all.len() as i64);
-        all.rotate_right(by as usize);
-    }
-    all
-}
-",
-    ),
-    (
-        "all_differ",
-        "\
-/// Whether nothing stands twice in `all`.
-fn all_differ<T: PartialEq>(all: &[T]) -> bool {
-    (1..all.len()).all(|at| !all[..at].contains(&all[at]))
-}
-",
-    ),
-    (
-        "same_elements",
-        "\
-/// Whether `a` and `b`, neither with repetitions, hold the same.
-fn same_elements<T: PartialEq>(a: &[T], b: &[T]) -> bool {
-    a.len() == b.len() && a.iter().all(|x| b.contains(x))
-}
-",
-    ),
-    (
-        "all_or_nothing",
-        "\
-/// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
-fn all_or_nothing<T>(
-    mesh: &mut Mesh,
-    level: Level,
-    steps: impl FnOnce(&mut Mesh) -> Option<T>,
-) -> Option<T> {
-    let mark = mesh.open_journal();
-    let done = steps(mesh)
-        .filter(|_| validate_level_near(mesh, level, &mesh.written_since(&mark)).is_ok());
-    match done {
-        Some(_) => mesh.keep(mark),
-        None => mesh.roll_back(mark),
-    }
-    done
-}
-",
-    ),
-    (
-        "finite",
-        "\
-/// A position, if it is finite.
-fn finite(position: DVec3) -> Option<DVec3> {
-    position.is_finite().then_some(position)
-}
-",
-    ),
-];
