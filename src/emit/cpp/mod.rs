@@ -4,6 +4,7 @@ mod function;
 mod sheet;
 mod spelling;
 mod statement;
+mod steps;
 mod style;
 mod support;
 mod types;
