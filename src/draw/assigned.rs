@@ -1,7 +1,7 @@
 //! The places that assignments tell: `m.position = (v0.position + v1.position) / 2`.
 //!
 //! Only what can be read off the picture is computed; numbers that come from outside stand
-//! for two fifths.
+//! for a half.
 
 use glam::DVec2;
 
@@ -9,7 +9,7 @@ use super::figure::Figure;
 use crate::diagram::{Access, Binary, Builtin, Expr, ExprKind, NameId, Unary};
 
 /// What a number from outside stands for.
-const SOME: f64 = 0.4;
+const SOME: f64 = 0.5;
 /// How deep an expression is read.
 const DEPTH: usize = 64;
 

@@ -19,21 +19,22 @@ const HEIGHTS: [f64; 6] = [0.45, -0.45, 0.25, -0.25, 0.8, -0.8];
 const NEAR: f64 = 0.12;
 /// How long and how wide the petal of a path is that closes.
 const PETAL: f64 = 1.35;
-const SPREAD: f64 = 0.75;
+const SPREAD: f64 = 1.05;
 /// How far, in radians, the middle of a petal keeps from all else that ends at its vertex.
 const CLEAR: f64 = 1.5;
 
-/// Bends the paths that get other ends.
-pub(super) fn bend_paths(figure: &Figure, places: &mut [Option<DVec2>]) {
-    let known: Vec<_> = places.iter().flatten().collect();
+/// Bends the paths that get other ends, or whose ends are moved; `before` are the earlier places.
+pub(super) fn bend_paths(figure: &Figure, before: &[Option<DVec2>], places: &mut [Option<DVec2>]) {
+    let known: Vec<_> = before.iter().flatten().collect();
     let center = known.iter().copied().sum::<DVec2>() / known.len().max(1) as f64;
     for (at, strand) in figure.after.strands.iter().enumerate() {
         let mut earlier = figure.before.strands.iter();
         let old = earlier.find(|other| strand.is_path && other.items == strand.items);
-        let Some(old) = old.filter(|old| old.nodes != strand.nodes) else {
+        let is_bent = strand.nodes.iter().all(|&node| places[node].is_some());
+        let Some(old) = old.filter(|old| old.nodes != strand.nodes || !is_bent) else {
             continue;
         };
-        let points: Option<Vec<_>> = old.nodes.iter().map(|&node| places[node]).collect();
+        let points: Option<Vec<_>> = old.nodes.iter().map(|&node| before[node]).collect();
         let [from, to] = strand.ends();
         let (Some(points), Some(a), Some(b)) = (points, places[from], places[to]) else {
             continue;
@@ -107,9 +108,12 @@ impl Scene<'_> {
         let best = steps.min_by(|a, b| worth(a).total_cmp(&worth(b)));
         // Angles turn against the hands of a clock, rotations of a picture with them.
         let away = away.rotate(DVec2::from_angle(-0.1 * f64::from(best.unwrap_or(0))));
+        // No further than the path went before.
+        let far = old.iter().map(|at| (*at - root).length());
+        let far = far.fold(0.0, f64::max).clamp(PETAL / 2.0, PETAL);
         let place = |at: usize| {
             let t = at as f64 / last as f64;
-            let length = PETAL * (PI * t).sin().abs().sqrt();
+            let length = far * (PI * t).sin().abs().sqrt();
             root + away.rotate(DVec2::from_angle((0.5 - t) * SPREAD)) * length
         };
         (0..=last).map(place).collect()

@@ -1,13 +1,13 @@
 //! Where the vertices of an example go: one that was done to a mesh, not drawn by a person.
 //!
 //! On a flat mesh they lie where they do there. On another one they are placed as those of any
-//! drawing, but for what the op moves: that goes to the middle of its neighbours.
+//! drawing; what the op moves to a place that the drawing does not tell goes to the middle of its
+//! neighbours.
 
 use glam::DVec2;
 
 use super::assigned::assigned;
 use super::figure::{Figure, Node};
-use super::place::{pulls, settle};
 use crate::diagram::{Access, NameId};
 
 /// The places of a flat mesh, in units of half its height or width.
@@ -40,45 +40,36 @@ fn on_mesh<'f>(figure: &'f Figure, side: usize) -> Option<impl Fn(NameId) -> Opt
     })
 }
 
-/// The places of `after`.
-pub(super) fn moved(figure: &Figure, places: &[DVec2]) -> Vec<DVec2> {
+/// The places with those that the operation moves, if it was done to a mesh.
+pub(super) fn moved_on_mesh(
+    figure: &Figure,
+    before: &[Option<DVec2>],
+) -> Option<Vec<Option<DVec2>>> {
     let rule = figure.drawing.rule;
-    if rule.example.is_none() {
-        return places.to_vec();
-    }
-    if let Some(on_mesh) = on_mesh(figure, 1) {
-        let place = |(node, &at): (&Node, &DVec2)| match *node {
-            Node::Vertex(name) => on_mesh(name).unwrap_or(at),
-            Node::Bend | Node::Loose => at,
-        };
-        return figure.nodes.iter().zip(places).map(place).collect();
-    }
-    let before = &figure.before;
-    let loops = before.loop_of();
+    rule.example.as_ref()?;
+    let side = &figure.before;
+    let loops = side.loop_of();
     let is_outside = |node: usize| {
-        let mut strands = before.strands.iter().enumerate();
+        let mut strands = side.strands.iter().enumerate();
         strands.any(|(at, strand)| {
             let sides = [loops[2 * at], loops[2 * at + 1]];
             strand.nodes.contains(&node) && sides.contains(&None)
         })
     };
-    let known: Vec<_> = places.iter().copied().map(Some).collect();
-    let told = assigned(figure, &known);
+    let on_mesh = on_mesh(figure, 1);
+    let told = assigned(figure, before);
     let is_set = |name: NameId| {
         let mut set = rule.assignments.iter();
         set.any(|set| set.target.name == name && set.attribute == Access::Position)
     };
-    let mut all = known;
-    for (node, at) in all.iter_mut().enumerate() {
-        let Node::Vertex(name) = figure.nodes[node] else {
-            continue;
-        };
-        if before.shown.contains(&name) && is_set(name) && !is_outside(node) {
+    let place = |(node, &at): (usize, &Option<DVec2>)| match (figure.nodes[node], &on_mesh) {
+        (Node::Vertex(name), Some(on_mesh)) => on_mesh(name).or(at),
+        (Node::Vertex(name), None) if is_set(name) && !is_outside(node) => {
             let told = told.iter().find(|(of, _)| *of == name);
-            *at = told.map(|(_, at)| *at);
+            // What is new must not lie where something else does: that is seen to later.
+            told.map(|(_, at)| *at).filter(|_| at.is_some())
         }
-    }
-    settle(&figure.after, &mut all, &pulls(&figure.after));
-    let all = all.into_iter().zip(places);
-    all.map(|(to, at)| to.unwrap_or(*at)).collect()
+        _ => at,
+    };
+    Some(before.iter().enumerate().map(place).collect())
 }

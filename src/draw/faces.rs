@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::curve::{area, inside};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
-use super::panel::{LETTERS, Panel};
+use super::panel::{Hatched, LETTERS, Panel};
 use super::room::Spot;
 use super::shape::{Ink, Path, Stroke};
 use super::spots::inner_spots;
@@ -59,9 +59,11 @@ impl Panel<'_> {
                 true => hatch(&outline, &islands),
                 false => ticks(&outline),
             };
-            if is_inside {
-                self.holes.push((group, outline.clone()));
-            }
+            self.hatched.push(Hatched {
+                group,
+                outline: outline.clone(),
+                is_around: !is_inside,
+            });
             for line in lines {
                 let stroke = Stroke::solid(Ink::Muted, 0.9);
                 self.groups[group].stroke(Path::along(&line), stroke);

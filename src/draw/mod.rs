@@ -8,6 +8,7 @@
 //! shows a mesh. Nothing is assumed of a drawing, proved or not: there is always a picture.
 
 // What is drawn.
+mod after;
 mod assigned;
 mod bends;
 mod example;

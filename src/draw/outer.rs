@@ -2,9 +2,10 @@
 //!
 //! The drawn loops are polygons glued along their edges; the sides that are not drawn form
 //! walks around what is glued. The longest of them is the outside. Where everything is drawn,
-//! as on a closed surface, a hole goes outside, or else the longest loop.
+//! as on a closed surface, a hole goes outside, or else the longest loop; and so does a hole
+//! alone that runs around several pieces.
 
-use super::figure::{Dart, Side};
+use super::figure::{Dart, Orbit, Side};
 use crate::diagram::LoopKind;
 
 /// The strands around the outside, clockwise; none if there is no loop at all. Only loops
@@ -14,8 +15,18 @@ pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
         let first = darts.first();
         first.is_some_and(|&dart| among(side.nodes(dart)[0]))
     };
-    let walks = walks(side).into_iter().filter(|walk| counts(walk));
-    if let Some(walk) = longest(walks) {
+    let walks: Vec<_> = walks(side)
+        .into_iter()
+        .filter(|walk| counts(walk))
+        .collect();
+    // A hole around pieces that it holds together is seen from the pieces.
+    let is_around = |orbit: &Orbit| orbit.kind == LoopKind::Hole && walks.len() > 1;
+    if let [orbit] = &side.loops[..]
+        && is_around(orbit)
+    {
+        return orbit.darts.clone();
+    }
+    if let Some(walk) = longest(walks.into_iter()) {
         return walk;
     }
     let loops = |holes: bool| {

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, angle, cross, inside};
+use super::curve::{Curve, angle, cross, distance, inside};
 use super::figure::{Dart, Figure, Node, Side, Strand};
 use super::letters::{Label, name};
 use super::room::{Room, Spot};
@@ -17,6 +17,8 @@ use crate::diagram::{Kind, NameId};
 /// The size of the letters.
 pub(super) const LETTERS: f64 = 17.0;
 pub(super) const SMALL_LETTERS: f64 = 14.0;
+/// How far from its outline the hatching of a hole around a figure reaches.
+const TICKS: f64 = 40.0;
 
 /// A side while it is drawn.
 pub(super) struct Panel<'a> {
@@ -34,10 +36,30 @@ pub(super) struct Panel<'a> {
     pub fans: Vec<(usize, NameId, [f64; 2])>,
     pub groups: Vec<Group>,
     pub texts: Vec<Text>,
-    /// The holes that are hatched, each with its group.
-    pub holes: Vec<(usize, Vec<DVec2>)>,
+    /// What is hatched of holes.
+    pub hatched: Vec<Hatched>,
     /// What is drawn where.
     pub room: Room,
+}
+
+/// The hatching of a hole.
+pub(super) struct Hatched {
+    pub group: usize,
+    pub outline: Vec<DVec2>,
+    /// Whether the hole lies around the outline.
+    pub is_around: bool,
+}
+
+impl Hatched {
+    /// Whether it may reach a place.
+    fn reaches(&self, at: DVec2) -> bool {
+        let next = self.outline.iter().cycle().skip(1);
+        let mut sides = self.outline.iter().zip(next);
+        match self.is_around {
+            true => sides.any(|(a, b)| distance(at, [*a, *b]) < TICKS),
+            false => inside(at, &self.outline),
+        }
+    }
 }
 
 /// A text that waits for its spot.
@@ -80,7 +102,7 @@ impl<'a> Panel<'a> {
             fans: Vec::new(),
             groups: Vec::new(),
             texts: Vec::new(),
-            holes: Vec::new(),
+            hatched: Vec::new(),
             room: Room::default(),
         };
         panel.fans = panel.spread();
@@ -188,10 +210,10 @@ impl<'a> Panel<'a> {
     pub fn write(&mut self, group: usize, of: NameId, label: &Label, at: DVec2) {
         let word = &self.figure.drawing.rule.name(of).text;
         self.room.put(word, label, at);
-        for (hole, outline) in &self.holes {
-            if inside(at, outline) {
+        for hole in &self.hatched {
+            if hole.reaches(at) {
                 let plate = Path::plate(label).moved(at);
-                self.groups[*hole].fill(plate, Ink::Paper);
+                self.groups[hole.group].fill(plate, Ink::Paper);
             }
         }
         let ink = Ink::Of(self.status(of));

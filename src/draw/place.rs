@@ -3,17 +3,16 @@
 //! The outside becomes a convex polygon, what lies inside goes to the middle of its neighbours
 //! (W. T. Tutte, "How to draw a graph", 1963), with a node in every loop to hold it open:
 //! then no two strands cross. The edge an operation is called with lies across, from left to
-//! right. Nodes of `after` only are placed between those that are there already, where their
-//! assignment puts them if it says so. Lengths are in units of the polygon's radius.
+//! right. Lengths are in units of the polygon's radius. What `after` does otherwise is in
+//! [`after`](super::after).
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::DVec2;
 
-use super::assigned::assigned;
-use super::bends::{bend_beside, bend_paths};
+use super::after::places_after;
 use super::curve::direction;
-use super::example::{flat, moved};
+use super::example::flat;
 use super::figure::{Dart, Figure, Node, Side};
 use super::outer::outside;
 use super::pieces::{blocks, parts};
@@ -27,16 +26,19 @@ const PATH_WEIGHT: f64 = 2.0;
 /// How long a spur is.
 const SPUR: f64 = 0.62;
 /// Nodes nearer to each other than this look like one.
-const NEAR: f64 = 0.12;
+pub(super) const NEAR: f64 = 0.12;
 
-/// The place of every node on both sides: the same, but of vertices that an example moves.
+/// The place of every node on both sides.
 pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
-    let mut places = flat(figure).unwrap_or_else(|| parts_in_a_row(figure));
-    turn_sector(figure, &mut places);
-    place_new(figure, &mut places);
-    let places: Vec<_> = places.into_iter().map(Option::unwrap_or_default).collect();
-    let after = moved(figure, &places);
-    [places, after]
+    let mut before = flat(figure).unwrap_or_else(|| parts_in_a_row(figure));
+    turn_sector(figure, &mut before);
+    let after = places_after(figure, &before);
+    let known = before.into_iter().zip(&after);
+    let before = known.map(|(before, after)| before.or(*after));
+    [before.collect(), after].map(|places: Vec<Option<DVec2>>| {
+        let places = places.into_iter();
+        places.map(Option::unwrap_or_default).collect()
+    })
 }
 
 /// The places of `before`: what hangs together stands side by side.
@@ -62,7 +64,8 @@ fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     places
 }
 
-/// Turns a figure so that the edge an operation is called with lies level, if it lies inside.
+/// Turns a figure so that the edge an operation is called with lies level, if no corner of the
+/// outside sees to that.
 fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     let side = &figure.before;
     let Some(main) = main_dart(figure).filter(|_| figure.drawing.rule.size().is_none()) else {
@@ -76,7 +79,10 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
         return;
     };
     let is_inside = !ends.iter().any(|end| ring.contains(end));
-    if is_inside && (to - from).length() > NEAR {
+    let times = |end: &usize| ring.iter().filter(|node| *node == end).count();
+    // An edge that the outside passes on both sides lies as by chance.
+    let is_between = ends.iter().all(|end| times(end) > 1);
+    if (is_inside || is_between) && (to - from).length() > NEAR {
         let turn = DVec2::from_angle((to - from).angle_to(DVec2::X));
         for place in places.iter_mut().flatten() {
             *place = turn.rotate(*place);
@@ -234,7 +240,7 @@ fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
 }
 
 /// Makes spurs, and edges from a vertex to itself, so long that they can be read.
-fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
+pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
     let degree = |node: usize| {
         let ends = side.strands.iter().flat_map(|strand| strand.ends());
         ends.filter(|&end| end == node).count()
@@ -248,7 +254,7 @@ fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -
             _ if strand.is_path && from != to => continue,
             [] if degree(to) == 1 => (from, vec![to], &[0.0]),
             [] if degree(from) == 1 => (to, vec![from], &[0.0]),
-            [_, _] if from == to => (from, bends.to_vec(), &[0.3, -0.3]),
+            [_, _] if from == to => (from, bends.to_vec(), &[0.42, -0.42]),
             [_, _, _] if from == to => (from, bends.to_vec(), &[0.6, 0.0, -0.6]),
             _ => continue,
         };
@@ -365,72 +371,6 @@ pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usi
             if count > 0.0 {
                 places[node] = Some(sum / count);
             }
-        }
-    }
-}
-
-/// Places the nodes that only `after` has.
-fn place_new(figure: &Figure, places: &mut [Option<DVec2>]) {
-    for (name, at) in assigned(figure, places) {
-        let is_taken = places
-            .iter()
-            .flatten()
-            .any(|other| (*other - at).length() < NEAR);
-        if let Some(node) = figure.vertex(name)
-            && places[node].is_none()
-            && !is_taken
-        {
-            places[node] = Some(at);
-        }
-    }
-    cut_edges(figure, places);
-    bend_paths(figure, places);
-    let side = &figure.after;
-    let mut all = places.to_vec();
-    settle(side, &mut all, &pulls(side));
-    stretch(side, &mut all, &|node| places[node].is_some());
-    for (place, at) in places.iter_mut().zip(&all) {
-        *place = place.or(*at);
-    }
-    // What hangs together with nothing stands in a row below.
-    let low = places.iter().flatten().map(|at| at.y).fold(0.0, f64::max);
-    let mut x = 0.0;
-    for (node, place) in places.iter_mut().enumerate() {
-        if place.is_none() && figure.nodes[node] != Node::Bend {
-            *place = Some(DVec2::new(x, low + 0.7));
-            x += 0.7;
-        }
-    }
-    bend_beside(figure, places);
-}
-
-/// Places the new vertices that part an edge in two, on it.
-fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
-    for strand in figure.after.strands.iter().filter(|strand| !strand.is_path) {
-        let mut earlier = figure.before.strands.iter();
-        let old = earlier.find(|old| strand.edge.is_some() && old.edge == strand.edge);
-        let Some(old) = old else { continue };
-        let [a, b] = old.ends();
-        let [from, to] = strand.ends();
-        let (cut, far) = match () {
-            () if from == a => (to, b),
-            () if to == a => (from, b),
-            () if from == b => (to, a),
-            () if to == b => (from, a),
-            () => continue,
-        };
-        let mut others = figure.after.strands.iter();
-        let is_parted = others
-            .any(|other| matches!(other.ends(), ends if ends == [cut, far] || ends == [far, cut]));
-        let middle = old.nodes.len() / 2;
-        if let (Some(a), Some(b)) = (places[old.nodes[middle - 1]], places[old.nodes[middle]])
-            && is_parted
-            && places[cut].is_none()
-        {
-            places[cut] = Some(match old.nodes.len() % 2 {
-                0 => (a + b) / 2.0,
-                _ => b,
-            });
         }
     }
 }

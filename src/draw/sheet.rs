@@ -231,16 +231,24 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
             want(122.0, lengths.sum());
         }
         for orbit in &side.loops {
-            let nodes = side.around(&orbit.darts).into_iter();
+            let outline = orbit.darts.iter().flat_map(|dart| {
+                let nodes = side.nodes(*dart).into_iter();
+                let curve = Curve::smooth(&nodes.map(|node| places[node]).collect::<Vec<_>>());
+                let points = curve.points();
+                // A few places along a curve tell its shape.
+                let step = (points.len() / 6).max(1);
+                points[..points.len() - 1]
+                    .iter()
+                    .copied()
+                    .step_by(step)
+                    .collect::<Vec<_>>()
+            });
             let mut strands = orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
             let wide = match strands.any(|strand| strand.is_path) {
                 true => 36.0,
                 false => 52.0,
             };
-            want(
-                wide,
-                widest_circle(&nodes.map(|node| places[node]).collect::<Vec<_>>()),
-            );
+            want(wide, widest_circle(&outline.collect::<Vec<_>>()));
         }
     }
     // Of families a sector has names; the others may be narrow.

@@ -1,6 +1,6 @@
 //! The edges and paths of a panel, and the halfedges along them.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use super::curve::{Curve, angle, distance, turn};
 use super::fan::FAN;
@@ -16,6 +16,8 @@ use super::status::Status;
 const ASIDE: f64 = 10.5;
 /// How far arrows keep from each other at a corner.
 const BETWEEN: f64 = 5.0;
+/// A fan between spokes further apart than this keeps clear of their arrows.
+const WIDE: f64 = 3.4;
 /// How much of an arrow is left out at its ends.
 const LEAST_TRIM: u16 = 12;
 const MOST_TRIM: u16 = 140;
@@ -155,7 +157,7 @@ impl Panel<'_> {
             let (gap, clear) =
                 next.map_or((TAU, 0.0), |(gap, spoke)| (gap, clear(aside, &spoke, side)));
             let mut fans = self.fans.iter().filter(|(at, ..)| *at == node);
-            let fan = fans.any(|(_, _, [from, to])| open((from + to) / 2.0) < gap && gap < PI);
+            let fan = fans.any(|(_, _, [from, to])| open((from + to) / 2.0) < gap && gap < WIDE);
             clear.max(if fan { FAN + 5.0 } else { 15.0 })
         };
         let last = nodes[nodes.len() - 1];

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::action::Action;
 use super::super::lines::Lines;
-use super::super::names::unreserved;
+use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
 use super::super::steps::{Item, Items, items};
@@ -400,12 +400,4 @@ pub(super) struct Head<'h> {
     pub result: Option<Type>,
     /// Whether no other operation is emitted.
     pub alone: bool,
-}
-
-/// What a function of the program is called: not as one of the language.
-pub(super) fn invoked(name: &str) -> String {
-    match support::is_known(name) {
-        true => format!("{name}_"),
-        false => unreserved(name),
-    }
 }

@@ -12,3 +12,4 @@ mod wide;
 
 pub use function::cpp;
 pub use style::{Style, StyleError};
+pub(super) use support::is_written_out;

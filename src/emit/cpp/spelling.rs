@@ -1,9 +1,10 @@
 //! Terms as C++.
 
+use super::super::names::invoked;
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::super::wide::is_wide;
-use super::function::{Printer, invoked};
+use super::function::Printer;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer<'_> {

@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::super::action::{Action, Call, Called, Form, Held, Place, Whole};
+use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::spell::{Level, spell};
 use super::super::term::{Attribute, Parameter, Term};
-use super::function::{Head, Printer, invoked};
+use super::function::{Head, Printer};
 use super::types::types;
 use crate::diagram;
 

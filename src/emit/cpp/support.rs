@@ -28,8 +28,8 @@ fn text(name: &str) -> Option<&'static str> {
 }
 
 /// Whether there is a function of that name.
-pub(super) fn is_known(name: &str) -> bool {
-    text(name).is_some()
+pub(in crate::emit) fn is_written_out(name: &str) -> bool {
+    functions().any(|(known, _)| known.trim_end_matches(".n") == name)
 }
 
 /// The names of the functions that these need, themselves included, each behind those it calls.
