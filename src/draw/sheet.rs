@@ -219,6 +219,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
 /// faces wide enough for arrows and names.
 fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
     let mut scale: f64 = 128.0;
+    let is_named = |name: NameId| figure.drawing.rule.name(name).named;
     let mut want = |wanted: f64, length: f64| {
         if length > 0.05 {
             scale = scale.max(wanted / length);
@@ -228,7 +229,9 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         for strand in &side.strands {
             let pairs = strand.nodes.windows(2);
             let lengths = pairs.map(|pair| (places[pair[0]] - places[pair[1]]).length());
-            want(122.0, lengths.sum());
+            let mut items = strand.items.iter().flatten().copied();
+            let named = items.any(is_named) || strand.edge.is_some_and(is_named);
+            want(if named { 122.0 } else { 76.0 }, lengths.sum());
         }
         for orbit in &side.loops {
             let outline = orbit.darts.iter().flat_map(|dart| {
@@ -245,6 +248,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
             });
             let mut strands = orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
             let wide = match strands.any(|strand| strand.is_path) {
+                _ if !is_named(orbit.face) => 30.0,
                 true => 36.0,
                 false => 52.0,
             };
