@@ -14,7 +14,7 @@ use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
 use crate::diagnostic::Severity;
 use crate::diagram::Op;
-use crate::draw::{Picture, Section, draw_op, page, text_op};
+use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
 use crate::run::{Functions, calls_of_steps};
 
 /// How many pixels of an image are a unit of a diagram.
@@ -57,11 +57,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
             Ok(())
         }
         (Some(Drawn::Svg), None) => {
-            say(draw_op(diagram).svg().trim_end());
+            say(draw_sheet(diagram).svg().trim_end());
             Ok(())
         }
-        (Some(Drawn::Svg), Some(output)) => write(output, draw_op(diagram).svg().as_bytes()),
-        (None, Some(output)) => write_picture(&draw_op(diagram), output, PIXELS),
+        (Some(Drawn::Svg), Some(output)) => write(output, draw_sheet(diagram).svg().as_bytes()),
+        (None, Some(output)) => write_picture(&draw_sheet(diagram), output, PIXELS),
         (None, None) => Err(Failure::usage(
             "where should the picture go? write -o OUT.svg, -o OUT.png, or --as text",
         )),
