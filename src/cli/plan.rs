@@ -76,12 +76,17 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     }
 }
 
-/// What an op in steps calls, and when it refuses.
-fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
+/// The names of the ops that steps call.
+fn called<'p>(steps: &Steps, program: &'p Program) -> Vec<&'p str> {
     let ops = &program.analysis.program.ops;
     let calls = steps.calls.iter();
     let calls = calls.filter_map(|&(op, _)| Some(ops.get(usize::from(op))?.name.as_str()));
-    let calls = calls.collect::<Vec<_>>().join(", ");
+    calls.collect()
+}
+
+/// What an op in steps calls, and when it refuses.
+fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
+    let calls = called(steps, program).join(", ");
     let end = match plan.level {
         Level::Map => String::new(),
         level => format!(", or the mesh is not of level {level} in the end"),
@@ -148,6 +153,7 @@ fn data(program: &Program, ops: &[usize], plans: &[&Plan]) -> Result<String, Fai
             params: params.collect(),
             result: plan.result.map(|kind| kind.name()),
             level: plan.level.name(),
+            calls: plan.steps.as_ref().map(|steps| called(steps, program)),
             rules: plan.stages.iter().map(RuleData::from).collect(),
             refusals: plan
                 .refusals
@@ -183,6 +189,7 @@ struct PlanData<'a> {
     params: Vec<ParamData<'a>>,
     result: Option<&'static str>,
     level: &'static str,
+    calls: Option<Vec<&'a str>>,
     rules: Vec<RuleData<'a>>,
     refusals: Vec<RefusalData<'a>>,
 }

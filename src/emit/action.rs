@@ -146,6 +146,22 @@ impl Action {
         }
     }
 
+    /// Tells the types of the variables that begin with it.
+    pub fn types(&self, see: &mut dyn FnMut(Type)) {
+        match self {
+            Self::Variable { place, .. }
+            | Self::Must {
+                place: Some(place), ..
+            } => see(place.ty),
+            Self::Apply {
+                place: Some(variable),
+                ..
+            }
+            | Self::For { variable, .. } => see(variable.ty),
+            _ => {}
+        }
+    }
+
     /// Asks about every name that it reads, bodies included.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         self.terms(&mut |term| term.names(see));

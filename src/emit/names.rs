@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use super::term::{Attribute, Term, Turns};
+use super::{cpp, rust};
 use crate::diagram::{self, Callee, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
 
@@ -20,7 +21,12 @@ const RESERVED: &str = "
     return self short signed sizeof static std struct super switch template this throw trait true
     try type typedef typeid typename union unsafe unsized unsigned use using virtual void volatile
     wchar_t where while xor xor_eq yield mesh hedgerow main abs min max
-    attribute set_attribute journal all_or_nothing finite";
+    journal new_vertex new_halfedge new_edge new_face erase Some None Ok Err NULL EOF assert errno";
+
+/// All of them, with the functions that are written out: Rust calls those without a namespace.
+fn reserved() -> impl Iterator<Item = &'static str> {
+    RESERVED.split_whitespace().chain(rust::written_out())
+}
 
 /// A word that the languages leave free, as near as can be to the one that is wanted.
 pub(super) fn unreserved(word: &str) -> String {
@@ -30,8 +36,17 @@ pub(super) fn unreserved(word: &str) -> String {
     }
 }
 
+/// What a function of the program is called: in C++ it stands beside those that are written out.
+pub(super) fn invoked(name: &str) -> String {
+    let name = name.replace('\'', "_");
+    match cpp::is_written_out(&name) {
+        true => format!("{name}_"),
+        false => unreserved(&name),
+    }
+}
+
 fn is_reserved(word: &str) -> bool {
-    RESERVED.split_whitespace().any(|reserved| reserved == word)
+    reserved().any(|reserved| reserved == word)
 }
 
 /// The names of one rule.
@@ -157,7 +172,10 @@ impl Names {
             variables: Vec::new(),
             calls: BTreeSet::new(),
             attributes: Vec::new(),
-            taken: RESERVED.split_whitespace().map(String::from).collect(),
+            taken: reserved()
+                .map(String::from)
+                .chain(functions.iter().flatten().map(|name| invoked(name)))
+                .collect(),
         }
     }
 

@@ -203,6 +203,27 @@ impl Statement {
         }
     }
 
+    /// The statements inside of it, but for those of steps and functions.
+    fn body(&self) -> &[Self] {
+        match self {
+            Self::Attempt { body, .. }
+            | Self::Turn { body, .. }
+            | Self::When { body, .. }
+            | Self::Walk { body, .. }
+            | Self::Each { body, .. }
+            | Self::Foresee { body, .. } => body,
+            _ => &[],
+        }
+    }
+
+    /// Whether it, or one inside of it, adds to a list.
+    pub fn adds_to(&self, name: &str) -> bool {
+        match self {
+            Self::Push { list, .. } => list == name,
+            statement => statement.body().iter().any(|inner| inner.adds_to(name)),
+        }
+    }
+
     /// Whether it, or one inside of it, allocates or erases.
     pub fn changes_the_lists(&self) -> bool {
         match self {

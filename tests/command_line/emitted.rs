@@ -62,12 +62,74 @@ fn an_op_that_is_called_as_a_word_of_the_language_gets_another_name() {
 }
 
 #[test]
-fn ops_in_steps_are_left_out_of_code_and_named() {
-    let said = Bench::new().run(&["plan", "std/polygon.hedge", "--as", "cpp"]);
-    assert_eq!(said.code, 0, "{}", said.err);
-    assert!(said.out.contains(" connect(Mesh& mesh, "), "{}", said.out);
-    assert!(!said.out.contains("bevel_edge"));
-    assert!(said.err.contains("`bevel_edge`"), "{}", said.err);
+fn a_file_is_emitted_with_its_steps_and_what_they_call_once() {
+    let bench = Bench::new();
+    for (language, heads) in [
+        (
+            "cpp",
+            [
+                "\nstd::optional<Mesh::EdgeRef> connect(Mesh& mesh, ",
+                "\nstd::optional<Mesh::FaceRef> bevel_edge(Mesh& mesh, ",
+                "\ninline std::optional<Mesh::VertexRef> contract(Journal& journal, ",
+                "\nclass Journal {",
+            ],
+        ),
+        (
+            "rust",
+            [
+                "\npub fn connect(mesh: &mut Mesh, ",
+                "\npub fn bevel_edge(mesh: &mut Mesh, ",
+                "\nfn contract(mesh: &mut Mesh, ",
+                "\nfn all_or_nothing<T>(",
+            ],
+        ),
+    ] {
+        let said = bench.run(&["plan", "std/polygon.hedge", "--as", language]);
+        assert_eq!((said.code, said.err.as_str()), (0, ""));
+        for head in heads {
+            assert_eq!(said.out.matches(head).count(), 1, "{head}");
+        }
+    }
+}
+
+#[test]
+fn steps_are_told_as_data() {
+    let said = Bench::new().succeeds(&["plan", "std/polygon.hedge::bevel_vertex", "--as", "json"]);
+    let told: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let plan = &told["plans"][0];
+    assert_eq!(
+        plan["calls"],
+        serde_json::json!(["bisect", "remove", "cut"])
+    );
+    assert_eq!(plan["level"], "surface");
+    assert_eq!(plan["rules"], serde_json::json!([]));
+    let reasons = plan["refusals"].as_array().unwrap().iter();
+    let reasons: Vec<_> = reasons
+        .map(|refusal| refusal["reason"].as_str().unwrap())
+        .collect();
+    assert_eq!(reasons[0], "the vertex has fewer than three edges");
+    assert!(reasons.contains(&"a vertex would keep a single edge"));
+}
+
+#[test]
+fn steps_that_cannot_be_emitted_say_so() {
+    let bench = Bench::new();
+    bench.write(
+        "s.hedge",
+        "use \"std/polygon.hedge\"\n\
+         op wipe(f: face) {\n  steps {\n    update v in f.vertices { v.position = vec3(0) }\n    \
+         must connect(f.halfedge, f.halfedge.next.next)\n  }\n}\n",
+    );
+    for language in ["cpp", "rust"] {
+        let arguments = ["plan", "s.hedge::wipe", "--as", language];
+        let said = bench.fails(1, &arguments, "error[not-emitted]");
+        assert!(
+            said.err.contains("an `update` cannot be emitted"),
+            "{}",
+            said.err
+        );
+        assert!(said.err.contains("s.hedge:4:5"), "{}", said.err);
+    }
 }
 
 #[test]

@@ -176,14 +176,47 @@ inline void print(Mesh& mesh) {
   }
 }
 
+// Whether the mesh is as it was built.
+inline bool unchanged(const Table& t, Mesh& mesh) {
+  Counts n = numbered(mesh);
+  bool same = n.v == t.vertices && n.h == t.halfedges && n.e == t.edges && n.f == t.faces;
+  if (!same) return false;
+  auto alike = [](Vector a, Vector b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  int at = 0;
+  EACH(h, halfedges) {
+    std::vector<int> now = {GET(h, next)->number, GET(h, twin)->number, GET(h, vertex)->number,
+                            GET(h, edge)->number, GET(h, face)->number};
+    same = same && now == t.half[at] && double(h->mark) == t.mark[at];
+    ++at;
+  }
+  at = 0;
+  EACH(v, vertices) {
+    same = same && GET(v, HALFEDGE)->number == t.vertex[at] && alike(POSITION(v), t.position[at]) &&
+           double(v->weight) == t.weight[at] && alike(v->tint, t.tint[at]);
+    ++at;
+  }
+  at = 0;
+  EACH(e, edges) {
+    same = same && GET(e, HALFEDGE)->number == t.edge[at] && e->fresh == (t.fresh[at] != 0);
+    ++at;
+  }
+  at = 0;
+  EACH(f, faces) {
+    same = same && GET(f, HALFEDGE)->number == t.face[at] && BOUNDARY(f) == (t.hole[at] != 0) &&
+           f->class_ == static_cast<long long>(t.group[at]);
+    ++at;
+  }
+  return same;
+}
+
 // What an operation without a result, and one with a result, have done.
-inline bool applied(Mesh&, bool done) { std::printf(done ? "applied -1\n" : "refused\n"); return done; }
+inline bool applied(Mesh&, bool done) {
+  if (done) std::printf("applied -1\n");
+  return done;
+}
 template <class T>
 bool applied(Mesh& mesh, const std::optional<T>& result) {
-  if (!result) {
-    std::printf("refused\n");
-    return false;
-  }
+  if (!result) return false;
   numbered(mesh);
   std::printf("applied %d\n", (*result)->number);
   return true;
@@ -201,6 +234,7 @@ int main() {
       Built built;
       build(table, built);
       if (call(number(), built)) print(built.mesh);
+      else std::printf(unchanged(table, built.mesh) ? "refused\n" : "changed\n");
     }
   }
 }

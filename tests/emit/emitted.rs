@@ -4871,7 +4871,7 @@ pub fn values_stretch(mesh: &mut Mesh, a: HalfedgeId) -> bool {
     if v == w {
         return false; // `v` and `w` are one vertex
     }
-    if !holds(mesh, a) {
+    if !holds_(mesh, a) {
         return false; // the corner is reflex
     }
     let v_position = between(mesh, v, w, reach(mesh, f));
@@ -4993,6 +4993,39 @@ pub fn values_fold_up(mesh: &mut Mesh, e: EdgeId) -> bool {
         return true;
     }
     false
+}
+
+/// Names that emitted code has its own functions for, and one that a function has.
+pub fn values_rename_all(mesh: &mut Mesh, turned_: HalfedgeId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let length = mesh.next(turned_);
+    let holds = mesh.twin(turned_);
+    let sheet = mesh.face(turned_);
+    let degree_ = mesh.vertex(turned_);
+    let spokes = mesh.vertex(holds);
+    let reach_2 = mesh.vertex(mesh.next(length));
+    if degree_ == spokes {
+        return None; // `degree'` and `spokes` are one vertex
+    }
+    if degree_ == reach_2 {
+        return None; // `degree'` and `reach` are one vertex
+    }
+    if spokes == reach_2 {
+        return None; // `spokes` and `reach` are one vertex
+    }
+    let reach_2_position = direction_(mesh, spokes) + direction(mesh.position(degree_)) * reach(mesh, sheet);
+    if !reach_2_position.is_finite() {
+        return None; // the new position of `reach` is not finite
+    }
+    let spokes_position = DVec3::new((mesh.spokes(spokes).filter(|&h| mesh.next(turned_) == h).count() as i64) as f64, 0.0, 1.0);
+    if !spokes_position.is_finite() {
+        return None; // the new position of `spokes` is not finite
+    }
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_position(reach_2, reach_2_position);
+    mesh.set_position(spokes, spokes_position);
+    Some(spokes)
 }
 
 /// The operation `more_extrude`.
@@ -8639,7 +8672,7 @@ fn between(mesh: &Mesh, v: VertexId, w: VertexId, t: f64) -> DVec3 {
 }
 
 /// Whether the corner at the origin of a halfedge turns left, as seen from above.
-fn holds(mesh: &Mesh, h: HalfedgeId) -> bool {
+fn holds_(mesh: &Mesh, h: HalfedgeId) -> bool {
     let ahead = mesh.position(mesh.target(h)) - mesh.position(mesh.vertex(h));
     let back = mesh.position(mesh.vertex(mesh.prev(h))) - mesh.position(mesh.vertex(h));
     if mesh.is_boundary_halfedge(h) { true } else { -reach(mesh, mesh.face(h)) <= DVec3::cross(ahead, back).z }
@@ -8654,6 +8687,11 @@ fn plane_of(mesh: &Mesh, f: FaceId) -> DVec4 {
 /// How the distance to a face grows.
 fn quadric_of(mesh: &Mesh, f: FaceId) -> DMat4 {
     outer4(plane_of(mesh, f), plane_of(mesh, f)) * (mesh.area(f) + 0.5)
+}
+
+/// How far to go; emitted code has a function of that name itself.
+fn direction_(mesh: &Mesh, v: VertexId) -> DVec3 {
+    direction(mesh.position(v))
 }
 
 /// The value of an attribute.
@@ -10863,6 +10901,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("values_settle", &[Element(x0), Real(x1)]) => { let r = drawn::values_settle(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("values_mangle", &[Element(x0), Real(x1)]) => (drawn::values_mangle(mesh, HalfedgeId(x0), x1), None),
         ("values_fold_up", &[Element(x0)]) => (drawn::values_fold_up(mesh, EdgeId(x0)), None),
+        ("values_rename_all", &[Element(x0)]) => { let r = drawn::values_rename_all(mesh, HalfedgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_extrude", &[Element(x0)]) => (drawn::more_extrude(mesh, FaceId(x0)), None),
         ("more_collapse_face", &[Element(x0)]) => { let r = drawn::more_collapse_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("more_cut_every_other_side", &[Element(x0)]) => (drawn::more_cut_every_other_side(mesh, FaceId(x0)), None),

@@ -106,13 +106,14 @@ fn drawn() -> Emission {
     for (stem, text) in texts {
         for name in op_names(&text) {
             let renamed = format!("{stem}_{name}");
-            let Some((subject, proved, program)) =
+            let Some((subject, proved, program, sources)) =
                 subject(&renaming(&text, &stem, &name), &renamed)
             else {
                 continue;
             };
             if !program.functions.is_empty() && all.program.functions.is_empty() {
                 all.program.functions = program.functions;
+                all.sources = sources;
             }
             all.proved.push(Some(proved));
             all.subjects.push(subject);
@@ -188,7 +189,7 @@ fn op_names(text: &str) -> Vec<String> {
 }
 
 /// The drawn op of that name; scripts of the text may call another one that is gone.
-fn subject(text: &str, name: &str) -> Option<(Subject, Proved, Program)> {
+fn subject(text: &str, name: &str) -> Option<(Subject, Proved, Program, Sources)> {
     let text = text.split("\nscript ").next()?;
     let mut sources = Sources::new();
     let file = sources.add("test.hedge", text);
@@ -206,5 +207,5 @@ fn subject(text: &str, name: &str) -> Option<(Subject, Proved, Program)> {
         plan: analysis.plans[at].clone()?,
         plans: Rc::new(Vec::new()),
     };
-    Some((subject, proved, analysis.program))
+    Some((subject, proved, analysis.program, sources))
 }

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use super::super::action::Action;
 use super::super::lines::Lines;
-use super::super::names::unreserved;
+use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
 use super::super::steps::{Item, Items, items};
-use super::super::term::Term;
+use super::super::term::{Parameter, Term};
 use super::super::{NotEmitted, Selection, build};
 use super::style::Style;
 use super::support;
@@ -27,18 +28,6 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         undoes: false,
     };
     let Items { called, ops } = items(selection, conventions)?;
-    let mut helpers = Vec::new();
-    let mut routines = Vec::new();
-    for item in called.iter().chain(&ops) {
-        match item {
-            Item::Function(helper) => helpers.push(helper),
-            Item::Drawn(routine) => routines.push(routine),
-            Item::Steps(_) => {
-                let span = selection.program.ops[selection.ops[0]].span;
-                return Err(NotEmitted::new("an operation in steps", span));
-            }
-        }
-    }
     let mut printer = Printer {
         style,
         lines: Lines::new(2),
@@ -46,19 +35,25 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         headers: BTreeSet::from(["optional"]),
         refusal: "",
         is_outside: false,
+        is_noted: false,
         sheet: None,
     };
-    let helpers: Vec<_> = helpers
-        .iter()
-        .map(|helper| printer.helper(helper))
+    let called = called.iter();
+    let called: Vec<_> = called
+        .map(|(home, item)| printer.called(home, item))
         .collect();
-    for (at, routine) in routines.iter().enumerate() {
+    for (at, op) in ops.iter().enumerate() {
         if at > 0 {
             printer.lines.line("");
         }
-        printer.routine(routine, routines.len() == 1);
+        let alone = ops.len() == 1;
+        match op {
+            Item::Function(_) => {}
+            Item::Drawn(routine) => printer.routine(routine, alone),
+            Item::Steps(whole) => printer.whole(whole, alone),
+        }
     }
-    Ok(printer.finish(&helpers))
+    Ok(printer.finish(&called))
 }
 
 pub(super) struct Printer<'s> {
@@ -70,6 +65,8 @@ pub(super) struct Printer<'s> {
     pub refusal: &'static str,
     /// Whether the names of the mesh class are not in sight.
     pub is_outside: bool,
+    /// Whether what is written is noted in a journal.
+    pub is_noted: bool,
     /// The sheet that pointers are noted on instead.
     pub sheet: Option<String>,
 }
@@ -80,16 +77,11 @@ impl Printer<'_> {
         let mut headers = self.headers;
         let mut functions = String::new();
         for name in needed {
-            let chain = |of: &str, pointer: &str| self.style.chained(of, pointer);
-            let text = support::spelled(name, &chain, &|ty| self.style.qualified(ty));
-            // So that functions of several files can stand in one.
-            let guard = format!("HEDGEROW_{}", name.to_uppercase().replace('.', "_"));
-            functions.push_str(&format!(
-                "\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n"
-            ));
+            let text = support::spelled(name, self.style);
+            functions.push_str(&once(name, &text));
         }
         for helper in helpers {
-            functions.push_str(&format!("\n{helper}"));
+            functions.push_str(helper);
         }
         let body = self.lines.finish();
         for (word, header) in [
@@ -99,6 +91,9 @@ impl Printer<'_> {
             ("std::reverse", "algorithm"),
             ("std::rotate", "algorithm"),
             ("std::pair", "utility"),
+            ("std::swap", "utility"),
+            ("std::tuple", "tuple"),
+            ("std::function", "functional"),
             ("std::count_if", "algorithm"),
             ("std::is_permutation", "algorithm"),
             ("std::sqrt", "cmath"),
@@ -130,26 +125,52 @@ impl Printer<'_> {
         }
     }
 
-    /// A function of the program as text.
-    fn helper(&mut self, helper: &Helper) -> String {
+    /// What operations call, as text; it comes from a file.
+    fn called(&mut self, home: &str, item: &Item) -> String {
         let outer = std::mem::replace(&mut self.lines, Lines::new(2));
+        let name = match item {
+            Item::Function(helper) => {
+                self.helper(helper);
+                &helper.name
+            }
+            Item::Drawn(routine) => {
+                self.is_noted = true;
+                self.routine(routine, false);
+                &routine.name
+            }
+            Item::Steps(whole) => {
+                self.is_noted = true;
+                self.whole(whole, false);
+                &whole.name
+            }
+        };
+        self.is_noted = false;
+        let text = std::mem::replace(&mut self.lines, outer).finish();
+        let home = home.strip_suffix(".hedge").unwrap_or(home);
+        once(&format!("{home}_{name}"), text.trim_end())
+    }
+
+    /// A function of the program.
+    fn helper(&mut self, helper: &Helper) {
         self.is_outside = true;
+        self.is_noted = helper.changes;
+        self.refusal = "throw Refused();";
         self.docs(&helper.docs);
         let params = helper.params.iter();
         let params = params.map(|param| format!("{} {}", self.outer_type(param.ty), param.name));
+        let journal = helper.changes.then(|| "Journal& journal".to_string());
+        let params = journal.into_iter().chain(params);
         let params = params.collect::<Vec<_>>().join(", ");
-        let (result, name) = (
-            helper
-                .result
-                .map_or("void".into(), |ty| self.outer_type(ty)),
-            invoked(&helper.name),
-        );
+        let result = helper.result.map(|ty| self.outer_type(ty));
+        let (result, name) = (result.unwrap_or("void".into()), invoked(&helper.name));
         self.lines
             .open(&format!("inline {result} {name}({params}) {{"));
-        self.block(&helper.body);
+        match helper.body.split_last() {
+            Some((Statement::Action(Action::Leave), others)) => self.block(others),
+            _ => self.block(&helper.body),
+        }
         self.lines.close("}");
         self.is_outside = false;
-        std::mem::replace(&mut self.lines, outer).finish()
     }
 
     pub fn ty(&self, ty: Type) -> String {
@@ -173,7 +194,7 @@ impl Printer<'_> {
     }
 
     /// A type where the names of the mesh class are not in sight.
-    fn outer_type(&self, ty: Type) -> String {
+    pub fn outer_type(&self, ty: Type) -> String {
         match ty {
             Type::Vertex => self.style.qualified("Vertex"),
             Type::Halfedge => self.style.qualified("Halfedge"),
@@ -185,52 +206,32 @@ impl Printer<'_> {
 
     fn routine(&mut self, routine: &Routine, alone: bool) {
         self.docs(&routine.docs);
-        let mesh = self.style.name("mesh").to_string();
-        let result = match routine.result {
-            Some(ty) => format!("std::optional<{}>", self.outer_type(ty)),
-            None => "bool".into(),
-        };
-        let other = self.style.name("function");
-        let name = match alone && !other.is_empty() {
-            true => other.to_string(),
-            false => routine.name.clone(),
-        };
-        let member = self.style.is_member();
         // Without a name what is not used; C++ compilers warn of it.
         let (mut used, mut allocates) = (BTreeSet::new(), false);
         for statement in routine.rules.iter().flat_map(|rule| &rule.body) {
             statement.names(&mut |name| _ = used.insert(name.to_string()));
             allocates |= statement.changes_the_lists();
         }
-        let params = routine.params.iter().map(|param| {
-            let ty = match member {
-                true => self.ty(param.ty),
-                false => self.outer_type(param.ty),
-            };
-            match used.contains(&param.name) {
-                true => format!("{ty} {}", param.name),
-                false => format!("{ty} /*{}*/", param.name),
-            }
-        });
-        let mut params: Vec<_> = params.collect();
-        let name = match member {
-            true => format!("{mesh}::{name}"),
-            false => {
-                params.insert(
-                    0,
-                    match allocates {
-                        true => format!("{mesh}& mesh"),
-                        false => format!("{mesh}& /*mesh*/"),
-                    },
-                );
-                name
-            }
-        };
-        self.lines
-            .open(&format!("{result} {name}({}) {{", params.join(", ")));
-        if !member {
-            self.aliases(routine);
+        // What is written to is noted; an operation that writes nothing is as rare as pointless.
+        allocates |= self.is_noted;
+        if allocates {
+            used.insert("mesh".to_string());
         }
+        let several = routine.result.filter(|_| routine.rules.len() > 1);
+        let mut seen: Vec<_> = several.into_iter().collect();
+        for rule in &routine.rules {
+            types(&rule.body, &mut |ty| seen.push(ty));
+        }
+        self.head(
+            Head {
+                name: &routine.name,
+                params: &routine.params,
+                result: routine.result,
+                alone,
+            },
+            &used,
+            &seen,
+        );
         match routine.rules.as_slice() {
             [rule] => self.alternative(&rule.body, routine),
             rules => {
@@ -270,7 +271,7 @@ impl Printer<'_> {
 
     /// A doc comment. A line that ends with a backslash would swallow the next one, but not
     /// in a block.
-    fn docs(&mut self, docs: &[String]) {
+    pub fn docs(&mut self, docs: &[String]) {
         if docs.iter().any(|line| line.trim_end().ends_with('\\')) {
             for (at, line) in docs.iter().enumerate() {
                 let mark = if at == 0 { "/**" } else { " *" };
@@ -285,31 +286,61 @@ impl Printer<'_> {
         }
     }
 
-    /// Short names for the types that the function speaks of.
-    fn aliases(&mut self, routine: &Routine) {
-        let mut seen = BTreeSet::new();
-        seen.extend(
-            routine
-                .result
-                .filter(|_| routine.rules.len() > 1)
-                .map(|ty| self.ty(ty)),
-        );
-        for rule in &routine.rules {
-            types(&rule.body, &mut |ty| {
-                if ty.is_element() {
-                    seen.insert(self.ty(ty));
-                }
-            });
+    /// The first lines of an operation: its signature, and short names for the types that it
+    /// speaks of.
+    pub(super) fn head(&mut self, head: Head<'_>, used: &BTreeSet<String>, seen: &[Type]) {
+        let mesh = self.style.name("mesh").to_string();
+        let result = match head.result {
+            Some(ty) => format!("std::optional<{}>", self.outer_type(ty)),
+            None => "bool".into(),
+        };
+        let other = self.style.name("function");
+        let name = match head.alone && !other.is_empty() {
+            true => other.to_string(),
+            false => head.name.to_string(),
+        };
+        let member = self.style.is_member() && !self.is_noted;
+        let params = head.params.iter().map(|param| {
+            let ty = match member {
+                true => self.ty(param.ty),
+                false => self.outer_type(param.ty),
+            };
+            match used.contains(&param.name) {
+                true => format!("{ty} {}", param.name),
+                false => format!("{ty} /*{}*/", param.name),
+            }
+        });
+        let mut params: Vec<_> = params.collect();
+        let (result, name) = match (self.is_noted, member) {
+            (true, _) => {
+                params.insert(0, "Journal& journal".into());
+                (format!("inline {result}"), invoked(&name))
+            }
+            (false, true) => (result, format!("{mesh}::{name}")),
+            (false, false) => {
+                params.insert(
+                    0,
+                    match used.contains("mesh") {
+                        true => format!("{mesh}& mesh"),
+                        false => format!("{mesh}& /*mesh*/"),
+                    },
+                );
+                (result, name)
+            }
+        };
+        self.lines
+            .open(&format!("{result} {name}({}) {{", params.join(", ")));
+        if member {
+            return;
         }
-        let aliases: Vec<_> = ["Vertex", "Halfedge", "Edge", "Face"]
-            .into_iter()
-            .filter(|name| seen.contains(self.style.name(name)) && self.style.is_nested(name))
+        let seen: BTreeSet<_> = seen.iter().map(|&ty| self.ty(ty)).collect();
+        let aliases = ["Vertex", "Halfedge", "Edge", "Face"].into_iter();
+        let aliases = aliases
+            .filter(|name| seen.contains(self.style.name(name)) && self.style.is_nested(name));
+        let aliases: Vec<_> = aliases
             .map(|name| {
-                format!(
-                    "using {} = {};",
-                    self.style.name(name),
-                    self.style.qualified(name)
-                )
+                let (short, long) = (self.style.name(name), self.style.qualified(name));
+                format!("using {short} = {long};")
             })
             .collect();
         for alias in &aliases {
@@ -338,7 +369,7 @@ impl Printer<'_> {
         spell(self, term).text
     }
 
-    pub fn whole(&mut self, term: &Term) -> String {
+    pub fn spelled_whole(&mut self, term: &Term) -> String {
         spell(self, term).at(Level::Whole)
     }
 
@@ -354,10 +385,19 @@ impl Printer<'_> {
     }
 }
 
-/// What a function of the program is called: not as one of the language.
-pub(super) fn invoked(name: &str) -> String {
-    match support::is_known(name) {
-        true => format!("{name}_"),
-        false => unreserved(name),
-    }
+/// A text that counts once, so that several emitted files can stand in one.
+fn once(name: &str, text: &str) -> String {
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    let guard = format!("HEDGEROW_{}", words.join("_").to_uppercase());
+    format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
+}
+
+/// What the signature of an operation says.
+pub(super) struct Head<'h> {
+    pub name: &'h str,
+    pub params: &'h [Parameter],
+    pub result: Option<Type>,
+    /// Whether no other operation is emitted.
+    pub alone: bool,
 }

@@ -4,6 +4,7 @@ mod function;
 mod sheet;
 mod spelling;
 mod statement;
+mod steps;
 mod style;
 mod support;
 mod types;
@@ -11,3 +12,4 @@ mod wide;
 
 pub use function::cpp;
 pub use style::{Style, StyleError};
+pub(super) use support::is_written_out;

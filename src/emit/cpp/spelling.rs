@@ -1,9 +1,10 @@
 //! Terms as C++.
 
+use super::super::names::invoked;
 use super::super::spell::{Language, Level, Spelled, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::super::wide::is_wide;
-use super::function::{Printer, invoked};
+use super::function::Printer;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer<'_> {
@@ -217,19 +218,7 @@ impl Language for Printer<'_> {
     }
 
     fn fold(&mut self, fold: &Fold) -> Spelled {
-        let element = self.text(&fold.element);
-        let name = match fold.around {
-            Around::VertexHalfedges => "spokes",
-            Around::VertexEdges => "edges_of_vertex",
-            Around::VertexFaces => "faces_of_vertex",
-            Around::VertexNeighbors => "neighbors",
-            Around::FaceHalfedges => "halfedges",
-            Around::FaceVertices => "vertices",
-            Around::FaceEdges => "edges_of_face",
-            Around::EdgeVertices => "ends",
-            Around::EdgeFaces => "faces_of_edge",
-        };
-        let mut all = self.support(name, vec![element]);
+        let mut all = self.all_around(fold.around, &fold.element);
         let head = format!("[&]({} {})", self.ty(fold.variable.ty), fold.variable.name);
         if let Some(filter) = &fold.filter {
             let filter = self.text(filter);
@@ -273,5 +262,24 @@ impl Language for Printer<'_> {
             FoldFunction::ArgMax => ("greatest_of", vec![all, body]),
         };
         Spelled::whole(self.support(name, args))
+    }
+}
+
+impl Printer<'_> {
+    /// What lies around an element, as a list.
+    pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
+        let element = self.text(element);
+        let name = match around {
+            Around::VertexHalfedges => "spokes",
+            Around::VertexEdges => "edges_of_vertex",
+            Around::VertexFaces => "faces_of_vertex",
+            Around::VertexNeighbors => "neighbors",
+            Around::FaceHalfedges => "halfedges",
+            Around::FaceVertices => "vertices",
+            Around::FaceEdges => "edges_of_face",
+            Around::EdgeVertices => "ends",
+            Around::EdgeFaces => "faces_of_edge",
+        };
+        self.support(name, vec![element])
     }
 }

@@ -37,6 +37,13 @@ impl Printer<'_> {
                 halfedge,
                 body,
             } => self.attempt(*kind, element, halfedge, body),
+            Statement::Refuse {
+                when: Term::Bool(true),
+                reason,
+            } if self.is_noted => {
+                let (refusal, reason) = (self.refusal, reason.replace('\n', " "));
+                self.lines.line(&format!("{refusal}  // {reason}"));
+            }
             Statement::Refuse { when, reason } => {
                 let when = self.text(when);
                 let line = format!("if ({when}) {}", self.refusal);
@@ -107,28 +114,28 @@ impl Printer<'_> {
             }
             Statement::New { kind, name } => {
                 let ty = self.style.name(type_name(*kind));
-                let call = self.style.allocate(*kind);
+                let call = self.allocated(*kind);
                 let line = format!("{ty} {name} = {call};");
                 self.lines.line(&line);
             }
             Statement::NewEach { kind, name, turns } => {
                 let ty = self.style.name(type_name(*kind)).to_string();
-                let call = self.style.allocate(*kind);
+                let call = self.allocated(*kind);
                 self.gather(&ty, name, turns, &call);
             }
             Statement::Set { pointer, of, value } => {
-                let (of, value) = (self.whole(of), self.text(value));
+                let (of, value) = (self.spelled_whole(of), self.text(value));
                 if let Some(line) = self.style.write(&of, *pointer, &value) {
                     self.lines.line(&format!("{line};"));
                 }
             }
             Statement::SetHole { face, hole } => {
-                let face = self.whole(face);
+                let face = self.spelled_whole(face);
                 let line = self.style.set_boundary(&face, *hole);
                 self.lines.line(&format!("{line};"));
             }
             Statement::SetPosition { vertex, value } => {
-                let (vertex, value) = (self.whole(vertex), self.text(value));
+                let (vertex, value) = (self.spelled_whole(vertex), self.text(value));
                 let line = format!("{} = {value};", self.style.position(&vertex));
                 self.lines.line(&line);
             }
@@ -137,7 +144,7 @@ impl Printer<'_> {
                 element,
                 value,
             } => {
-                let (element, value) = (self.whole(element), self.text(value));
+                let (element, value) = (self.spelled_whole(element), self.text(value));
                 let line = format!(
                     "{} = {value};",
                     self.style.attribute(&element, &attribute.name)
@@ -146,8 +153,11 @@ impl Printer<'_> {
             }
             Statement::Erase { kind, element } => {
                 let element = self.text(element);
-                let line = format!("{};", self.style.erase(*kind, &element));
-                self.lines.line(&line);
+                let call = match self.is_noted {
+                    true => format!("journal.erase({element})"),
+                    false => self.style.erase(*kind, &element),
+                };
+                self.lines.line(&format!("{call};"));
             }
             Statement::Give(value) => {
                 let value = self.text(value);
@@ -159,7 +169,14 @@ impl Printer<'_> {
                     .map_or("true".into(), |result| self.text(result));
                 self.lines.line(&format!("return {result};"));
             }
-            Statement::Action(_) => {}
+            Statement::Action(action) => self.action(action),
+        }
+    }
+
+    fn allocated(&self, kind: Kind) -> String {
+        match self.is_noted {
+            true => format!("journal.new_{}()", kind.word()),
+            false => self.style.allocate(kind),
         }
     }
 
@@ -179,7 +196,7 @@ impl Printer<'_> {
     }
 
     /// A head and what it holds: on one line if that is a single short statement.
-    fn held(&mut self, head: &str, body: &[Statement]) {
+    pub(super) fn held(&mut self, head: &str, body: &[Statement]) {
         let mut inner = Printer {
             style: self.style,
             lines: Lines::new(2),
@@ -187,6 +204,7 @@ impl Printer<'_> {
             headers: BTreeSet::new(),
             refusal: self.refusal,
             is_outside: self.is_outside,
+            is_noted: self.is_noted,
             sheet: self.sheet.clone(),
         };
         inner.block(body);
@@ -269,7 +287,7 @@ impl Printer<'_> {
             };
             let (from, until, step) = (
                 self.text(&walk.from),
-                self.whole(&walk.until),
+                self.spelled_whole(&walk.until),
                 self.text(&step),
             );
             format!("for ({ty} {h} = {from}; {h} != {until}; {h} = {step})")

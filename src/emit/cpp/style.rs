@@ -187,19 +187,30 @@ impl Style {
         (!pointer.is_empty()).then(|| fill(self.pattern("read"), of, pointer, ""))
     }
 
-    /// `of.pointer` for a pointer by its usual name, and also `position` and `boundary`.
+    /// `of.pointer` for a pointer by its usual name, and also `position` and `boundary`; of a
+    /// mesh, `new_vertex` and the like.
     pub(in crate::emit) fn chained(&self, of: &str, pointer: &str) -> String {
         let pointer = match pointer {
             "boundary" => return self.boundary(of),
             "position" => return self.position(of),
-            "next" => Pointer::Next,
-            "twin" => Pointer::Twin,
-            "vertex" => Pointer::Vertex,
-            "edge" => Pointer::Edge,
-            "face" => Pointer::Face,
-            _ => Pointer::VertexHalfedge,
+            pointer => match pointer.strip_prefix("new_") {
+                Some(kind) => return format!("{of}.{}", self.allocation(kind)),
+                None => usual(pointer),
+            },
         };
         self.read(of, pointer).unwrap_or_default()
+    }
+
+    /// `of.pointer = value` for the same; of a mesh, what erases the value.
+    pub(in crate::emit) fn put(&self, of: &str, pointer: &str, value: &str) -> String {
+        match pointer {
+            "boundary" => fill(self.pattern("set_boundary"), of, "", value),
+            "position" => format!("{} = {value}", self.position(of)),
+            pointer => match pointer.strip_prefix("erase_") {
+                Some(kind) => format!("{of}.{}", self.erasure(kind, value)),
+                None => self.write(of, usual(pointer), value).unwrap_or_default(),
+            },
+        }
     }
 
     /// A type where the names of the mesh class are not in sight: `Mesh::VertexRef`.
@@ -242,14 +253,22 @@ impl Style {
 
     /// A call that allocates.
     pub(in crate::emit) fn allocate(&self, kind: Kind) -> String {
-        let name = format!("new_{}", kind.word());
-        self.call(self.pattern(&name).to_string())
+        self.call(self.allocation(kind.word()))
     }
 
     /// A call that erases.
     pub(in crate::emit) fn erase(&self, kind: Kind, of: &str) -> String {
-        let name = format!("erase_{}", kind.word());
-        self.call(fill(self.pattern(&name), of, "", ""))
+        self.call(self.erasure(kind.word(), of))
+    }
+
+    /// What allocates an element of a kind, as the mesh class calls it.
+    pub(in crate::emit) fn allocation(&self, kind: &str) -> String {
+        self.pattern(&format!("new_{kind}")).to_string()
+    }
+
+    /// What erases an element of a kind, as the mesh class calls it.
+    pub(in crate::emit) fn erasure(&self, kind: &str, of: &str) -> String {
+        fill(self.pattern(&format!("erase_{kind}")), of, "", "")
     }
 
     fn call(&self, call: String) -> String {
@@ -257,6 +276,19 @@ impl Style {
             true => call,
             false => format!("mesh.{call}"),
         }
+    }
+}
+
+/// A pointer by its usual name.
+fn usual(pointer: &str) -> Pointer {
+    match pointer {
+        "next" => Pointer::Next,
+        "prev" => Pointer::Prev,
+        "twin" => Pointer::Twin,
+        "vertex" => Pointer::Vertex,
+        "edge" => Pointer::Edge,
+        "face" => Pointer::Face,
+        _ => Pointer::VertexHalfedge,
     }
 }
 

@@ -1,14 +1,18 @@
 //! The functions of the language in C++, written out where they are used.
 //!
 //! `[h.twin.next]` stands for pointers as the style reads them, `[v.position]` and
-//! `[f.boundary]` for those; `$Vertex` and the like for types.
+//! `[f.boundary]` for those, `[h.next := n]` for what sets them; `$Vertex` and the like for types.
+//! A line behind `?prev` is there if halfedges know the one before them.
+
+use super::style::Style;
 
 /// Each behind a line with its name; that of a template whose first parameter is a size ends
 /// with `.n`. Those that a text calls stand before it.
 const TEXTS: &str = concat!(
     include_str!("functions.txt"),
     include_str!("values.txt"),
-    include_str!("sheet.txt")
+    include_str!("sheet.txt"),
+    include_str!("journal.txt")
 );
 
 /// The names and texts of all functions, in order.
@@ -24,8 +28,8 @@ fn text(name: &str) -> Option<&'static str> {
 }
 
 /// Whether there is a function of that name.
-pub(super) fn is_known(name: &str) -> bool {
-    text(name).is_some()
+pub(in crate::emit) fn is_written_out(name: &str) -> bool {
+    functions().any(|(known, _)| known.trim_end_matches(".n") == name)
 }
 
 /// The names of the functions that these need, themselves included, each behind those it calls.
@@ -68,13 +72,15 @@ fn calls(text: &str, name: &str) -> bool {
 }
 
 /// The text of a function with its pointers and types spelled.
-pub(super) fn spelled(
-    name: &str,
-    chain: &dyn Fn(&str, &str) -> String,
-    ty: &dyn Fn(&str) -> String,
-) -> String {
+pub(super) fn spelled(name: &str, style: &Style) -> String {
+    let lines = text(name).unwrap_or("").split_inclusive('\n');
+    let lines = lines.filter_map(|line| match line.strip_prefix("?prev") {
+        Some(line) => style.has_prev().then_some(line),
+        None => Some(line),
+    });
+    let text: String = lines.collect();
     let mut out = String::new();
-    let mut rest = text(name).unwrap_or("");
+    let mut rest = text.as_str();
     while let Some(at) = rest.find(['[', '$']) {
         out.push_str(&rest[..at]);
         if rest[at..].starts_with('$') {
@@ -82,7 +88,10 @@ pub(super) fn spelled(
             let end = word
                 .find(|c: char| !c.is_ascii_alphanumeric())
                 .unwrap_or(word.len());
-            out.push_str(&ty(&word[..end]));
+            out.push_str(&match &word[..end] {
+                "Mesh" => style.name("mesh").to_string(),
+                ty => style.qualified(ty),
+            });
             rest = &word[end..];
             continue;
         }
@@ -91,9 +100,17 @@ pub(super) fn spelled(
         match inside[..end].split_once('.') {
             // A chain of pointers; a lambda or an index is left alone.
             Some((of, pointers)) => {
+                let (pointers, value) = match pointers.split_once(" := ") {
+                    Some((pointers, value)) => (pointers, Some(value)),
+                    None => (pointers, None),
+                };
                 let mut term = of.to_string();
-                for pointer in pointers.split('.') {
-                    term = chain(&term, pointer);
+                let mut pointers = pointers.split('.').peekable();
+                while let Some(pointer) = pointers.next() {
+                    term = match value.filter(|_| pointers.peek().is_none()) {
+                        Some(value) => style.put(&term, pointer, value),
+                        None => style.chained(&term, pointer),
+                    };
                 }
                 out.push_str(&term);
                 rest = inside.get(end + 1..).unwrap_or("");

@@ -33,6 +33,11 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
             | Statement::Turn { body, .. }
             | Statement::Foresee { body, .. } => types(body, see),
             Statement::Refuse { when, .. } => variables(when, see),
+            Statement::Action(action) => {
+                action.types(see);
+                action.terms(&mut |term| variables(term, see));
+                action.bodies().iter().for_each(|body| types(body, see));
+            }
             Statement::New { kind, .. } | Statement::NewEach { kind, .. } => see(match kind {
                 Kind::Vertex => Type::Vertex,
                 Kind::Halfedge => Type::Halfedge,

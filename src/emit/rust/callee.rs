@@ -2,19 +2,10 @@
 
 use super::super::action::Action;
 use super::super::lines::Lines;
-use super::super::names::unreserved;
+use super::super::names::invoked;
 use super::super::routine::{Helper, Statement};
 use super::function::{Printer, names, ty};
 use super::steps::bare;
-use super::support;
-
-/// What a function of the program is called: not as one that is written out.
-pub(super) fn invoked(name: &str) -> String {
-    match support::is_known(name) {
-        true => format!("{name}_"),
-        false => unreserved(name),
-    }
-}
 
 impl Printer {
     /// Writes a function; it sees the mesh as it is, unless it changes it.

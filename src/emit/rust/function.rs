@@ -34,7 +34,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         sheet: None,
     };
     let shown = ops.iter().map(|op| (op, true));
-    for (item, is_selected) in shown.chain(called.iter().map(|item| (item, false))) {
+    for (item, is_selected) in shown.chain(called.iter().map(|(_, item)| (item, false))) {
         printer.lines.line("");
         let visible = if is_selected { "pub fn" } else { "fn" };
         match item {

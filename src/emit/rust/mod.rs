@@ -10,3 +10,4 @@ mod support;
 mod wide;
 
 pub use function::rust;
+pub(super) use support::written_out;

@@ -1,8 +1,8 @@
 //! Terms as Rust.
 
+use super::super::names::invoked;
 use super::super::spell::{Language, Level, Spelled, field, number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
-use super::callee::invoked;
 use super::function::{Printer, names, ty};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 

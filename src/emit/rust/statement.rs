@@ -2,16 +2,33 @@
 
 use super::super::routine::{Statement, Step, Walk};
 use super::super::spell::field;
-use super::super::term::Turns;
+use super::super::term::{Term, Turns};
 use super::function::{Printer, ty};
 use super::steps::{always, bare};
 use crate::diagram::{Kind, Type};
 
 impl Printer {
     pub fn block(&mut self, body: &[Statement], has_result: bool) {
-        for statement in body {
-            self.statement(statement, has_result);
+        for (at, statement) in body.iter().enumerate() {
+            match statement {
+                Statement::List { ty, name, items } => {
+                    let grows = body[at..].iter().any(|later| later.adds_to(name));
+                    self.list(*ty, if grows { "let mut" } else { "let" }, name, items);
+                }
+                statement => self.statement(statement, has_result),
+            }
         }
+    }
+
+    fn list(&mut self, of: Type, bind: &str, name: &str, items: &[Term]) {
+        let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
+        let value = match items.is_empty() {
+            true => "Vec::new()".to_string(),
+            false => format!("vec![{}]", items.join(", ")),
+        };
+        let ty = ty(of);
+        self.lines
+            .line(&format!("{bind} {name}: Vec<{ty}> = {value};"));
     }
 
     fn statement(&mut self, statement: &Statement, has_result: bool) {
@@ -91,19 +108,7 @@ impl Printer {
                 ));
                 self.lines.close("}");
             }
-            Statement::List {
-                ty: of,
-                name,
-                items,
-            } => {
-                let items: Vec<_> = items.iter().map(|item| self.text(item)).collect();
-                let value = match items.is_empty() {
-                    true => "Vec::new()".to_string(),
-                    false => format!("vec![{}]", items.join(", ")),
-                };
-                self.lines
-                    .line(&format!("let mut {name}: Vec<{}> = {value};", ty(*of)));
-            }
+            Statement::List { ty, name, items } => self.list(*ty, "let mut", name, items),
             Statement::Push { list, item } => {
                 let item = self.text(item);
                 self.lines.line(&format!("{list}.push({item});"));

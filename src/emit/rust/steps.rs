@@ -1,10 +1,10 @@
 //! Operations in steps as Rust, and what only steps and functions do.
 
 use super::super::action::{Action, Call, Called, Form, Place, Whole};
+use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::spell::{Level, spell};
 use super::super::term::{Parameter, Term};
-use super::callee::invoked;
 use super::function::{Printer, ty};
 use crate::diagram::{self, Type};
 

@@ -15,9 +15,9 @@ fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
     parts.filter_map(|part| part.split_once('\n'))
 }
 
-/// Whether there is a function of that name.
-pub(super) fn is_known(name: &str) -> bool {
-    functions().any(|(known, _)| known == name)
+/// The names of all functions.
+pub(in crate::emit) fn written_out() -> impl Iterator<Item = &'static str> {
+    functions().map(|(name, _)| name)
 }
 
 /// The functions of these names, and those that they call, in order.

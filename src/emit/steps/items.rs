@@ -33,8 +33,8 @@ pub(in crate::emit) enum Item {
 /// All that is emitted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::emit) struct Items {
-    /// What is called, each behind what it calls itself.
-    pub called: Vec<Item>,
+    /// What is called, each behind what it calls itself, and with the name of its file.
+    pub called: Vec<(String, Item)>,
     /// The operations that were selected.
     pub ops: Vec<Item>,
 }
@@ -115,7 +115,7 @@ struct Builder<'s> {
     op_names: Vec<String>,
     begun: BTreeSet<Need>,
     done: BTreeSet<Need>,
-    called: Vec<Item>,
+    called: Vec<(String, Item)>,
 }
 
 impl Builder<'_> {
@@ -152,7 +152,8 @@ impl Builder<'_> {
             self.need(other, Some(self.span(need)))?;
         }
         self.done.insert(need);
-        self.called.push(item);
+        let home = self.selection.sources.get(self.span(need).file).name();
+        self.called.push((home.to_string(), item));
         Ok(())
     }
 

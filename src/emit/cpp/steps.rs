@@ -1,0 +1,277 @@
+//! Operations in steps as C++, and what only steps and functions do.
+
+use std::collections::BTreeSet;
+
+use super::super::action::{Action, Call, Called, Form, Place, Whole};
+use super::super::names::invoked;
+use super::super::routine::Statement;
+use super::super::spell::{Level, spell};
+use super::super::term::{Attribute, Parameter, Term};
+use super::function::{Head, Printer};
+use super::types::types;
+use crate::diagram;
+
+/// How long a line may become.
+const WIDTH: usize = 92;
+
+impl Printer<'_> {
+    /// Writes an operation in steps: through a journal, which undoes them.
+    pub(super) fn whole(&mut self, whole: &Whole, alone: bool) {
+        self.docs(&whole.docs);
+        if !whole.docs.is_empty() {
+            self.lines.line("///");
+        }
+        self.lines
+            .line("/// All or nothing: if a step refuses, what was done is undone.");
+        let mut used = BTreeSet::from(["mesh".to_string()]);
+        let mut seen: Vec<_> = whole.result.into_iter().collect();
+        for statement in whole.asks.iter().chain(&whole.body) {
+            statement.names(&mut |name| _ = used.insert(name.to_string()));
+        }
+        types(&whole.asks, &mut |ty| seen.push(ty));
+        types(&whole.body, &mut |ty| seen.push(ty));
+        self.head(
+            Head {
+                name: &whole.name,
+                params: &whole.params,
+                result: whole.result,
+                alone,
+            },
+            &used,
+            &seen,
+        );
+        self.refusal = match whole.result {
+            Some(_) => "return std::nullopt;",
+            None => "return false;",
+        };
+        self.block(&whole.asks);
+        self.used.push("Journal");
+        if !self.is_noted {
+            let mesh = if self.style.is_member() {
+                "*this"
+            } else {
+                "mesh"
+            };
+            self.lines
+                .line(&format!("hedgerow::Journal journal({mesh});"));
+        }
+        let level = match whole.level {
+            diagram::Level::Map => "map",
+            diagram::Level::Surface => "surface",
+            diagram::Level::Simple => "simple",
+        };
+        let result = match whole.result {
+            Some(ty) => format!("std::optional<{}>", self.ty(ty)),
+            None => "bool".into(),
+        };
+        self.lines.open(&format!(
+            "return journal.whole(hedgerow::Level::{level}, [&]() -> {result} {{"
+        ));
+        let outer = std::mem::replace(&mut self.is_noted, true);
+        self.block(&whole.body);
+        self.is_noted = outer;
+        self.lines.close("});");
+        self.lines.close("}");
+    }
+
+    pub(super) fn action(&mut self, action: &Action) {
+        match action {
+            Action::Variable { place, value } => {
+                let value = self.text(value);
+                self.put(place, &value);
+            }
+            Action::Must { call, place } => {
+                let mut text = self.call_of(call);
+                if matches!(call.of, Called::Operation | Called::Plain) {
+                    text = self.support("must", vec![text]);
+                }
+                match place {
+                    Some(place) => self.put(place, &text),
+                    None => self.lines.line(&format!("{text};")),
+                }
+            }
+            Action::May { call } => {
+                let text = self.call_of(call);
+                self.lines.line(&format!("{text};"));
+            }
+            Action::Apply {
+                call,
+                place,
+                then,
+                otherwise,
+            } => self.apply(call, place.as_ref(), [then, otherwise]),
+            Action::Choose {
+                condition,
+                then,
+                otherwise,
+            } => {
+                let condition = self.text(condition);
+                match otherwise.as_slice() {
+                    [] => self.held(&format!("if ({condition})"), then),
+                    _ => self.branches(&condition, [then, otherwise]),
+                }
+            }
+            Action::Repeat { index, count, body } => {
+                let count = self.text(count);
+                let head = format!("for (long long {index} = {count}; {index} > 0; --{index})");
+                self.held(&head, body);
+            }
+            Action::While { condition, body } => {
+                let condition = self.text(condition);
+                self.held(&format!("while ({condition})"), body);
+            }
+            Action::For {
+                variable: Parameter { name, ty },
+                around,
+                element,
+                may_go,
+                filter,
+                body,
+            } => {
+                let all = self.all_around(*around, element);
+                let gone = may_go.then(|| format!("!journal.lives({name})"));
+                let others = filter.as_ref().map(|filter| {
+                    let others = spell(self, &filter.clone().not());
+                    others.at(if *may_go { Level::Or } else { Level::Choice })
+                });
+                let skipped: Vec<_> = gone.into_iter().chain(others).collect();
+                let ty = self.ty(*ty);
+                let head = format!("for ({ty} {name} : {all})");
+                if skipped.is_empty() {
+                    return self.held(&head, body);
+                }
+                self.lines.open(&format!("{head} {{"));
+                self.lines
+                    .line(&format!("if ({}) continue;", skipped.join(" || ")));
+                self.block(body);
+                self.lines.close("}");
+            }
+            Action::Break => self.lines.line("break;"),
+            Action::Continue => self.lines.line("continue;"),
+            Action::Move { vertex, value, .. } => {
+                let (vertex, value) = (self.text(vertex), self.text(value));
+                self.lines
+                    .line(&format!("journal.set_position({vertex}, {value});"));
+            }
+            Action::Keep(elements) => self.keep(elements),
+            Action::KeepAttribute { attribute, element } => {
+                self.keep_attribute(attribute, element);
+            }
+            // Attributes are fields.
+            Action::Ask(_) => {}
+            Action::Leave => self.lines.line("return;"),
+        }
+    }
+
+    fn apply(
+        &mut self,
+        call: &Call,
+        place: Option<&Parameter>,
+        [then, otherwise]: [&[Statement]; 2],
+    ) {
+        let text = self.call_of(call);
+        match (place, then, otherwise) {
+            (Some(Parameter { name, ty }), ..) => {
+                let ty = self.ty(*ty);
+                self.lines
+                    .open(&format!("if (auto made_{name} = {text}) {{"));
+                self.lines.line(&format!("{ty} {name} = *made_{name};"));
+                self.block(then);
+                self.otherwise(otherwise);
+                self.lines.close("}");
+            }
+            (None, [], _) => self.held(&format!("if (!{text})"), otherwise),
+            (None, _, []) => self.held(&format!("if ({text})"), then),
+            _ => self.branches(&text, [then, otherwise]),
+        }
+    }
+
+    /// Notes elements in the journal; as many lines as it takes.
+    fn keep(&mut self, elements: &[Term]) {
+        let texts: Vec<_> = elements.iter().map(|term| self.text(term)).collect();
+        let mut line = String::new();
+        for text in texts {
+            if !line.is_empty() && line.len() + text.len() > WIDTH - 16 {
+                self.lines.line(&format!("journal.keep({line});"));
+                line.clear();
+            }
+            if !line.is_empty() {
+                line.push_str(", ");
+            }
+            line.push_str(&text);
+        }
+        self.lines.line(&format!("journal.keep({line});"));
+    }
+
+    fn keep_attribute(&mut self, attribute: &Attribute, element: &Term) {
+        let of = self.spelled_whole(element);
+        let was = self.style.attribute(&of, &attribute.name);
+        let (capture, name) = match element {
+            Term::Name(name) => (name.clone(), name.as_str()),
+            _ => (format!("at = {of}"), "at"),
+        };
+        let back = self.style.attribute(name, &attribute.name);
+        self.lines.line(&format!(
+            "journal.undone_by([{capture}, was = {was}] {{ {back} = was; }});"
+        ));
+    }
+
+    fn put(&mut self, place: &Place, value: &str) {
+        let Place { name, ty, form } = place;
+        self.lines.line(&match form {
+            Form::Known => format!("{name} = {value};"),
+            Form::Fixed | Form::Changing => format!("{} {name} = {value};", self.ty(*ty)),
+        });
+    }
+
+    /// The call of an operation, or of a function that changes the mesh.
+    fn call_of(&mut self, call: &Call) -> String {
+        let args = call.args.iter().map(|arg| format!(", {}", self.text(arg)));
+        let args = args.collect::<String>();
+        self.used.push("Journal");
+        format!("hedgerow::{}(journal{args})", invoked(&call.name))
+    }
+
+    fn branches(&mut self, condition: &str, [then, otherwise]: [&[Statement]; 2]) {
+        self.lines.open(&format!("if ({condition}) {{"));
+        self.block(then);
+        self.otherwise(otherwise);
+        self.lines.close("}");
+    }
+
+    /// The other branches of an `if`.
+    fn otherwise(&mut self, otherwise: &[Statement]) {
+        match otherwise {
+            [] => {}
+            [
+                Statement::Action(Action::Choose {
+                    condition,
+                    then,
+                    otherwise,
+                }),
+            ] => {
+                let condition = self.text(condition);
+                self.lines.reopen(&format!("}} else if ({condition}) {{"));
+                self.block(then);
+                self.otherwise(otherwise);
+            }
+            [
+                Statement::Action(Action::Apply {
+                    call,
+                    place: None,
+                    then,
+                    otherwise,
+                }),
+            ] if !then.is_empty() => {
+                let text = self.call_of(call);
+                self.lines.reopen(&format!("}} else if ({text}) {{"));
+                self.block(then);
+                self.otherwise(otherwise);
+            }
+            _ => {
+                self.lines.reopen("} else {");
+                self.block(otherwise);
+            }
+        }
+    }
+}
