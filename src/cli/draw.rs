@@ -14,8 +14,8 @@ use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
 use crate::diagnostic::Severity;
 use crate::diagram::Op;
-use crate::draw::{Picture, Section, draw_op, page, text_op};
-use crate::source::Span;
+use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
+use crate::run::{Functions, calls_of_steps};
 
 /// How many pixels of an image are a unit of a diagram.
 const PIXELS: f64 = 2.0;
@@ -57,11 +57,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<(), Failure> {
             Ok(())
         }
         (Some(Drawn::Svg), None) => {
-            say(draw_op(diagram).svg().trim_end());
+            say(draw_sheet(diagram).svg().trim_end());
             Ok(())
         }
-        (Some(Drawn::Svg), Some(output)) => write(output, draw_op(diagram).svg().as_bytes()),
-        (None, Some(output)) => write_picture(&draw_op(diagram), output, PIXELS),
+        (Some(Drawn::Svg), Some(output)) => write(output, draw_sheet(diagram).svg().as_bytes()),
+        (None, Some(output)) => write_picture(&draw_sheet(diagram), output, PIXELS),
         (None, None) => Err(Failure::usage(
             "where should the picture go? write -o OUT.svg, -o OUT.png, or --as text",
         )),
@@ -101,7 +101,7 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
         let shown = steps.map(|_| example(&analysis.program, at, &analysis.plans));
         let mut told = match verdict.proved {
             true => vec![show_verdict(&verdict)],
-            false => failures(analysis, op.span),
+            false => failures(analysis, at),
         };
         let mut picture = op.diagram.as_ref().map(draw_op);
         match shown {
@@ -124,8 +124,10 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
     Ok(sections.collect())
 }
 
-/// Why an operation is not proved: the errors behind its name and before the next one.
-fn failures(analysis: &Analysis, name: Span) -> Vec<String> {
+/// Why an operation is not proved: the errors behind its name and before the next one, and what
+/// it calls that is not proved.
+fn failures(analysis: &Analysis, op: usize) -> Vec<String> {
+    let name = analysis.program.ops[op].span;
     let ops = analysis.program.ops.iter().map(|op| op.span);
     let ops = ops.filter(|other| other.file == name.file && other.start > name.start);
     let end = ops.map(|op| op.start).min();
@@ -139,12 +141,32 @@ fn failures(analysis: &Analysis, name: Span) -> Vec<String> {
     let errors = errors.map(|error| format!("error: {}", error.message));
     let mut lines = vec!["not proved".to_string()];
     lines.extend(errors);
+    lines.extend(unproved_steps(analysis, op));
     // Each rule may be wrong in the same way.
     lines.dedup();
     lines
 }
 
+/// What an operation in steps calls that is not proved, a line each.
+fn unproved_steps(analysis: &Analysis, op: usize) -> Vec<String> {
+    let (functions, _) = Functions::of(&analysis.program);
+    let calls = calls_of_steps(&analysis.program, &functions);
+    let called = calls.get(&op).into_iter().flatten();
+    let unproved = called.filter(|&&other| other != op && analysis.plans[other].is_none());
+    let names = unproved.map(|&other| &analysis.program.ops[other].name);
+    names
+        .map(|name| format!("it calls `{name}`, which is not proved"))
+        .collect()
+}
+
 fn show_verdict(verdict: &Verdict) -> String {
+    if let Some(steps) = &verdict.steps {
+        let calls: Vec<_> = steps.calls.iter().map(|op| format!("`{op}`")).collect();
+        return match calls.is_empty() {
+            true => "proved, in steps".to_owned(),
+            false => format!("proved, in steps: {}", calls.join(", ")),
+        };
+    }
     let rules = verdict.rules.iter().map(|rule| {
         let name = rule.rule.as_ref().map(|rule| format!("{rule}: "));
         format!("{}{}", name.unwrap_or_default(), show_rule(rule).join(", "))

@@ -55,6 +55,6 @@ mod words;
 pub use page::{Section, page};
 pub use png::TooLarge;
 pub use shape::{Picture, TextBox};
-pub use sheet::draw_op;
+pub use sheet::{draw_op, draw_sheet};
 pub use text::text_op;
 pub use view::{View, draw_mesh};

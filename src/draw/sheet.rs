@@ -29,8 +29,21 @@ const APART: f64 = 14.0;
 const GROWTH: f64 = 1.15;
 const TRIES: usize = 8;
 
-/// Draws an operation.
+/// The room between two columns, and how many rules there are at least if there are two.
+const GUTTER: f64 = 84.0;
+const MANY: usize = 4;
+
+/// Draws an operation, its rules one below the other.
 pub fn draw_op(op: &Op) -> Picture {
+    drawn(op, 1)
+}
+
+/// Draws an operation for a slide or a sheet of its own: many rules stand two by two.
+pub fn draw_sheet(op: &Op) -> Picture {
+    drawn(op, if op.rules.len() < MANY { 1 } else { 2 })
+}
+
+fn drawn(op: &Op, columns: usize) -> Picture {
     let labelled = op.rules.len() > 1;
     let rows: Vec<_> = op
         .rules
@@ -63,10 +76,30 @@ pub fn draw_op(op: &Op) -> Picture {
         let widths = rows.iter().map(|(_, row)| row.sides[side].width());
         widths.fold(90.0, f64::max)
     });
-    for (below, row) in rows {
-        sheet.row(&op.name, &below, row);
+    sheet.columns = columns;
+    let mut rows = rows.into_iter();
+    loop {
+        let beside: Vec<_> = rows.by_ref().take(columns).collect();
+        if beside.is_empty() {
+            return sheet.finish();
+        }
+        let heights = beside.iter().map(|(_, row)| row.high - row.low);
+        let height = heights.fold(0.0, f64::max);
+        for (column, (below, row)) in beside.into_iter().enumerate() {
+            let left = MARGIN + column as f64 * (sheet.column() + GUTTER);
+            // Of rows of one height the middles are at one height.
+            let top = sheet.y + (height - (row.high - row.low)) / 2.0;
+            if column > 0 {
+                let x = left - GUTTER / 2.0;
+                sheet.divide(
+                    DVec2::new(x, sheet.y),
+                    DVec2::new(x, sheet.y + height + 24.0),
+                );
+            }
+            sheet.row(&op.name, &below, row, DVec2::new(left, top));
+        }
+        sheet.y += height + 64.0;
     }
-    sheet.finish()
 }
 
 /// One side of a rule, and from where to where it reaches.
@@ -219,6 +252,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
 /// faces wide enough for arrows and names.
 fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
     let mut scale: f64 = 128.0;
+    let is_named = |name: NameId| figure.drawing.rule.name(name).named;
     let mut want = |wanted: f64, length: f64| {
         if length > 0.05 {
             scale = scale.max(wanted / length);
@@ -228,7 +262,9 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
         for strand in &side.strands {
             let pairs = strand.nodes.windows(2);
             let lengths = pairs.map(|pair| (places[pair[0]] - places[pair[1]]).length());
-            want(122.0, lengths.sum());
+            let mut items = strand.items.iter().flatten().copied();
+            let named = items.any(is_named) || strand.edge.is_some_and(is_named);
+            want(if named { 122.0 } else { 76.0 }, lengths.sum());
         }
         for orbit in &side.loops {
             let outline = orbit.darts.iter().flat_map(|dart| {
@@ -245,7 +281,8 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
             });
             let mut strands = orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
             let wide = match strands.any(|strand| strand.is_path) {
-                true => 36.0,
+                _ if !is_named(orbit.face) => 30.0,
+                true => 43.0,
                 false => 52.0,
             };
             want(wide, widest_circle(&outline.collect::<Vec<_>>()));
@@ -285,6 +322,7 @@ struct Sheet {
     /// The widths of the columns, and of what is between them.
     widths: [f64; 2],
     between: f64,
+    columns: usize,
     y: f64,
     statuses: BTreeSet<Status>,
 }
@@ -298,15 +336,21 @@ impl Sheet {
             },
             widths: [0.0; 2],
             between: BETWEEN,
+            columns: 1,
             y: MARGIN,
             statuses: BTreeSet::new(),
         }
     }
 
-    fn row(&mut self, op: &str, below: &[String], row: Row) {
+    /// How wide a column is.
+    fn column(&self) -> f64 {
+        self.widths[0] + self.between + self.widths[1]
+    }
+
+    fn row(&mut self, op: &str, below: &[String], row: Row, at: DVec2) {
         let height = row.high - row.low;
-        let middle = self.y + height / 2.0;
-        let mut left = MARGIN;
+        let middle = at.y + height / 2.0;
+        let mut left = at.x;
         for (side, half) in row.sides.into_iter().enumerate() {
             let center = left + self.widths[side] / 2.0;
             left += self.widths[side] + self.between;
@@ -315,9 +359,9 @@ impl Sheet {
                 self.words("nothing", Style::Italic, CAPTION, Ink::Muted, at);
             }
             let caption = ["before", "after"][side];
-            let at = DVec2::new(center, self.y + height + 24.0);
-            self.words(caption, Style::Upright, CAPTION, Ink::Muted, at);
-            let by = DVec2::new(center - half.low.midpoint(half.high).x, self.y - row.low);
+            let caption_at = DVec2::new(center, at.y + height + 24.0);
+            self.words(caption, Style::Upright, CAPTION, Ink::Muted, caption_at);
+            let by = DVec2::new(center - half.low.midpoint(half.high).x, at.y - row.low);
             self.picture
                 .groups
                 .extend(half.groups.into_iter().map(|group| group.moved(by)));
@@ -328,7 +372,7 @@ impl Sheet {
             };
             self.picture.texts.extend(half.texts.into_iter().map(moved));
         }
-        let from = MARGIN + self.widths[0] + 24.0;
+        let from = at.x + self.widths[0] + 24.0;
         let to = from + self.between - 48.0;
         self.arrow(DVec2::new(from, middle), DVec2::new(to, middle));
         let center = (from + to) / 2.0;
@@ -345,7 +389,15 @@ impl Sheet {
         }
         self.picture.crossings += row.crossings;
         self.statuses.extend(row.statuses);
-        self.y += height + 24.0 + 40.0;
+    }
+
+    /// A thin line between two columns.
+    fn divide(&mut self, from: DVec2, to: DVec2) {
+        let mut stroke = Stroke::solid(Ink::Muted, 0.9);
+        stroke.opacity = 0.4;
+        let mut group = Group::default();
+        group.stroke(Path::along(&Curve::through([from, to])), stroke);
+        self.picture.groups.push(group);
     }
 
     fn words(&mut self, text: &str, style: Style, size: f64, ink: Ink, at: DVec2) {
@@ -383,7 +435,8 @@ impl Sheet {
 
     /// Adds the legend and takes the measure.
     fn finish(mut self) -> Picture {
-        let width = self.widths[0] + self.between + self.widths[1];
+        let columns = self.columns as f64;
+        let width = columns * self.column() + (columns - 1.0) * GUTTER;
         let statuses: Vec<_> = Status::ALL
             .into_iter()
             .filter(|status| self.statuses.contains(status))

@@ -168,7 +168,6 @@ impl Pen {
         Self {
             edge: edge / 2.0,
             coloured: (mean * 0.07).clamp(0.5 * unit, 1.4 * unit),
-            // All of it lies in its only face.
             boundary: (edge * 4.0).clamp(1.2 * unit, BOUNDARY * unit),
         }
     }
@@ -298,6 +297,8 @@ impl Seen {
         colours: Option<&Colours>,
         pen: &Pen,
     ) -> Option<(f64, [u8; 3])> {
+        // All of such a line lies in its only face.
+        let is_on_boundary = mesh.is_boundary_halfedge(mesh.twin(half));
         let index = colours.and_then(|colours| match colours.kind {
             ElementKind::Edge => Some((colours, mesh.edge(half).0)),
             ElementKind::Halfedge => Some((colours, half.0)),
@@ -305,9 +306,10 @@ impl Seen {
         });
         if let Some((colours, index)) = index {
             let colour = colours.colour(colours.number(mesh, index));
-            return Some((pen.coloured, colour));
+            let sides = if is_on_boundary { 2.0 } else { 1.0 };
+            return Some((pen.coloured * sides, colour));
         }
-        if mesh.is_boundary_halfedge(mesh.twin(half)) {
+        if is_on_boundary {
             return Some((pen.boundary, ON_BOUNDARY));
         }
         (pen.edge > 0.0).then(|| {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use hedgerow::draw::{TextBox, draw_op, text_op};
+use hedgerow::draw::{TextBox, draw_op, draw_sheet, text_op};
 
 use super::{example_ops, folder, shipped_ops, steps};
 
@@ -17,7 +17,7 @@ fn pictures_are_as_committed() {
             true => stem,
             false => format!("{stem}-{}", op.name),
         };
-        for (end, drawn) in [("svg", draw_op(&op).svg()), ("txt", text_op(&op))] {
+        for (end, drawn) in [("svg", draw_sheet(&op).svg()), ("txt", text_op(&op))] {
             let name = format!("{name}.{end}");
             let path = folder("examples/pictures").join(&name);
             if update {
@@ -117,6 +117,11 @@ fn pictures_of_the_library_can_be_read() {
     let (mut seen, mut wrong) = (0, Vec::new());
     for (stem, op) in shipped_ops() {
         let (picture, name) = (draw_op(&op), format!("{stem}::{}", op.name));
+        assert_eq!(
+            draw_sheet(&op).texts().len(),
+            picture.texts().len(),
+            "{name}"
+        );
         if let Some(folder) = std::env::var_os("PICTURES") {
             let path = Path::new(&folder).join(format!("{stem}-{}", op.name));
             for (end, svg) in [("svg", picture.svg()), ("small.svg", picture.compact_svg())] {
