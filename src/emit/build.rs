@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::NotEmitted;
 use super::action::Action;
-use super::expression::{Expressions, is_spelled, is_surely_finite};
+use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
 use super::guard;
 use super::matching::Matching;
 use super::names::{Names, unreserved};
 use super::reassign;
 use super::routine::{Alternative, Routine, Statement, without_unread};
-use super::term::{Function, Parameter, Term};
+use super::term::{Function, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
@@ -48,6 +48,7 @@ pub(super) fn routine(
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
         let mut names = Names::new(op, rule, functions);
+        params = parameters(&op.params, &mut names)?;
         let mut body = alternative(rule, proof, conventions, &mut names)?;
         let calls = names.take_calls();
         if conventions.columns {
@@ -59,15 +60,6 @@ pub(super) fn routine(
             label: rule.label.clone(),
             body: without_unread(body),
         });
-        params = op
-            .params
-            .iter()
-            .zip(names.params())
-            .map(|(param, name)| Parameter {
-                name: name.clone(),
-                ty: param.ty,
-            })
-            .collect();
     }
     let routine = Routine {
         name: unreserved(&op.name),

@@ -21,10 +21,7 @@ pub(super) fn helper(
         name: callee.name.clone(),
         docs: callee.docs.clone(),
         params: params
-            .map(|(&ty, name)| Parameter {
-                name: name.clone(),
-                ty,
-            })
+            .map(|(&ty, name)| Parameter::new(name.clone(), ty))
             .collect(),
         result: Some(callee.result),
         changes: false,

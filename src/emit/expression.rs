@@ -4,7 +4,24 @@ use super::NotEmitted;
 use super::names::Names;
 use super::term::{Around, Fold, Function, Operation, Parameter, Term};
 use super::wide::{is_wide, negated, operated, type_of_call};
-use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Type, Unary};
+use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Param, Type, Unary};
+
+/// The parameters of an operation, with their defaults.
+pub(super) fn parameters(
+    params: &[Param],
+    names: &mut Names,
+) -> Result<Vec<Parameter>, NotEmitted> {
+    let words = names.params().to_vec();
+    let parameter = |(param, name): (&Param, String)| {
+        let default = param.default.as_ref();
+        let default = default.map(|value| Expressions { names }.term(value));
+        Ok(Parameter {
+            default: default.transpose()?,
+            ..Parameter::new(name, param.ty)
+        })
+    };
+    params.iter().zip(words).map(parameter).collect()
+}
 
 /// Writes expressions.
 pub(super) struct Expressions<'n> {
@@ -96,7 +113,7 @@ impl Expressions<'_> {
                 Term::Fold(Box::new(Fold {
                     function: fold.function,
                     ty: expr.ty,
-                    variable: Parameter { name, ty },
+                    variable: Parameter::new(name, ty),
                     around,
                     element,
                     filter: filter.transpose()?,

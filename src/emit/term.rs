@@ -7,6 +7,24 @@ use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type, Unary};
 pub(super) struct Parameter {
     pub name: String,
     pub ty: Type,
+    /// What it is where a call says nothing of it; it may speak of earlier parameters.
+    pub default: Option<Term>,
+}
+
+impl Parameter {
+    /// One without a default.
+    pub fn new(name: String, ty: Type) -> Self {
+        let default = None;
+        Self { name, ty, default }
+    }
+
+    /// Whether its default is the same for all calls.
+    pub fn has_constant(&self) -> bool {
+        let mut speaks = false;
+        let default = self.default.as_ref();
+        default.inspect(|term| term.names(&mut |_| speaks = true));
+        default.is_some() && !speaks
+    }
 }
 
 /// What is done for each index of a cycle.

@@ -594,6 +594,7 @@ pub fn dissolve_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
 }
 
 /// Shrinks a face inside its own boundary, and fills the gap with quads.
+/// By default `t = 0.3`.
 pub fn families_inset(mesh: &mut Mesh, f: FaceId, t: f64) -> bool {
     // 1. Collect: nothing is written before all of this has passed.
     let h_0 = mesh.face_halfedge(f);
@@ -842,6 +843,7 @@ pub fn families_dissolve_vertex(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> 
 }
 
 /// Cuts off a vertex; returns the face that comes in its place.
+/// By default `t = 0.3`.
 pub fn families_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<FaceId> {
     // 1. Collect: nothing is written before all of this has passed.
     if mesh.vertex_halfedge(v).is_none() {
@@ -2868,6 +2870,7 @@ fn polygon_collapse_no_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> 
 ///
 /// The new corners start where the old ones are. `shrink` moves them towards the centroid, all
 /// the way for 1; `distance` along the normal of the face.
+/// By default `distance = 0.0`, `shrink = 0.0`.
 pub fn polygon_extrude(mesh: &mut Mesh, f: FaceId, distance: f64, shrink: f64) -> Option<FaceId> {
     // 1. Collect: nothing is written before all of this has passed.
     let h_0 = mesh.face_halfedge(f);
@@ -9157,6 +9160,7 @@ pub fn polygon_dissolve_vertex(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
 ///
 /// The new vertices start where the old one is, and lie at the share `t` of the way along the
 /// edges. A vertex of two edges is refused.
+/// By default `t = 0.0`.
 ///
 /// All or nothing: if a step refuses, what was done is undone.
 pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<FaceId> {
@@ -9199,6 +9203,7 @@ pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Face
 ///
 /// The new vertices start where the ends of the edge are, and lie at the share `t` of the way
 /// along their edges. Refused at the boundary, and if the face would have two sides.
+/// By default `t = 0.0`.
 ///
 /// All or nothing: if a step refuses, what was done is undone.
 pub fn polygon_bevel_edge(mesh: &mut Mesh, e: EdgeId, t: f64) -> Option<FaceId> {

@@ -206,6 +206,7 @@ impl Printer<'_> {
 
     fn routine(&mut self, routine: &Routine, alone: bool) {
         self.docs(&routine.docs);
+        self.docs_of_defaults(&routine.params);
         // Without a name what is not used; C++ compilers warn of it.
         let (mut used, mut allocates) = (BTreeSet::new(), false);
         for statement in routine.rules.iter().flat_map(|rule| &rule.body) {
@@ -286,6 +287,32 @@ impl Printer<'_> {
         }
     }
 
+    /// From which parameter on defaults stand in the signature: they have to be last there, and
+    /// have no place where a member of a class is defined.
+    fn first_default(&self, params: &[Parameter]) -> usize {
+        let constant = params.iter().rev().take_while(|param| param.has_constant());
+        match self.is_noted || self.style.is_member() {
+            true => params.len(),
+            false => params.len() - constant.count(),
+        }
+    }
+
+    /// A doc comment that tells the defaults which do not stand in the signature.
+    pub(super) fn docs_of_defaults(&mut self, params: &[Parameter]) {
+        let first = self.first_default(params);
+        let told = params[..first].iter();
+        let told: Vec<_> = told
+            .filter_map(|param| {
+                let default = self.text(param.default.as_ref()?);
+                Some(format!("`{} = {default}`", param.name))
+            })
+            .collect();
+        if !told.is_empty() && !self.is_noted {
+            let told = told.join(", ");
+            self.lines.line(&format!("/// By default {told}."));
+        }
+    }
+
     /// The first lines of an operation: its signature, and short names for the types that it
     /// speaks of.
     pub(super) fn head(&mut self, head: Head<'_>, used: &BTreeSet<String>, seen: &[Type]) {
@@ -300,17 +327,22 @@ impl Printer<'_> {
             false => head.name.to_string(),
         };
         let member = self.style.is_member() && !self.is_noted;
-        let params = head.params.iter().map(|param| {
+        let first = self.first_default(head.params);
+        let mut params = Vec::new();
+        for (at, param) in head.params.iter().enumerate() {
             let ty = match member {
                 true => self.ty(param.ty),
                 false => self.outer_type(param.ty),
             };
-            match used.contains(&param.name) {
+            let mut text = match used.contains(&param.name) {
                 true => format!("{ty} {}", param.name),
                 false => format!("{ty} /*{}*/", param.name),
+            };
+            if let Some(default) = param.default.as_ref().filter(|_| at >= first) {
+                text = format!("{text} = {}", self.text(default));
             }
-        });
-        let mut params: Vec<_> = params.collect();
+            params.push(text);
+        }
         let (result, name) = match (self.is_noted, member) {
             (true, _) => {
                 params.insert(0, "Journal& journal".into());

@@ -18,6 +18,7 @@ impl Printer<'_> {
     /// Writes an operation in steps: through a journal, which undoes them.
     pub(super) fn whole(&mut self, whole: &Whole, alone: bool) {
         self.docs(&whole.docs);
+        self.docs_of_defaults(&whole.params);
         if !whole.docs.is_empty() {
             self.lines.line("///");
         }
@@ -121,7 +122,7 @@ impl Printer<'_> {
                 self.held(&format!("while ({condition})"), body);
             }
             Action::For {
-                variable: Parameter { name, ty },
+                variable: Parameter { name, ty, .. },
                 around,
                 element,
                 may_go,
@@ -171,7 +172,7 @@ impl Printer<'_> {
     ) {
         let text = self.call_of(call);
         match (place, then, otherwise) {
-            (Some(Parameter { name, ty }), ..) => {
+            (Some(Parameter { name, ty, .. }), ..) => {
                 let ty = self.ty(*ty);
                 self.lines
                     .open(&format!("if (auto made_{name} = {text}) {{"));

@@ -120,18 +120,29 @@ pub(super) fn ty(ty: Type) -> &'static str {
 }
 
 impl Printer {
-    /// A doc comment.
-    pub fn docs(&mut self, docs: &[String], name: &str) {
+    /// A doc comment, which tells the defaults, too: Rust has none.
+    pub fn docs(&mut self, docs: &[String], name: &str, params: &[Parameter]) {
         for line in docs {
             self.lines.line(format!("/// {line}").trim_end());
         }
         if docs.is_empty() {
             self.lines.line(&format!("/// The operation `{name}`."));
         }
+        let told: Vec<_> = params
+            .iter()
+            .filter_map(|param| {
+                let default = self.text(param.default.as_ref()?);
+                Some(format!("`{} = {default}`", param.name))
+            })
+            .collect();
+        if !told.is_empty() {
+            let told = told.join(", ");
+            self.lines.line(&format!("/// By default {told}."));
+        }
     }
 
     fn routine(&mut self, routine: &Routine, visible: &str) {
-        self.docs(&routine.docs, &routine.name);
+        self.docs(&routine.docs, &routine.name, &routine.params);
         let result = match routine.result {
             Some(result) => format!("Option<{}>", ty(result)),
             None => "bool".to_string(),

@@ -11,7 +11,7 @@ use crate::diagram::{self, Type};
 impl Printer {
     /// Writes an operation in steps: the mesh's own journal undoes them.
     pub(super) fn whole(&mut self, whole: &Whole, visible: &str) {
-        self.docs(&whole.docs, &whole.name);
+        self.docs(&whole.docs, &whole.name, &whole.params);
         self.lines.line("///");
         self.lines
             .line("/// All or nothing: if a step refuses, what was done is undone.");
@@ -112,7 +112,7 @@ impl Printer {
                 body,
             } => {
                 let all = self.all_around(*around, element);
-                let Parameter { name, ty: of } = variable;
+                let Parameter { name, ty: of, .. } = variable;
                 self.lines
                     .open(&format!("for {name} in {all}.collect::<Vec<_>>() {{"));
                 let gone = may_go.then(|| format!("!mesh.{}_alive({name})", of.word()));

@@ -267,10 +267,8 @@ impl<'s> Writer<'s> {
         let known = self.body.variables.get(variable as usize);
         let wanted = known.map_or("x", |variable| variable.name.as_str());
         self.bound.insert(variable);
-        Parameter {
-            name: self.names.bind(variable, wanted),
-            ty: known.map_or(Type::Int, |variable| variable.ty),
-        }
+        let name = self.names.bind(variable, wanted);
+        Parameter::new(name, known.map_or(Type::Int, |variable| variable.ty))
     }
 
     /// Where the value of a variable goes; none for one that nobody reads.
@@ -284,7 +282,7 @@ impl<'s> Writer<'s> {
             let form = Form::Known;
             return Some(Place { name, ty, form });
         }
-        let Parameter { name, ty } = self.bind(variable);
+        let Parameter { name, ty, .. } = self.bind(variable);
         let form = match self.changing.contains(&variable) {
             true => Form::Changing,
             false => Form::Fixed,

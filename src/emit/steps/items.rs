@@ -6,11 +6,10 @@ use super::super::NotEmitted;
 use super::super::action::Whole;
 use super::super::build::{self, Conventions, columns};
 use super::super::callee;
-use super::super::expression::is_spelled;
+use super::super::expression::{is_spelled, parameters};
 use super::super::names::{Names, unreserved};
 use super::super::routine::{Helper, Routine, Statement, without_unread};
 use super::super::selection::Selection;
-use super::super::term::Parameter;
 use super::super::value::callees;
 use super::body::{Ending, Surroundings, Writer};
 use super::deeds::AllDeeds;
@@ -221,7 +220,7 @@ impl Builder<'_> {
             return Err(NotEmitted::new(what, param.span));
         }
         let mut names = self.names(&steps.body, &resolved.params);
-        let params = parameters(&resolved.params, &names);
+        let params = parameters(&resolved.params, &mut names)?;
         let mut writer = Writer::new(
             self.surroundings(),
             &steps.body,
@@ -280,7 +279,7 @@ impl Builder<'_> {
             return Err(NotEmitted::new("this function", function.span));
         };
         let mut names = self.names(body, &function.params);
-        let params = parameters(&function.params, &names);
+        let params = parameters(&function.params, &mut names)?;
         let ending = match function.result {
             Some(_) => Ending::Value,
             None => Ending::Nothing,
@@ -307,13 +306,4 @@ impl Builder<'_> {
 fn needs(ops: BTreeSet<usize>, functions: BTreeSet<u32>, values: BTreeSet<u32>) -> Vec<Need> {
     let functions = functions.into_iter().chain(values).map(Need::Function);
     functions.chain(ops.into_iter().map(Need::Op)).collect()
-}
-
-fn parameters(params: &[Param], names: &Names) -> Vec<Parameter> {
-    let named = params.iter().zip(names.params());
-    let named = named.map(|(param, name)| Parameter {
-        name: name.clone(),
-        ty: param.ty,
-    });
-    named.collect()
 }
