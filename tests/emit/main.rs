@@ -11,6 +11,7 @@ mod emitted;
 
 mod columns;
 mod cpp;
+mod everything;
 #[path = "../reference/examples.rs"]
 #[allow(dead_code)]
 mod examples;

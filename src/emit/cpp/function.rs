@@ -8,7 +8,7 @@ use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
 use super::super::steps::{Item, Items, items};
-use super::super::term::{Parameter, Term};
+use super::super::term::{Attribute, Parameter, Term};
 use super::super::{NotEmitted, Selection, build};
 use super::style::Style;
 use super::support;
@@ -33,6 +33,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         lines: Lines::new(2),
         used: Vec::new(),
         headers: BTreeSet::from(["optional"]),
+        fields: BTreeSet::new(),
         refusal: "",
         is_outside: false,
         is_noted: false,
@@ -61,6 +62,8 @@ pub(super) struct Printer<'s> {
     pub lines: Lines,
     pub used: Vec<&'static str>,
     pub headers: BTreeSet<&'static str>,
+    /// The attributes that elements have to have: "vertex: double weight".
+    pub fields: BTreeSet<String>,
     /// What leaves the attempt.
     pub refusal: &'static str,
     /// Whether the names of the mesh class are not in sight.
@@ -115,6 +118,14 @@ impl Printer<'_> {
             .iter()
             .map(|header| format!("#include <{header}>\n"))
             .collect();
+        let fields = self.fields.iter();
+        let fields = fields
+            .map(|field| format!("//   {field}\n"))
+            .collect::<String>();
+        let headers = match fields.is_empty() {
+            true => headers,
+            false => format!("// Elements have these attributes:\n{fields}\n{headers}"),
+        };
         match functions.is_empty() {
             true => format!("{headers}\n{body}"),
             false => {
@@ -395,6 +406,14 @@ impl Printer<'_> {
         if matches!(body.last(), Some(Statement::Attempt { .. })) {
             self.lines.line(last);
         }
+    }
+
+    /// An attribute of an element, to be read or set.
+    pub fn field(&mut self, attribute: &Attribute, of: &str) -> String {
+        let (element, ty) = (attribute.element.word(), self.ty(attribute.ty));
+        let field = format!("{element}: {ty} {}", attribute.name);
+        self.fields.insert(field);
+        self.style.attribute(of, &attribute.name)
     }
 
     pub fn text(&mut self, term: &Term) -> String {

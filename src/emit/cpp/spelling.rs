@@ -38,7 +38,7 @@ impl Language for Printer<'_> {
 
     fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled {
         let of = of.at(Level::Whole);
-        Spelled::whole(self.style.attribute(&of, &attribute.name))
+        Spelled::whole(self.field(attribute, &of))
     }
 
     fn hole(&mut self, of: Spelled) -> Spelled {

@@ -145,10 +145,7 @@ impl Printer<'_> {
                 value,
             } => {
                 let (element, value) = (self.spelled_whole(element), self.text(value));
-                let line = format!(
-                    "{} = {value};",
-                    self.style.attribute(&element, &attribute.name)
-                );
+                let line = format!("{} = {value};", self.field(attribute, &element));
                 self.lines.line(&line);
             }
             Statement::Erase { kind, element } => {
@@ -202,6 +199,7 @@ impl Printer<'_> {
             lines: Lines::new(2),
             used: Vec::new(),
             headers: BTreeSet::new(),
+            fields: BTreeSet::new(),
             refusal: self.refusal,
             is_outside: self.is_outside,
             is_noted: self.is_noted,
@@ -211,6 +209,7 @@ impl Printer<'_> {
         let text = std::mem::take(&mut inner.lines).finish();
         self.used.append(&mut inner.used);
         self.headers.append(&mut inner.headers);
+        self.fields.append(&mut inner.fields);
         let mut lines = text.lines();
         match (lines.next(), lines.next()) {
             (Some(only), None) if head.len() + only.len() < 92 => {

@@ -1,0 +1,57 @@
+//! Every operation that is proved can be emitted, whatever file it stands in.
+
+use std::fs;
+use std::path::PathBuf;
+
+use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::emit::{Selection, Style, cpp, rust};
+use hedgerow::source::Sources;
+
+use crate::examples::examples;
+use crate::subjects::folder;
+
+/// The examples, the library, and what other tests try.
+fn paths() -> Vec<PathBuf> {
+    let mut paths = examples();
+    let library = fs::read_dir(folder("src/library/std")).unwrap();
+    paths.extend(library.map(|entry| entry.unwrap().path()));
+    let others = [
+        "tests/aliases/ops.hedge",
+        "tests/battery/more.hedge",
+        "tests/battery/odd.hedge",
+        "tests/emit/guards.hedge",
+        "tests/families/more.hedge",
+    ];
+    paths.extend(others.map(folder));
+    paths.sort();
+    paths
+}
+
+#[test]
+fn every_proved_operation_is_emitted() {
+    let (mut emitted, mut refused) = (0, Vec::new());
+    for path in paths() {
+        let mut sources = Sources::new();
+        let file = sources.add(path.to_string_lossy(), fs::read_to_string(&path).unwrap());
+        let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
+        for (at, op) in analysis.program.ops.iter().enumerate() {
+            let is_known = analysis.proved[at].is_some() || op.steps.is_some();
+            if op.span.file != file || !is_known {
+                continue;
+            }
+            let selection = Selection {
+                program: &analysis.program,
+                proved: &analysis.proved,
+                sources: &sources,
+                ops: &[at],
+            };
+            let made = [cpp(&selection, &Style::default()), rust(&selection)];
+            for failure in made.into_iter().filter_map(Result::err) {
+                refused.push(format!("{}::{}: {}", path.display(), op.name, failure.what));
+            }
+            emitted += 1;
+        }
+    }
+    assert_eq!(refused, Vec::<String>::new());
+    assert!(emitted > 100, "only {emitted} operations");
+}
