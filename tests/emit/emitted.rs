@@ -9160,9 +9160,9 @@ pub fn polygon_dissolve_vertex(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
 ///
 /// The new vertices start where the old one is, and lie at the share `t` of the way along the
 /// edges. A vertex of two edges is refused.
-/// By default `t = 0.0`.
 ///
 /// All or nothing: if a step refuses, what was done is undone.
+/// By default `t = 0.0`.
 pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<FaceId> {
     if (mesh.degree(v) as i64) <= 2 {
         return None; // the vertex has fewer than three edges
@@ -9203,9 +9203,9 @@ pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Face
 ///
 /// The new vertices start where the ends of the edge are, and lie at the share `t` of the way
 /// along their edges. Refused at the boundary, and if the face would have two sides.
-/// By default `t = 0.0`.
 ///
 /// All or nothing: if a step refuses, what was done is undone.
+/// By default `t = 0.0`.
 pub fn polygon_bevel_edge(mesh: &mut Mesh, e: EdgeId, t: f64) -> Option<FaceId> {
     if mesh.is_boundary_edge(e) {
         return None; // the edge lies on the boundary

@@ -19,11 +19,6 @@ impl Printer<'_> {
     pub(super) fn whole(&mut self, whole: &Whole, alone: bool) {
         self.docs(&whole.docs);
         self.docs_of_defaults(&whole.params);
-        if !whole.docs.is_empty() {
-            self.lines.line("///");
-        }
-        self.lines
-            .line("/// All or nothing: if a step refuses, what was done is undone.");
         let mut used = BTreeSet::from(["mesh".to_string()]);
         let mut seen: Vec<_> = whole.result.into_iter().collect();
         for statement in whole.asks.iter().chain(&whole.body) {

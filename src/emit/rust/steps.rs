@@ -12,9 +12,6 @@ impl Printer {
     /// Writes an operation in steps: the mesh's own journal undoes them.
     pub(super) fn whole(&mut self, whole: &Whole, visible: &str) {
         self.docs(&whole.docs, &whole.name, &whole.params);
-        self.lines.line("///");
-        self.lines
-            .line("/// All or nothing: if a step refuses, what was done is undone.");
         self.allow(&whole.body, &whole.params);
         let params = whole.params.iter();
         let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));

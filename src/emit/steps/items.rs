@@ -247,7 +247,7 @@ impl Builder<'_> {
         }
         let whole = Whole {
             name: self.op_names[op].clone(),
-            docs: steps.docs.clone(),
+            docs: all_or_nothing(&steps.docs),
             params,
             result: resolved.result,
             asks,
@@ -301,6 +301,16 @@ impl Builder<'_> {
         };
         Ok((Item::Function(helper), needs))
     }
+}
+
+/// The doc comment of an operation in steps, with what holds of all of them.
+fn all_or_nothing(docs: &[String]) -> Vec<String> {
+    let mut docs = docs.to_vec();
+    if !docs.is_empty() {
+        docs.push(String::new());
+    }
+    docs.push("All or nothing: if a step refuses, what was done is undone.".into());
+    docs
 }
 
 fn needs(ops: BTreeSet<usize>, functions: BTreeSet<u32>, values: BTreeSet<u32>) -> Vec<Need> {
