@@ -2,10 +2,12 @@
 
 use glam::DVec2;
 
-use super::curve::{Curve, left};
+use super::curve::{Curve, distance, left};
 
 /// How far apart the lines are.
 const APART: f64 = 8.0;
+/// How far from the outline the hatching around a figure begins.
+const ASIDE: f64 = 20.0;
 
 /// Slanted lines inside a polygon, but for the islands in it.
 pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
@@ -59,7 +61,18 @@ pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
     let tick = |step: usize| {
         let (at, way) = around.at((step as f64 + 0.5) * APART);
         let slant = (left(way) - way * 0.7).normalize_or_zero();
-        Curve::through([at + left(way) * 20.0, at + left(way) * 20.0 + slant * 9.0])
+        let from = at + left(way) * ASIDE;
+        [from, from + slant * 9.0]
     };
-    (0..count).map(tick).collect()
+    // In a corner of the hole there is room for those of one side only.
+    let is_free = |ends: &[DVec2; 2]| {
+        let far = |end: DVec2| {
+            around
+                .segments()
+                .all(|side| distance(end, side) > 0.85 * ASIDE)
+        };
+        ends.iter().all(|&end| far(end))
+    };
+    let ticks = (0..count).map(tick).filter(is_free);
+    ticks.map(Curve::through).collect()
 }

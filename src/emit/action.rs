@@ -67,6 +67,14 @@ pub(super) enum Action {
         filter: Option<Term>,
         body: Vec<Statement>,
     },
+    /// A loop whose writes are put off to its end.
+    Update { visit: Box<Action>, held: Vec<Held> },
+    /// Puts a write off.
+    Hold {
+        list: String,
+        element: Term,
+        value: Term,
+    },
     /// `break`
     Break,
     /// `continue`
@@ -110,6 +118,19 @@ pub(super) enum Called {
     Sure,
 }
 
+/// The writes to one attribute that are put off.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Held {
+    /// The list of them.
+    pub list: String,
+    /// The type of the elements.
+    pub element: Type,
+    /// The type of the values.
+    pub ty: Type,
+    /// The attribute; none for positions.
+    pub attribute: Option<Attribute>,
+}
+
 /// Where a value goes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Place {
@@ -142,6 +163,7 @@ impl Action {
             Self::Repeat { body, .. } | Self::While { body, .. } | Self::For { body, .. } => {
                 vec![body]
             }
+            Self::Update { visit, .. } => visit.bodies(),
             _ => Vec::new(),
         }
     }
@@ -158,6 +180,10 @@ impl Action {
                 ..
             }
             | Self::For { variable, .. } => see(variable.ty),
+            Self::Update { visit, held } => {
+                visit.types(see);
+                held.iter().for_each(|held| see(held.element));
+            }
             _ => {}
         }
     }
@@ -194,6 +220,11 @@ impl Action {
             }
             Self::Move { vertex, value, .. } => {
                 see(vertex);
+                see(value);
+            }
+            Self::Update { visit, .. } => visit.terms(see),
+            Self::Hold { element, value, .. } => {
+                see(element);
                 see(value);
             }
             Self::Keep(elements) => elements.iter().for_each(see),

@@ -117,14 +117,14 @@ fn steps_that_cannot_be_emitted_say_so() {
     bench.write(
         "s.hedge",
         "use \"std/polygon.hedge\"\n\
-         op wipe(f: face) {\n  steps {\n    update v in f.vertices { v.position = vec3(0) }\n    \
+         op part(f: face) {\n  steps {\n    drain e in f.edges by length(e) { bisect(e) }\n    \
          must connect(f.halfedge, f.halfedge.next.next)\n  }\n}\n",
     );
     for language in ["cpp", "rust"] {
-        let arguments = ["plan", "s.hedge::wipe", "--as", language];
+        let arguments = ["plan", "s.hedge::part", "--as", language];
         let said = bench.fails(1, &arguments, "error[not-emitted]");
         assert!(
-            said.err.contains("an `update` cannot be emitted"),
+            said.err.contains("a `drain` cannot be emitted"),
             "{}",
             said.err
         );

@@ -1,5 +1,5 @@
 // The same mesh with other ways: pointers behind accessors, other names, half_edge in two
-// words, plain pointers as references, and operations that are members.
+// words, prev stored, plain pointers as references, and operations that are members.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -52,6 +52,7 @@ class HalfEdgeMesh {
 
   struct HalfEdge {
     H& next() { return next_; }
+    H& prev() { return prev_; }
     H& twin() { return twin_; }
     V& vertex() { return vertex_; }
     E& edge() { return edge_; }
@@ -61,7 +62,7 @@ class HalfEdgeMesh {
     int number = -1;
 
    private:
-    H next_ = nullptr, twin_ = nullptr;
+    H next_ = nullptr, prev_ = nullptr, twin_ = nullptr;
     V vertex_ = nullptr;
     E edge_ = nullptr;
     F face_ = nullptr;

@@ -294,6 +294,7 @@ fn cpp_with_accessors_does_what_the_machine_does() {
         "mesh=HalfEdgeMesh",
         "member=yes",
         "halfedge=half_edge",
+        "prev=prev",
         "Vertex=V",
         "Halfedge=H",
         "Edge=E",

@@ -96,6 +96,9 @@ inline void build(const Table& t, Built& b) {
   for (int i = 0; i < t.faces; ++i) b.f.push_back(b.mesh.new_face());
   for (int i = 0; i < t.halfedges; ++i) {
     SET(b.h[i], next, b.h[t.half[i][0]]);
+#if ACCESSORS
+    SET(b.h[t.half[i][0]], prev, b.h[i]);
+#endif
     SET(b.h[i], twin, b.h[t.half[i][1]]);
     SET(b.h[i], vertex, b.v[t.half[i][2]]);
     SET(b.h[i], edge, b.e[t.half[i][3]]);
@@ -149,8 +152,19 @@ void print(const T& parts, int count) {
   for (int k = 0; k < count; ++k) std::printf(" %.17g", double(parts[k]));
 }
 
+// Whether halfedges that know the one before them know it well.
+#if ACCESSORS
+inline bool is_linked(Mesh& mesh) {
+  EACH(h, halfedges) if (GET(GET(h, next), prev) != h) return false;
+  return true;
+}
+#else
+inline bool is_linked(Mesh&) { return true; }
+#endif
+
 inline void print(Mesh& mesh) {
   Counts n = numbered(mesh);
+  if (!is_linked(mesh)) std::exit(4);
   std::printf("%d %d %d %d\n", n.v, n.h, n.e, n.f);
   EACH(h, halfedges) {
     std::printf("%d %d %d %d %d %.17g", GET(h, next)->number, GET(h, twin)->number,
@@ -179,7 +193,7 @@ inline void print(Mesh& mesh) {
 // Whether the mesh is as it was built.
 inline bool unchanged(const Table& t, Mesh& mesh) {
   Counts n = numbered(mesh);
-  bool same = n.v == t.vertices && n.h == t.halfedges && n.e == t.edges && n.f == t.faces;
+  bool same = is_linked(mesh) && n.v == t.vertices && n.h == t.halfedges && n.e == t.edges && n.f == t.faces;
   if (!same) return false;
   auto alike = [](Vector a, Vector b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   int at = 0;

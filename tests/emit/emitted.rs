@@ -10209,6 +10209,77 @@ pub fn steps_clear(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
     })
 }
 
+/// Draws the corners of a face towards their neighbours, all at once.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_relax(mesh: &mut Mesh, f: FaceId, t: f64) -> bool {
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight");
+    let Some(weight_column) = weight_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return false; // the mesh has no attribute `weight` of this type
+    };
+    let tint_column = mesh.find_column(ElementKind::Vertex, "tint");
+    let Some(tint_column) = tint_column.filter(|&c| mesh.values::<DVec3>(c).is_some()) else {
+        return false; // the mesh has no attribute `tint` of this type
+    };
+    all_or_nothing(mesh, Level::Surface, |mesh| {
+        let e = mesh.edge(mesh.face_halfedge(f));
+        let m = bisect(mesh, e)?;
+        let mut positions = Vec::new();
+        let mut weights = Vec::new();
+        let mut tints = Vec::new();
+        for v in mesh.face_vertices(f).collect::<Vec<_>>() {
+            if mesh.is_boundary_vertex(v) {
+                continue;
+            }
+            let middle = { let all = mesh.neighbors(v).map(|w| mesh.position(w)).collect::<Vec<DVec3>>(); assert!(!all.is_empty(), "a value of nothing"); all.iter().copied().sum::<DVec3>() / all.len() as f64 };
+            positions.push((v, DVec3::lerp(mesh.position(v), middle, t)));
+            if 1.0 < attribute::<f64>(mesh, weight_column, v.0) {
+                weights.push((v, attribute::<f64>(mesh, weight_column, v.0) / 2.0));
+                tints.push((v, DVec3::new(1.0, 1.0, 1.0) * t));
+            } else {
+                weights.push((v, heaviest(mesh, v) + attribute::<f64>(mesh, weight_column, m.0)));
+            }
+        }
+        for (element, value) in positions {
+            mesh.set_position(element, finite(value)?);
+        }
+        for (element, value) in weights {
+            set_attribute(mesh, weight_column, element.0, value);
+        }
+        for (element, value) in tints {
+            set_attribute(mesh, tint_column, element.0, value);
+        }
+        if !(attribute::<f64>(mesh, weight_column, m.0) < 2.0) {
+            return None; // it has become heavy
+        }
+        Some(())
+    }).is_some()
+}
+
+/// Pokes a face, and the triangles that come of it.
+///
+/// All or nothing: if a step refuses, what was done is undone.
+pub fn steps_stud(mesh: &mut Mesh, f: FaceId, t: f64) -> Option<VertexId> {
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight");
+    let Some(weight_column) = weight_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return None; // the mesh has no attribute `weight` of this type
+    };
+    all_or_nothing(mesh, Level::Simple, |mesh| {
+        let c = steps_poke(mesh, f)?;
+        set_attribute(mesh, weight_column, c.0, t);
+        for g in mesh.spokes(c).map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f)).collect::<Vec<_>>() {
+            if !mesh.face_alive(g) {
+                continue;
+            }
+            steps_poke(mesh, g)?;
+        }
+        if !(t < heaviest(mesh, c)) {
+            return None; // all around is light
+        }
+        Some(c)
+    })
+}
+
 /// How often 2 divides a number.
 fn twos(_mesh: &Mesh, n: i64) -> i64 {
     let mut rest = n;
@@ -10823,6 +10894,67 @@ fn remove_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
     None
 }
 
+/// Splits a face into triangles around a new vertex.
+fn steps_poke(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    let weight_column = mesh.find_column(ElementKind::Vertex, "weight");
+    let Some(weight_column) = weight_column.filter(|&c| mesh.values::<f64>(c).is_some()) else {
+        return None; // the mesh has no attribute `weight` of this type
+    };
+    let h_0 = mesh.face_halfedge(f);
+    let h = mesh.loop_from(h_0).collect::<Vec<_>>();
+    let n = h.len();
+    let v: Vec<VertexId> = (0..n).map(|i| mesh.vertex(h[i])).collect();
+    if mesh.is_hole(f) {
+        return None; // `f` is a hole
+    }
+    if (0..n).any(|i| mesh.face(h[i]) != f) {
+        return None; // `h[i]` does not lie in `f`
+    }
+    if !all_differ(&v) {
+        return None; // two of `v[i]` are one vertex
+    }
+    let c_position = mesh.centroid(f);
+    let v_weight: Vec<f64> = (0..n).map(|i| attribute::<f64>(mesh, weight_column, v[i].0) / 2.0).collect();
+
+    // 2. Allocate what is new.
+    let c = mesh.add_vertex();
+    let a: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let b: Vec<_> = (0..n).map(|_| mesh.add_halfedge()).collect();
+    let d: Vec<_> = (0..n).map(|_| mesh.add_edge()).collect();
+    let g: Vec<_> = (0..n).map(|_| mesh.add_face()).collect();
+
+    // 3. Reassign every pointer that changes.
+    mesh.set_vertex_halfedge(c, b[0]);
+    for i in 0..n {
+        mesh.set_next(h[i], a[i]);
+        mesh.set_prev(h[i], b[i]);
+        mesh.set_face(h[i], g[i]);
+        mesh.set_next(a[i], b[i]);
+        mesh.set_prev(a[i], h[i]);
+        mesh.set_twin(a[i], b[(i + 1) % n]);
+        mesh.set_vertex(a[i], v[(i + 1) % n]);
+        mesh.set_edge(a[i], d[i]);
+        mesh.set_face(a[i], g[i]);
+        mesh.set_next(b[i], h[i]);
+        mesh.set_prev(b[i], a[i]);
+        mesh.set_vertex(b[i], c);
+        mesh.set_face(b[i], g[i]);
+        mesh.set_twin(b[(i + 1) % n], a[i]);
+        mesh.set_edge(b[(i + 1) % n], d[i]);
+        mesh.set_edge_halfedge(d[i], a[i]);
+        mesh.set_face_halfedge(g[i], h[i]);
+    }
+    mesh.set_position(c, c_position);
+    for i in 0..n {
+        set_attribute(mesh, weight_column, v[i].0, v_weight[i]);
+    }
+
+    // 4. Erase what is gone.
+    mesh.erase_face(f);
+    Some(c)
+}
+
 /// The value of an attribute.
 fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
     mesh.values(column).expect("a column of this type")[element as usize]
@@ -10832,6 +10964,11 @@ fn attribute<T: Attribute>(mesh: &Mesh, column: ColumnId, element: u32) -> T {
 fn set_attribute<T: Attribute>(mesh: &mut Mesh, column: ColumnId, element: u32, value: T) {
     mesh.note_value(column, element);
     mesh.values_mut(column).expect("a column of this type")[element as usize] = value;
+}
+
+/// Whether nothing stands twice in `all`.
+fn all_differ<T: PartialEq>(all: &[T]) -> bool {
+    (1..all.len()).all(|at| !all[..at].contains(&all[at]))
 }
 
 /// Does the steps; if one refuses, or the mesh is not of the level in the end, undoes them.
@@ -10958,6 +11095,8 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("steps_triangulate", &[Element(x0), Real(x1)]) => (steps_in_steps::steps_triangulate(mesh, FaceId(x0), x1), None),
         ("steps_draw_in", &[Element(x0)]) => (steps_in_steps::steps_draw_in(mesh, VertexId(x0)), None),
         ("steps_clear", &[Element(x0)]) => { let r = steps_in_steps::steps_clear(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("steps_relax", &[Element(x0), Real(x1)]) => (steps_in_steps::steps_relax(mesh, FaceId(x0), x1), None),
+        ("steps_stud", &[Element(x0), Real(x1)]) => { let r = steps_in_steps::steps_stud(mesh, FaceId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         _ => panic!("{name} is not there"),
     }
 }

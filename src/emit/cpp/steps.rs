@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::action::{Action, Call, Called, Form, Place, Whole};
+use super::super::action::{Action, Call, Called, Form, Held, Place, Whole};
 use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::spell::{Level, spell};
@@ -147,6 +147,28 @@ impl Printer<'_> {
                 self.block(body);
                 self.lines.close("}");
             }
+            Action::Update { visit, held } => {
+                self.headers.extend(["utility", "vector"]);
+                for Held {
+                    list, element, ty, ..
+                } in held
+                {
+                    let (element, ty) = (self.ty(*element), self.ty(*ty));
+                    self.lines
+                        .line(&format!("std::vector<std::pair<{element}, {ty}>> {list};"));
+                }
+                self.action(visit);
+                held.iter().for_each(|held| self.release(held));
+            }
+            Action::Hold {
+                list,
+                element,
+                value,
+            } => {
+                let (element, value) = (self.text(element), self.text(value));
+                self.lines
+                    .line(&format!("{list}.emplace_back({element}, {value});"));
+            }
             Action::Break => self.lines.line("break;"),
             Action::Continue => self.lines.line("continue;"),
             Action::Move { vertex, value, .. } => {
@@ -162,6 +184,22 @@ impl Printer<'_> {
             Action::Ask(_) => {}
             Action::Leave => self.lines.line("return;"),
         }
+    }
+
+    /// Writes what was put off.
+    fn release(&mut self, held: &Held) {
+        let head = format!("for (const auto& [element, value] : {})", held.list);
+        let Some(attribute) = &held.attribute else {
+            let line = format!("{head} journal.set_position(element, value);");
+            return self.lines.line(&line);
+        };
+        let [of, back] = ["element", "at"].map(|name| self.style.attribute(name, &attribute.name));
+        self.lines.open(&format!("{head} {{"));
+        self.lines.line(&format!(
+            "journal.undone_by([at = element, was = {of}] {{ {back} = was; }});"
+        ));
+        self.lines.line(&format!("{of} = value;"));
+        self.lines.close("}");
     }
 
     fn apply(

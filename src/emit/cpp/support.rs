@@ -62,12 +62,13 @@ fn call_of(name: &str) -> String {
     }
 }
 
-/// Whether a text calls a function: its name as a whole word, with a bracket behind it.
+/// Whether a text calls a function: its name as a whole word, with a bracket behind it, and not
+/// as an accessor of something.
 fn calls(text: &str, name: &str) -> bool {
     let call = call_of(name);
     text.match_indices(&call).any(|(at, _)| {
         let before = text[..at].chars().next_back();
-        !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == ':' || c == '.')
+        !before.is_some_and(|c| c.is_ascii_alphanumeric() || "_:.>".contains(c))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Operations in steps as Rust, and what only steps and functions do.
 
-use super::super::action::{Action, Call, Called, Form, Place, Whole};
+use super::super::action::{Action, Call, Called, Form, Held, Place, Whole};
 use super::super::names::invoked;
 use super::super::routine::Statement;
 use super::super::spell::{Level, spell};
@@ -129,6 +129,23 @@ impl Printer {
                 self.block(body, has_result);
                 self.lines.close("}");
             }
+            Action::Update { visit, held } => {
+                for Held { list, .. } in held {
+                    self.lines.line(&format!("let mut {list} = Vec::new();"));
+                }
+                self.action(visit, has_result);
+                held.iter().for_each(|held| self.release(held));
+            }
+            Action::Hold {
+                list,
+                element,
+                value,
+            } => {
+                let (element, value) = (self.text(element), self.text(value));
+                let value = bare(&value);
+                self.lines
+                    .line(&format!("{list}.push(({element}, {value}));"));
+            }
             Action::Break => self.lines.line("break;"),
             Action::Continue => self.lines.line("continue;"),
             Action::Move {
@@ -170,6 +187,27 @@ impl Printer {
                 false => "return;",
             }),
         }
+    }
+
+    /// Writes what was put off.
+    fn release(&mut self, held: &Held) {
+        let list = &held.list;
+        self.lines
+            .open(&format!("for (element, value) in {list} {{"));
+        match &held.attribute {
+            None => {
+                self.used.insert("finite");
+                self.lines
+                    .line("mesh.set_position(element, finite(value)?);");
+            }
+            Some(attribute) => {
+                self.used.insert("set_attribute");
+                let column = &attribute.column;
+                self.lines
+                    .line(&format!("set_attribute(mesh, {column}, element.0, value);"));
+            }
+        }
+        self.lines.close("}");
     }
 
     fn must(&mut self, call: &Call, place: Option<&Place>) {

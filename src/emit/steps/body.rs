@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::action::{Action, Call, Called, Form, Place};
+use super::super::action::{Action, Form, Held, Place};
 use super::super::build::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
@@ -39,14 +39,16 @@ pub(super) struct Surroundings<'s> {
 
 /// Writes the statements of one body.
 pub(super) struct Writer<'s> {
-    known: Surroundings<'s>,
+    pub(super) known: Surroundings<'s>,
     body: &'s Body,
-    names: &'s mut Names,
+    pub(super) names: &'s mut Names,
     ending: Ending,
     /// The variables that there are so far, those that change, and those that are read.
     bound: BTreeSet<u32>,
     changing: BTreeSet<u32>,
     read: BTreeSet<u32>,
+    /// What is put off in an `update`.
+    held: Vec<(Access, Held)>,
     /// The operations that are called.
     pub ops: BTreeSet<usize>,
     /// The functions that are called, and change the mesh.
@@ -90,6 +92,7 @@ impl<'s> Writer<'s> {
             bound: (0..params as u32).collect(),
             changing,
             read,
+            held: Vec::new(),
             ops: BTreeSet::new(),
             functions: BTreeSet::new(),
         }
@@ -243,7 +246,21 @@ impl<'s> Writer<'s> {
                 let call = self.function(*function, args, out)?;
                 Action::Must { call, place: None }
             }
-            StatementKind::Update { .. } => return Err(NotEmitted::new("an `update`", span)),
+            StatementKind::Update {
+                variable,
+                collection,
+                filter,
+                body,
+            } => {
+                let outer = self.names.mark();
+                self.held = self.written_in(body);
+                let held: Vec<_> = self.held.iter().map(|(_, held)| held.clone()).collect();
+                let visit = self.visit((*variable, collection), filter.as_ref(), body, span)?;
+                self.held.clear();
+                self.names.back_to(outer);
+                let visit = Box::new(visit);
+                Action::Update { visit, held }
+            }
             StatementKind::Drain { .. } => return Err(NotEmitted::new("a `drain`", span)),
             StatementKind::Print(_) => return Err(NotEmitted::new("a `print`", span)),
             StatementKind::Assert { .. } => return Err(NotEmitted::new("an `assert`", span)),
@@ -258,7 +275,7 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
-    fn term(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
+    pub(super) fn term(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
         Expressions { names: self.names }.term(value)
     }
 
@@ -321,15 +338,36 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
-    /// A value that is the call of a function that changes the mesh.
-    fn deed<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
-        match &value.kind {
-            ExprKind::Invoke(function, args) => {
-                let deeds = self.known.deeds.function(*function)?;
-                (deeds.changes || deeds.refuses).then_some((*function, args))
+    /// The attributes that the statements of an `update` write to, with names for the lists of
+    /// what they write.
+    fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
+        let mut held: Vec<(Access, Held)> = Vec::new();
+        each(body, &mut |statement| {
+            let StatementKind::Write {
+                target,
+                attribute: access,
+                value,
+            } = &statement.kind
+            else {
+                return;
+            };
+            if held.iter().any(|(known, _)| known == access) {
+                return;
             }
-            _ => None,
-        }
+            let attribute = match access {
+                Access::Position => None,
+                Access::Declared(number) => self.names.attribute(*number),
+            };
+            let word = attribute.as_ref().map_or("position", |it| &it.declared);
+            let written = Held {
+                list: self.names.fresh(&format!("{}s", word.replace('\'', "_"))),
+                element: target.ty,
+                ty: value.ty,
+                attribute,
+            };
+            held.push((*access, written));
+        });
+        held
     }
 
     fn put(
@@ -343,6 +381,15 @@ impl<'s> Writer<'s> {
         let (ty, span) = (value.ty, value.span);
         let (target_ty, element) = (target.ty, self.term(target)?);
         let value = self.term(value)?;
+        if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
+            let list = held.list.clone();
+            out.push(routine::Statement::Action(Action::Hold {
+                list,
+                element,
+                value,
+            }));
+            return Ok(());
+        }
         match attribute {
             Access::Position => out.push(routine::Statement::Action(Action::Move {
                 vertex: element,
@@ -371,79 +418,6 @@ impl<'s> Writer<'s> {
             }
         }
         Ok(())
-    }
-
-    /// A value that can stand beside the mesh in a call: where that is borrowed, what looks at
-    /// it gets a name before.
-    fn settled(
-        &mut self,
-        value: Term,
-        ty: Type,
-        wanted: &str,
-        out: &mut Vec<routine::Statement>,
-    ) -> Term {
-        if !self.known.conventions.undoes || is_plain(&value) {
-            return value;
-        }
-        let name = self.names.fresh(wanted);
-        let bound = Term::name(&name);
-        out.push(routine::Statement::Bind { ty, name, value });
-        bound
-    }
-
-    fn arguments<'n>(
-        &mut self,
-        args: &[Expr],
-        wanted: impl Iterator<Item = &'n str>,
-        out: &mut Vec<routine::Statement>,
-    ) -> Result<Vec<Term>, NotEmitted> {
-        let outer = self.names.mark();
-        let mut terms = Vec::new();
-        for (arg, wanted) in args.iter().zip(wanted) {
-            let term = self.term(arg)?;
-            terms.push(self.settled(term, arg.ty, wanted, out));
-        }
-        self.names.back_to(outer);
-        Ok(terms)
-    }
-
-    fn operation(
-        &mut self,
-        op: usize,
-        args: &[Expr],
-        out: &mut Vec<routine::Statement>,
-    ) -> Result<Call, NotEmitted> {
-        self.ops.insert(op);
-        let called = &self.known.program.ops[op];
-        let wanted = called.params.iter().map(|param| param.name.as_str());
-        Ok(Call {
-            name: self.known.op_names[op].clone(),
-            args: self.arguments(args, wanted, out)?,
-            of: match called.result {
-                Some(_) => Called::Operation,
-                None => Called::Plain,
-            },
-        })
-    }
-
-    fn function(
-        &mut self,
-        function: u32,
-        args: &[Expr],
-        out: &mut Vec<routine::Statement>,
-    ) -> Result<Call, NotEmitted> {
-        self.functions.insert(function);
-        let called = &self.known.program.functions[function as usize];
-        let wanted = called.params.iter().map(|param| param.name.as_str());
-        let deeds = self.known.deeds.function(function);
-        Ok(Call {
-            name: called.name.clone(),
-            args: self.arguments(args, wanted, out)?,
-            of: match deeds.is_some_and(|deeds| deeds.refuses) {
-                true => Called::Refusing,
-                false => Called::Sure,
-            },
-        })
     }
 
     fn visit(
@@ -499,16 +473,5 @@ impl<'s> Writer<'s> {
             (_, None) => routine::Statement::Action(Action::Leave),
         });
         Ok(())
-    }
-}
-
-/// Whether a value does not look at the mesh.
-fn is_plain(term: &Term) -> bool {
-    match term {
-        Term::Name(_) | Term::Bool(_) | Term::Int(_) | Term::Real(_) => true,
-        Term::Component(_, of) | Term::Unary(_, of) => is_plain(of),
-        Term::Binary(_, left, right) => is_plain(left) && is_plain(right),
-        Term::Vector(parts) => parts.iter().all(is_plain),
-        _ => false,
     }
 }

@@ -7,7 +7,7 @@ use super::super::action::Whole;
 use super::super::build::{self, Conventions, columns};
 use super::super::callee;
 use super::super::expression::{is_spelled, parameters};
-use super::super::names::{Names, unreserved};
+use super::super::names::{Names, invoked, unreserved};
 use super::super::routine::{Helper, Routine, Statement, without_unread};
 use super::super::selection::Selection;
 use super::super::value::callees;
@@ -84,7 +84,7 @@ fn op_names(selection: &Selection<'_>, count: usize) -> Vec<String> {
         if op >= count || !names[op].is_empty() {
             continue;
         }
-        let wanted = unreserved(selection.name(op));
+        let wanted = unreserved(&selection.name(op).replace('\'', "_"));
         let mut name = wanted.clone();
         let mut number = 2;
         // Files that do not see each other may use one name twice.
@@ -195,7 +195,7 @@ impl Builder<'_> {
     /// Names for a body, in which no variable hides what is called.
     fn names(&self, body: &Body, params: &[Param]) -> Names {
         let functions = self.selection.program.functions.iter();
-        let functions = functions.map(|function| function.name.clone());
+        let functions = functions.map(|function| invoked(&function.name));
         let taken = match self.conventions.undoes {
             true => self.op_names.iter().cloned().chain(functions).collect(),
             // What is called is named with its namespace.

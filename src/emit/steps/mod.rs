@@ -4,6 +4,7 @@
 //! to it, that is all; where it cannot, all that is called writes through a journal.
 
 mod body;
+mod calls;
 mod comments;
 mod deeds;
 mod items;
