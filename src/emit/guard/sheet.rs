@@ -12,7 +12,7 @@ use super::super::routine::Statement;
 use super::super::term::{Function, Term};
 use super::super::walks::along_path;
 use crate::check::guard::{Obligation, Statement as Asked};
-use crate::diagram::{Drawing, NameId, Pointer, Type};
+use crate::diagram::{Drawing, Kind, NameId, Pointer, Type};
 
 /// The tests of a guard, in order, as a block with a sheet of its own.
 pub(super) fn tests(
@@ -47,9 +47,7 @@ fn seen(statement: Statement) -> Option<Statement> {
         (!body.is_empty()).then_some(body)
     };
     Some(match statement {
-        Statement::New { kind, .. } | Statement::NewEach { kind, .. }
-            if kind == crate::diagram::Kind::Edge =>
-        {
+        Statement::New { kind, .. } | Statement::NewEach { kind, .. } if kind == Kind::Edge => {
             return None;
         }
         Statement::Set {
