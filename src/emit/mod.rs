@@ -5,7 +5,7 @@
 //! proof and not from the machine's code: the names of the drawing stay, tests and assignments
 //! that change nothing are left out, and a guard becomes walks and tests on the mesh as it is.
 //!
-//! Operations in steps call others, all or nothing; [`steps`] makes routines of them, and of the
+//! Operations in steps call others, all or nothing; `steps` makes routines of them, and of the
 //! functions that they call.
 //!
 //! The code assumes a mesh in order, and of the level of the guard, where there is one.

@@ -279,7 +279,7 @@ fn hangs_by_a_bit(subject: &Subject) -> bool {
 #[test]
 fn cpp_with_fields_does_what_the_machine_does() {
     if has_compiler() {
-        run("C++, fields", &Style::default(), "fields.h", 1e-9, 16);
+        run("C++, fields", &Style::default(), "fields.h", 1e-9, 40);
     }
 }
 

@@ -89,7 +89,7 @@ fn rust_does_what_the_machine_does() {
             if place.level < subject.plan.level {
                 continue;
             }
-            for arguments in arguments(subject, &place.mesh, 16, &mut dice) {
+            for arguments in arguments(subject, &place.mesh, 40, &mut dice) {
                 let machine = by_machine(subject, &place, &arguments);
                 let mut mesh = place.mesh.clone();
                 let (applied, result) = emitted::call(&subject.name, &mut mesh, &arguments);

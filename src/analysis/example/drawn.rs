@@ -24,19 +24,19 @@ pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
         names: Vec::new(),
         known: Vec::new(),
     };
-    let before = writer.side(&trial.before, false);
-    let after = writer.side(&trial.after, true);
+    let before = writer.side(&trial.before, Moment::Before);
+    let after = writer.side(&trial.after, Moment::After);
     let params: Vec<_> = trial
         .place
         .iter()
-        .map(|of| of.and_then(|of| writer.find(of, false)))
+        .map(|of| of.and_then(|of| writer.find(of, Moment::Before)))
         .collect();
     for (param, name) in op.params.iter().zip(&params) {
         if let Some(name) = name {
             writer.call(*name, param.name.clone());
         }
     }
-    let result = trial.result.and_then(|of| writer.find(of, true));
+    let result = trial.result.and_then(|of| writer.find(of, Moment::After));
     if let (Some(name), Some(word)) = (result, word_of_result(op)) {
         writer.call(name, word);
     }
@@ -132,6 +132,13 @@ enum Thing {
     Path(HalfedgeId),
 }
 
+/// A side of the drawing.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Moment {
+    Before,
+    After,
+}
+
 /// Writes both sides, with one name for each thing.
 struct Writer<'t> {
     trial: &'t Trial,
@@ -142,13 +149,13 @@ struct Writer<'t> {
 }
 
 impl Writer<'_> {
-    fn thing(&self, of: Element, is_after: bool) -> Thing {
-        let is_new = is_after && self.trial.created.contains(&of);
+    fn thing(&self, of: Element, when: Moment) -> Thing {
+        let is_new = when == Moment::After && self.trial.created.contains(&of);
         Thing::Element { of, is_new }
     }
 
-    fn find(&self, of: Element, is_after: bool) -> Option<NameId> {
-        let thing = self.thing(of, is_after);
+    fn find(&self, of: Element, when: Moment) -> Option<NameId> {
+        let thing = self.thing(of, when);
         let at = self.known.iter().position(|known| *known == thing);
         at.map(|at| NameId(at as u32))
     }
@@ -189,11 +196,11 @@ impl Writer<'_> {
         }
     }
 
-    fn side(&mut self, mesh: &Mesh, is_after: bool) -> Side {
+    fn side(&mut self, mesh: &Mesh, when: Moment) -> Side {
         let mut side = Side::default();
-        let loops = &self.patch.loops[usize::from(is_after)];
+        let loops = &self.patch.loops[when as usize];
         for &face in loops {
-            side.loops.push(self.orbit(mesh, face, is_after));
+            side.loops.push(self.orbit(mesh, face, when));
         }
         let drawn =
             |h: HalfedgeId| !self.patch.hidden.contains(&h) && loops.contains(&mesh.face(h));
@@ -201,7 +208,7 @@ impl Writer<'_> {
         let pairs = pairs.map(|h| (h, mesh.twin(h)));
         let pairs = pairs.filter(|&(h, twin)| h < twin && drawn(h) && drawn(twin));
         for (h, twin) in pairs.collect::<Vec<_>>() {
-            let mut put = |of: Element| self.put(self.thing(of, is_after));
+            let mut put = |of: Element| self.put(self.thing(of, when));
             side.edges.push(Edge {
                 edge: put(mesh.edge(h).into()),
                 halfedges: [put(h.into()), put(twin.into())],
@@ -211,7 +218,7 @@ impl Writer<'_> {
         side
     }
 
-    fn orbit(&mut self, mesh: &Mesh, face: FaceId, is_after: bool) -> Loop {
+    fn orbit(&mut self, mesh: &Mesh, face: FaceId, when: Moment) -> Loop {
         let hidden = &self.patch.hidden;
         let mut around: Vec<_> = mesh.face_halfedges(face).collect();
         // Behind something that is drawn, so that a path is not cut in two.
@@ -222,10 +229,10 @@ impl Writer<'_> {
         for h in around {
             let is_hidden = hidden.contains(&h);
             if !(is_hidden && is_on_path) {
-                let from = self.thing(mesh.vertex(h).into(), is_after);
+                let from = self.thing(mesh.vertex(h).into(), when);
                 let item = match is_hidden {
                     true => Thing::Path(h),
-                    false => self.thing(h.into(), is_after),
+                    false => self.thing(h.into(), when),
                 };
                 items.push(LoopItem {
                     from: self.put(from),
@@ -239,7 +246,7 @@ impl Writer<'_> {
                 true => LoopKind::Hole,
                 false => LoopKind::Face,
             },
-            face: self.put(self.thing(face.into(), is_after)),
+            face: self.put(self.thing(face.into(), when)),
             end: items[0].from,
             items,
             each: false,
@@ -258,18 +265,18 @@ impl Writer<'_> {
         {
             return [Vec::new(), Vec::new()];
         }
-        let side = |mesh: &Mesh, is_after: bool| {
+        let side = |mesh: &Mesh, when: Moment| {
             let place = |thing: &Thing| match *thing {
                 Thing::Element { of, is_new } if of.kind == ElementKind::Vertex => {
                     let v = VertexId(of.index);
-                    let lives = mesh.vertex_alive(v) && (is_after || !is_new);
+                    let lives = mesh.vertex_alive(v) && (when == Moment::After || !is_new);
                     lives.then(|| mesh.position(v).truncate().to_array())
                 }
                 _ => None,
             };
             self.known.iter().map(place).collect()
         };
-        [side(before, false), side(after, true)]
+        [side(before, Moment::Before), side(after, Moment::After)]
     }
 
     /// Where new vertices are put, and others moved to.
