@@ -224,6 +224,20 @@ impl Statement {
         }
     }
 
+    /// The statement with another body in the place of its own, if it has one that is carried
+    /// out on the mesh: what is foreseen is not.
+    pub fn with_body(mut self, made: impl FnOnce(Vec<Self>) -> Vec<Self>) -> Self {
+        if let Self::Attempt { body, .. }
+        | Self::Turn { body, .. }
+        | Self::When { body, .. }
+        | Self::Walk { body, .. }
+        | Self::Each { body, .. } = &mut self
+        {
+            *body = made(std::mem::take(body));
+        }
+        self
+    }
+
     /// Whether it, or one inside of it, allocates or erases.
     pub fn changes_the_lists(&self) -> bool {
         match self {
@@ -315,17 +329,7 @@ pub(super) fn without_unread(body: Vec<Statement>) -> Vec<Statement> {
             {
                 continue;
             }
-            Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body,
-            } => Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body: without_unread(body),
-            },
+            statement @ Statement::Attempt { .. } => statement.with_body(without_unread),
             statement => statement,
         };
         statement.names(&mut |name| {

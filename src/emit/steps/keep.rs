@@ -68,37 +68,7 @@ fn noted(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement> {
                 element: element.clone(),
             }));
         }
-        out.push(match statement {
-            Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body,
-            } => Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body: noted(body, new),
-            },
-            Statement::Turn { turns, body } => Statement::Turn {
-                turns,
-                body: noted(body, new),
-            },
-            Statement::When { condition, body } => Statement::When {
-                condition,
-                body: noted(body, new),
-            },
-            Statement::Walk { walk, body } => Statement::Walk {
-                walk,
-                body: noted(body, new),
-            },
-            Statement::Each { item, list, body } => Statement::Each {
-                item,
-                list,
-                body: noted(body, new),
-            },
-            statement => statement,
-        });
+        out.push(statement.with_body(|body| noted(body, new)));
     }
     out
 }
