@@ -20,10 +20,7 @@ const SPLIT: &str = include_str!("../examples/split.hedge");
 
 fn main() {
     let mesh = shape::triangle_torus(200, 205);
-    println!(
-        "{} triangles, nanoseconds per operation, best of {ROUNDS} rounds",
-        mesh.face_count()
-    );
+    println!("{} triangles, nanoseconds per operation, best of {ROUNDS} rounds", mesh.face_count());
     println!("{:<22}{:>9}{:>9}{:>9}", "", "by hand", "declared", "ratio");
     compare("flip, checked", &mesh, &plan(FLIP, "flip"), flip_by_hand);
     compare("split", &mesh, &plan(SPLIT, "split"), split_by_hand);
@@ -34,9 +31,7 @@ fn plan(text: &str, op: &str) -> Plan {
     let file = sources.add(op, text);
     let analysis = Analysis::of(&sources, file);
     let index = analysis.op(op).expect("the example declares the op");
-    analysis.plans[index]
-        .clone()
-        .expect("the example's op is proved")
+    analysis.plans[index].clone().expect("the example's op is proved")
 }
 
 /// Applies both to every edge of a fresh copy of the mesh, in order.
@@ -55,10 +50,7 @@ fn compare(name: &str, mesh: &Mesh, plan: &Plan, by_hand: fn(&mut Mesh, EdgeId) 
         hand = hand.min(by_hand);
         declared = declared.min(by_plan);
     }
-    println!(
-        "{name:<22}{hand:>9.1}{declared:>9.1}{:>9.2}",
-        declared / hand
-    );
+    println!("{name:<22}{hand:>9.1}{declared:>9.1}{:>9.2}", declared / hand);
 }
 
 fn time(
@@ -133,14 +125,9 @@ fn split_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
         link(mesh, y, z);
         link(mesh, z, x);
     }
-    for (half, vertex, face) in [
-        (p, m, f0),
-        (q, m, f2),
-        (r, v2, f2),
-        (s, m, f1),
-        (t, m, f3),
-        (u, v3, f3),
-    ] {
+    for (half, vertex, face) in
+        [(p, m, f0), (q, m, f2), (r, v2, f2), (s, m, f1), (t, m, f3), (u, v3, f3)]
+    {
         mesh.set_vertex(half, vertex);
         mesh.set_face(half, face);
     }

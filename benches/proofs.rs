@@ -28,12 +28,7 @@ fn main() {
         let file = sources.add(path.display().to_string(), text);
         let stem = path.file_stem().expect("a name").to_string_lossy();
         let analysis = Analysis::of(&sources, file);
-        for op in analysis
-            .program
-            .ops
-            .iter()
-            .filter_map(|op| op.diagram.as_ref())
-        {
+        for op in analysis.program.ops.iter().filter_map(|op| op.diagram.as_ref()) {
             let (time, proved) = time(op);
             let (made, pairs) = tests(&proved);
             lines.push((time, format!("{stem}::{}", op.name), made, pairs));
@@ -51,11 +46,7 @@ fn main() {
     };
     let late = lines.iter().filter(|(time, ..)| *time > LIMIT).count();
     println!("{late} take more than {} ms", LIMIT.as_millis());
-    println!(
-        "{} tests of {} pairs",
-        all(|line| line.2),
-        all(|line| line.3)
-    );
+    println!("{} tests of {} pairs", all(|line| line.2), all(|line| line.3));
 }
 
 fn programs() -> Vec<PathBuf> {
@@ -86,12 +77,8 @@ fn time(op: &Op) -> (Duration, Proved) {
 fn tests(proved: &Proved) -> (usize, usize) {
     let (mut made, mut pairs) = (0, 0);
     for (rule, proof) in proved.op().rules.iter().zip(proved.proofs()) {
-        let apart = |step: &&Step| {
-            matches!(
-                step,
-                Step::Test(Claim::Distinct(..) | Claim::AllDistinct(_))
-            )
-        };
+        let apart =
+            |step: &&Step| matches!(step, Step::Test(Claim::Distinct(..) | Claim::AllDistinct(_)));
         made += proof.matching().iter().filter(apart).count();
         pairs += pairs_of(rule);
     }

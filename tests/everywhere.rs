@@ -50,17 +50,8 @@ fn subjects() -> Vec<Subject> {
         let mut sources = Sources::new();
         let file = sources.add(path.display().to_string(), text);
         let analysis = Analysis::of(&sources, file);
-        assert!(
-            analysis.is_sound(),
-            "{}: {:?}",
-            path.display(),
-            analysis.diagnostics
-        );
-        let stem = path
-            .file_stem()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
+        assert!(analysis.is_sound(), "{}: {:?}", path.display(), analysis.diagnostics);
+        let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let verdicts = verdicts(&analysis);
         for (at, op) in analysis.program.ops.into_iter().enumerate() {
             subjects.push(Subject {
@@ -90,19 +81,11 @@ impl Subject {
         for (rule, verdict) in self.op.rules.iter().zip(&self.rules) {
             if !rule.has_families() {
                 let rule = Cow::Borrowed(rule);
-                alternatives.push(Alternative {
-                    rule,
-                    verdict,
-                    size: 0,
-                });
+                alternatives.push(Alternative { rule, verdict, size: 0 });
                 continue;
             }
-            let long = self
-                .op
-                .params
-                .iter()
-                .zip(arguments)
-                .map(|(param, &element)| match param.ty {
+            let long =
+                self.op.params.iter().zip(arguments).map(|(param, &element)| match param.ty {
                     Type::Face => mesh.face_size(FaceId(element)),
                     Type::Vertex => mesh.degree(VertexId(element)),
                     _ => 1,
@@ -142,22 +125,14 @@ struct Comparison<'s> {
 impl<'s> Comparison<'s> {
     fn new(subject: &'s Subject, validate_every: usize) -> Self {
         let machine = Machine::new(&[]);
-        Self {
-            subject,
-            machine,
-            validate_every,
-            tally: Tally::default(),
-        }
+        Self { subject, machine, validate_every, tally: Tally::default() }
     }
 
     fn at(&mut self, original: &Mesh, mesh: &mut Mesh, arguments: &[u32]) {
         let Subject { name, op, plan, .. } = self.subject;
         let alternatives = self.subject.alternatives(original, arguments);
         let place = || format!("{name} at {arguments:?}");
-        let mut slots: Vec<u64> = arguments
-            .iter()
-            .map(|&element| u64::from(element))
-            .collect();
+        let mut slots: Vec<u64> = arguments.iter().map(|&element| u64::from(element)).collect();
         let values = op.params.iter().filter(|param| !param.ty.is_element());
         // The values of the examples are bounds that shall not matter here.
         slots.extend(values.map(|_| 1e9_f64.to_bits()));
@@ -171,35 +146,18 @@ impl<'s> Comparison<'s> {
         self.tally.places += 1;
         let outcome = self.machine.apply(mesh, plan, &slots).expect("no trap");
         let Outcome::Applied { .. } = outcome else {
-            assert!(
-                identical(original, mesh),
-                "{} is refused, but changes the mesh",
-                place()
-            );
-            let Outcome::Refused {
-                reason: Some(reason),
-            } = outcome
-            else {
+            assert!(identical(original, mesh), "{} is refused, but changes the mesh", place());
+            let Outcome::Refused { reason: Some(reason) } = outcome else {
                 panic!("{} is refused without a reason", place());
             };
             let refusal = &plan.refusals[usize::from(reason)];
             match refusal.phase {
                 Phase::Match => {
-                    assert!(
-                        !any,
-                        "{} matches, but is refused: {}",
-                        place(),
-                        refusal.reason
-                    );
+                    assert!(!any, "{} matches, but is refused: {}", place(), refusal.reason);
                     self.tally.no_match += 1;
                 }
                 Phase::Require | Phase::Guard | Phase::Evaluate => {
-                    assert!(
-                        any,
-                        "{} does not match, but is refused: {}",
-                        place(),
-                        refusal.reason
-                    );
+                    assert!(any, "{} does not match, but is refused: {}", place(), refusal.reason);
                     self.tally.refused += 1;
                 }
             }
@@ -246,13 +204,11 @@ impl<'s> Comparison<'s> {
             alternatives
                 .iter()
                 .zip(&found)
-                .flat_map(
-                    |(alternative, found)| found.iter().map(move |found| rewrite(
-                        &alternative.rule,
-                        original,
-                        found
-                    ))
-                )
+                .flat_map(|(alternative, found)| found.iter().map(move |found| rewrite(
+                    &alternative.rule,
+                    original,
+                    found
+                )))
                 .flatten()
                 .map(|literal| mesh_text(&literal.mesh) + "or\n")
                 .collect::<String>(),
@@ -269,26 +225,15 @@ impl<'s> Comparison<'s> {
         found: &'m [Match],
         arguments: &[u32],
     ) -> Vec<&'m Match> {
-        let edge = rule
-            .params
-            .iter()
-            .zip(arguments)
-            .find_map(|(name, &element)| {
-                let statement = rule
-                    .before
-                    .edges
-                    .iter()
-                    .find(|edge| Some(edge.edge.name) == *name)?;
-                Some((statement.halfedges[0].name, element))
-            });
+        let edge = rule.params.iter().zip(arguments).find_map(|(name, &element)| {
+            let statement = rule.before.edges.iter().find(|edge| Some(edge.edge.name) == *name)?;
+            Some((statement.halfedges[0].name, element))
+        });
         let Some((half, edge)) = edge else {
             return Vec::new();
         };
         let first = mesh.edge_halfedge(hedgerow::mesh::EdgeId(edge)).0;
-        found
-            .iter()
-            .filter(|found| found.elements[half.index()] == Some(first))
-            .collect()
+        found.iter().filter(|found| found.elements[half.index()] == Some(first)).collect()
     }
 }
 
@@ -300,12 +245,8 @@ fn asks(rule: &hedgerow::diagram::Rule) -> bool {
 /// How the numbers of vertices, edges, and faces with holes have changed.
 fn changes(before: &Mesh, after: &Mesh) -> [i64; 3] {
     let counts = |mesh: &Mesh| {
-        [
-            mesh.vertex_count(),
-            mesh.edge_count(),
-            mesh.face_count() + mesh.hole_count(),
-        ]
-        .map(|count| count as i64)
+        [mesh.vertex_count(), mesh.edge_count(), mesh.face_count() + mesh.hole_count()]
+            .map(|count| count as i64)
     };
     let (before, after) = (counts(before), counts(after));
     [0, 1, 2].map(|at| after[at] - before[at])
@@ -319,9 +260,7 @@ fn places(mesh: &Mesh, op: &Op) -> Vec<Vec<u32>> {
         places = places
             .iter()
             .flat_map(|place| {
-                elements
-                    .iter()
-                    .map(|&element| [place.as_slice(), &[element]].concat())
+                elements.iter().map(|&element| [place.as_slice(), &[element]].concat())
             })
             .collect();
     }
@@ -348,34 +287,18 @@ fn shapes() -> Vec<(&'static str, Mesh)> {
 
 fn report(title: &str, tallies: &BTreeMap<String, Tally>) {
     println!("{title}");
-    println!(
-        "  {:<36}{:>9}{:>9}{:>10}{:>9}",
-        "op", "places", "applied", "no match", "refused"
-    );
+    println!("  {:<36}{:>9}{:>9}{:>10}{:>9}", "op", "places", "applied", "no match", "refused");
     let mut total = Tally::default();
     for (name, tally) in tallies {
-        let Tally {
-            places,
-            applied,
-            no_match,
-            refused,
-        } = tally;
+        let Tally { places, applied, no_match, refused } = tally;
         println!("  {name:<36}{places:>9}{applied:>9}{no_match:>10}{refused:>9}");
         total.places += places;
         total.applied += applied;
         total.no_match += no_match;
         total.refused += refused;
     }
-    let Tally {
-        places,
-        applied,
-        no_match,
-        refused,
-    } = total;
-    println!(
-        "  {:<36}{places:>9}{applied:>9}{no_match:>10}{refused:>9}",
-        "all"
-    );
+    let Tally { places, applied, no_match, refused } = total;
+    println!("  {:<36}{places:>9}{applied:>9}{no_match:>10}{refused:>9}", "all");
 }
 
 fn run(title: &str, meshes: &[(String, Mesh)]) {
@@ -417,20 +340,14 @@ fn ops_do_what_is_drawn_on_small_meshes() {
 fn ops_do_what_is_drawn_on_random_maps() {
     let mut random = Random::new(2);
     let mut meshes: Vec<_> = (0..500)
-        .map(|at| {
-            (
-                format!("map {at}"),
-                random_map(2 + 2 * random.below(7), &mut random),
-            )
-        })
+        .map(|at| (format!("map {at}"), random_map(2 + 2 * random.below(7), &mut random)))
         .collect();
     // Random maps are too crooked for some ops; around these they are at home.
     for subject in &subjects() {
         for rule in &subject.op.rules {
             let sizes = if rule.has_families() { 1..=5 } else { 1..=1 };
-            let unrolled: Vec<_> = sizes
-                .map(|size| Unrolled::new(rule, size, Naming::Numbers).rule)
-                .collect();
+            let unrolled: Vec<_> =
+                sizes.map(|size| Unrolled::new(rule, size, Naming::Numbers).rule).collect();
             let mut turn = 0;
             let around = || {
                 turn += 1;
@@ -438,11 +355,7 @@ fn ops_do_what_is_drawn_on_random_maps() {
             };
             let found = std::iter::repeat_with(around).take(40).flatten();
             let found: Vec<_> = found.map(|completion| completion.mesh).collect();
-            meshes.extend(
-                found
-                    .into_iter()
-                    .map(|mesh| (format!("around {}", subject.name), mesh)),
-            );
+            meshes.extend(found.into_iter().map(|mesh| (format!("around {}", subject.name), mesh)));
         }
     }
     run("random maps", &meshes);
@@ -462,20 +375,12 @@ fn ops_do_what_is_drawn_on_the_teapot() {
 /// hole of few sides.
 fn large(path: &str) {
     let original = read_obj(&folder(path)).expect("a mesh").mesh;
-    let validate_every = if std::env::var_os("HEDGEROW_EVERYWHERE").is_some() {
-        1
-    } else {
-        16
-    };
+    let validate_every = if std::env::var_os("HEDGEROW_EVERYWHERE").is_some() { 1 } else { 16 };
     let mut tallies = BTreeMap::new();
     let mut mesh = original.clone();
     for subject in &subjects() {
         let mut comparison = Comparison::new(subject, validate_every);
-        let elements_drawn = subject
-            .op
-            .params
-            .iter()
-            .filter(|param| param.ty.is_element());
+        let elements_drawn = subject.op.params.iter().filter(|param| param.ty.is_element());
         match elements_drawn.count() {
             1 => {
                 let families = subject.op.rules.iter().any(Rule::has_families);
@@ -486,11 +391,7 @@ fn large(path: &str) {
                 }
             }
             _ => {
-                for face in original
-                    .faces()
-                    .filter(|&f| original.face_size(f) <= 8)
-                    .step_by(5)
-                {
+                for face in original.faces().filter(|&f| original.face_size(f) <= 8).step_by(5) {
                     let around: Vec<_> = original.face_halfedges(face).map(|h| h.0).collect();
                     for &a in &around {
                         for &b in &around {
@@ -502,10 +403,7 @@ fn large(path: &str) {
         }
         tallies.insert(subject.name.clone(), comparison.tally);
     }
-    assert_eq!(
-        original.count(ElementKind::Edge),
-        mesh.count(ElementKind::Edge)
-    );
+    assert_eq!(original.count(ElementKind::Edge), mesh.count(ElementKind::Edge));
     report(path, &tallies);
     let applied: usize = tallies.values().map(|tally| tally.applied).sum();
     assert!(applied > original.edge_count(), "only {applied} applied");

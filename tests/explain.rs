@@ -13,11 +13,7 @@ fn codes(text: &str) -> Vec<&'static str> {
     let mut sources = Sources::new();
     let file = sources.add("explained.hedge", text);
     let analysis = Analysis::of(&sources, file);
-    analysis
-        .diagnostics
-        .iter()
-        .map(|diagnostic| diagnostic.code)
-        .collect()
+    analysis.diagnostics.iter().map(|diagnostic| diagnostic.code).collect()
 }
 
 #[test]
@@ -67,9 +63,6 @@ fn every_code_is_explained() {
         written(&source.join(layer), &mut found);
     }
     assert!(found.len() > 70, "only {} codes were found", found.len());
-    let missing: Vec<_> = found
-        .iter()
-        .filter(|code| explain(code).is_none())
-        .collect();
+    let missing: Vec<_> = found.iter().filter(|code| explain(code).is_none()).collect();
     assert_eq!(missing, Vec::<&String>::new());
 }

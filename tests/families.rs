@@ -48,9 +48,7 @@ fn ops() -> Vec<Op> {
 fn unrolled(op: &Op, size: u32) -> Op {
     let rules = op.rules.iter();
     Op {
-        rules: rules
-            .map(|rule| Unrolled::new(rule, size, Naming::Numbers).rule)
-            .collect(),
+        rules: rules.map(|rule| Unrolled::new(rule, size, Naming::Numbers).rule).collect(),
         ..op.clone()
     }
 }
@@ -103,10 +101,8 @@ fn mutate(rule: &mut Rule, random: &mut Random) -> bool {
             }
             let at = random.below(refs.len());
             let (kind, role) = (whole.kind(refs[at].name), whole.name(refs[at].name).role);
-            let names: Vec<_> = whole
-                .names_of(kind)
-                .filter(|&name| whole.name(name).role == role)
-                .collect();
+            let names: Vec<_> =
+                whole.names_of(kind).filter(|&name| whole.name(name).role == role).collect();
             refs[at].name = names[random.below(names.len())];
         }
         4 if !rule.erased.is_empty() => {
@@ -193,10 +189,7 @@ fn what_holds_for_all_sizes_holds_for_each() {
     }
     println!("{counts:?} {told:?}");
     let count = |what: &str| counts.get(what).copied().unwrap_or_default();
-    assert!(
-        count("accepted") > 15 && count("rejected") > 100,
-        "{counts:?}"
-    );
+    assert!(count("accepted") > 15 && count("rejected") > 100, "{counts:?}");
     // Where no size breaks, no mesh matches, or the order of spokes is left open.
     assert!(count("given up on") * 8 < count("rejected"), "{counts:?}");
 }
@@ -253,9 +246,7 @@ fn places(mesh: &Mesh, op: &Op) -> Vec<Vec<u64>> {
     for param in &op.params {
         let elements = elements(param.ty);
         let with = |place: &Vec<u64>| {
-            let longer = elements
-                .iter()
-                .map(|&one| [place.as_slice(), &[one]].concat());
+            let longer = elements.iter().map(|&one| [place.as_slice(), &[one]].concat());
             longer.collect::<Vec<_>>()
         };
         places = places.iter().flat_map(with).collect();

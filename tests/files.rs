@@ -11,10 +11,7 @@ use hedgerow::rewrite::Unwatched;
 use hedgerow::run::test;
 use hedgerow::source::Sources;
 
-const PLAIN: Rendering = Rendering {
-    colour: false,
-    most: 20,
-};
+const PLAIN: Rendering = Rendering { colour: false, most: 20 };
 
 /// Files in memory.
 struct Pages<'p>(Vec<(&'p str, String)>);

@@ -21,10 +21,7 @@ fn every_law_says_how_it_is_broken() {
         let file = sources.add("broken.hedge", case.input);
         let analysis = Analysis::of(&sources, file);
         assert!(!analysis.is_sound(), "{}: nothing is wrong", case.place);
-        let how = Rendering {
-            colour: false,
-            most: usize::MAX,
-        };
+        let how = Rendering { colour: false, most: usize::MAX };
         let errors = analysis.diagnostics.iter().filter(|said| said.is_error());
         let errors: Vec<Diagnostic> = errors.cloned().collect();
         render(&errors, &sources, how)
@@ -46,14 +43,8 @@ fn every_law_has_its_page() {
         "reach",
     ];
     for law in laws {
-        assert!(
-            root().join(format!("src/check/{law}.rs")).exists(),
-            "{law} is no law"
-        );
-        assert!(
-            root().join(format!("tests/laws/{law}.md")).exists(),
-            "{law} has no page"
-        );
+        assert!(root().join(format!("src/check/{law}.rs")).exists(), "{law} is no law");
+        assert!(root().join(format!("tests/laws/{law}.md")).exists(), "{law} has no page");
     }
 }
 
@@ -90,7 +81,5 @@ fn files(folder: &str, end: &str) -> Vec<String> {
 /// What stands between `open` and `close`, wherever it does.
 fn codes(text: &str, open: &str, close: char) -> Vec<String> {
     let parts = text.split(open).skip(1);
-    parts
-        .filter_map(|part| Some(part.split_once(close)?.0.to_owned()))
-        .collect()
+    parts.filter_map(|part| Some(part.split_once(close)?.0.to_owned())).collect()
 }

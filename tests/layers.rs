@@ -17,36 +17,12 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("rewrite", &["mesh", "source"]),
     ("syntax", &["source", "diagnostic"]),
     ("check", &["source", "diagnostic", "diagram", "mesh"]),
-    (
-        "compile",
-        &["source", "mesh", "diagram", "check", "rewrite"],
-    ),
+    ("compile", &["source", "mesh", "diagram", "check", "rewrite"]),
     ("draw", &["source", "diagram", "mesh"]),
-    (
-        "emit",
-        &[
-            "source",
-            "diagnostic",
-            "diagram",
-            "check",
-            "compile",
-            "resolve",
-        ],
-    ),
+    ("emit", &["source", "diagnostic", "diagram", "check", "compile", "resolve"]),
     ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
-    (
-        "run",
-        &[
-            "source",
-            "mesh",
-            "diagnostic",
-            "diagram",
-            "rewrite",
-            "compile",
-            "resolve",
-        ],
-    ),
+    ("run", &["source", "mesh", "diagnostic", "diagram", "rewrite", "compile", "resolve"]),
     (
         "analysis",
         &[
@@ -63,18 +39,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "run",
         ],
     ),
-    (
-        "lsp",
-        &[
-            "source",
-            "diagnostic",
-            "diagram",
-            "draw",
-            "library",
-            "format",
-            "analysis",
-        ],
-    ),
+    ("lsp", &["source", "diagnostic", "diagram", "draw", "library", "format", "analysis"]),
     (
         "cli",
         &[
@@ -99,29 +64,15 @@ const LAYERS: &[(&str, &[&str])] = &[
 fn files_below(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a layer is a folder");
     let paths = entries.map(|entry| entry.expect("a readable entry").path());
-    paths
-        .flat_map(|path| {
-            if path.is_dir() {
-                files_below(&path)
-            } else {
-                vec![path]
-            }
-        })
-        .collect()
+    paths.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
 }
 
 /// The layers that a text names as `crate::layer`.
 fn named(text: &str) -> BTreeSet<&str> {
-    let code = text
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"));
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let paths = code.flat_map(|line| line.split("crate::").skip(1));
     paths
-        .map(|path| {
-            path.split(|c: char| !c.is_alphanumeric() && c != '_')
-                .next()
-                .unwrap_or("")
-        })
+        .map(|path| path.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or(""))
         .filter(|word| !word.is_empty())
         .collect()
 }
@@ -135,11 +86,7 @@ fn layers_name_only_what_lies_below_them() {
             let text = fs::read_to_string(&file).expect("a source file");
             for name in named(&text) {
                 let allowed = name == *layer || may_name.contains(&name);
-                assert!(
-                    allowed,
-                    "{} names `{name}`, which {layer} may not",
-                    file.display()
-                );
+                assert!(allowed, "{} names `{name}`, which {layer} may not", file.display());
             }
             read += 1;
         }
@@ -154,12 +101,7 @@ fn every_folder_is_a_layer() {
         .expect("src")
         .map(|entry| entry.expect("a readable entry").path())
         .filter(|path| path.is_dir())
-        .map(|path| {
-            path.file_name()
-                .expect("a name")
-                .to_string_lossy()
-                .into_owned()
-        })
+        .map(|path| path.file_name().expect("a name").to_string_lossy().into_owned())
         .collect();
     let layers: BTreeSet<_> = LAYERS.iter().map(|(layer, _)| layer.to_string()).collect();
     assert_eq!(folders, layers);

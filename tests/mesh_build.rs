@@ -14,21 +14,9 @@ fn build(vertices: u32, polygons: &[&[u32]]) -> Result<Mesh, BuildError> {
 #[test]
 fn what_is_no_mesh_is_refused_in_words() {
     let cases: [(u32, &[&[u32]], &str); 9] = [
-        (
-            3,
-            &[&[0, 1]],
-            "polygon 0 has 2 corners; a face needs 3 or more",
-        ),
-        (
-            3,
-            &[&[0, 1, 3]],
-            "polygon 0 names vertex 3, but there are 3 vertices",
-        ),
-        (
-            4,
-            &[&[0, 1, 2], &[0, 3, 0]],
-            "polygon 1 has vertex 0 as a corner twice",
-        ),
+        (3, &[&[0, 1]], "polygon 0 has 2 corners; a face needs 3 or more"),
+        (3, &[&[0, 1, 3]], "polygon 0 names vertex 3, but there are 3 vertices"),
+        (4, &[&[0, 1, 2], &[0, 3, 0]], "polygon 1 has vertex 0 as a corner twice"),
         (
             5,
             &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4]],
@@ -65,11 +53,7 @@ fn what_is_no_mesh_is_refused_in_words() {
             &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1], &[1, 3, 2], &[0, 4, 5]],
             "polygons 4 and 0 meet at vertex 0 without an edge to join their fans",
         ),
-        (
-            9,
-            &[&[0, 1, 2, 3, 4, 5, 6, 7, 8, 3]],
-            "polygon 0 has vertex 3 as a corner twice",
-        ),
+        (9, &[&[0, 1, 2, 3, 4, 5, 6, 7, 8, 3]], "polygon 0 has vertex 3 as a corner twice"),
     ];
     for (vertices, polygons, words) in cases {
         assert_eq!(build(vertices, polygons).unwrap_err().to_string(), words);
@@ -80,10 +64,7 @@ fn what_is_no_mesh_is_refused_in_words() {
 fn places_must_be_finite() {
     let positions = [DVec3::ZERO, DVec3::new(1.0, f64::INFINITY, 0.0)];
     let error = Mesh::from_polygons(&positions, &Polygons::new()).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "vertex 1 lies at 1 inf 0, which is no place"
-    );
+    assert_eq!(error.to_string(), "vertex 1 lies at 1 inf 0, which is no place");
 }
 
 #[test]
@@ -112,12 +93,9 @@ fn order_of_polygons_and_corners_does_not_matter() {
     let mut positions = vec![DVec3::ZERO; n as usize];
     // 5 and 162 have no common divisor.
     let moved = |v: u32| v * 5 % n;
-    mesh.vertices()
-        .for_each(|v| positions[moved(v.0) as usize] = mesh.position(v));
-    let mut faces: Vec<Vec<u32>> = mesh
-        .faces()
-        .map(|f| mesh.face_vertices(f).map(|v| moved(v.0)).collect())
-        .collect();
+    mesh.vertices().for_each(|v| positions[moved(v.0) as usize] = mesh.position(v));
+    let mut faces: Vec<Vec<u32>> =
+        mesh.faces().map(|f| mesh.face_vertices(f).map(|v| moved(v.0)).collect()).collect();
     faces.reverse();
     for (i, face) in faces.iter_mut().enumerate() {
         face.rotate_left(i % 3);
@@ -132,23 +110,15 @@ fn order_of_polygons_and_corners_does_not_matter() {
 #[test]
 fn erased_slots_wait_for_recycling() {
     let mut mesh = shape::tetrahedron();
-    let weight = mesh
-        .add_column(ElementKind::Vertex, "weight", Value::Real(0.5))
-        .unwrap();
+    let weight = mesh.add_column(ElementKind::Vertex, "weight", Value::Real(0.5)).unwrap();
     assert!(mesh.set_value(weight, 2, Value::Real(3.0)));
     assert!(
         !mesh.set_value(weight, 2, Value::Int(3)) && !mesh.set_value(weight, 9, Value::Real(3.0))
     );
     mesh.erase_vertex(VertexId(2));
     mesh.erase_vertex(VertexId(2));
-    assert_eq!(
-        (mesh.vertex_count(), mesh.capacity(ElementKind::Vertex)),
-        (3, 4)
-    );
-    assert_eq!(
-        (mesh.value(weight, 2), mesh.get_position(VertexId(2))),
-        (None, None)
-    );
+    assert_eq!((mesh.vertex_count(), mesh.capacity(ElementKind::Vertex)), (3, 4));
+    assert_eq!((mesh.value(weight, 2), mesh.get_position(VertexId(2))), (None, None));
     assert_eq!(mesh.add_vertex(), VertexId(4));
     mesh.recycle();
     assert_eq!(mesh.add_vertex(), VertexId(2));
@@ -178,20 +148,10 @@ fn holes_are_counted_as_they_come_and_go() {
 #[test]
 fn a_column_of_another_type_is_a_conflict() {
     let mut mesh = shape::cube();
-    let a = mesh
-        .add_column(ElementKind::Edge, "sharp", Value::Bool(false))
-        .unwrap();
-    assert_eq!(
-        mesh.add_column(ElementKind::Edge, "sharp", Value::Bool(true)),
-        Ok(a)
-    );
+    let a = mesh.add_column(ElementKind::Edge, "sharp", Value::Bool(false)).unwrap();
+    assert_eq!(mesh.add_column(ElementKind::Edge, "sharp", Value::Bool(true)), Ok(a));
     assert_eq!(mesh.find_column(ElementKind::Edge, "sharp"), Some(a));
     assert_eq!(mesh.find_column(ElementKind::Face, "sharp"), None);
-    let conflict = mesh
-        .add_column(ElementKind::Edge, "sharp", Value::Int(1))
-        .unwrap_err();
-    assert_eq!(
-        conflict.to_string(),
-        "the edge attribute `sharp` is of type bool, not int"
-    );
+    let conflict = mesh.add_column(ElementKind::Edge, "sharp", Value::Int(1)).unwrap_err();
+    assert_eq!(conflict.to_string(), "the edge attribute `sharp` is of type bool, not int");
 }

@@ -8,10 +8,7 @@ use hedgerow::mesh::{
 };
 
 fn round_trip(mesh: &Mesh) -> Mesh {
-    let dump = Dump {
-        meshes: vec![("m".into(), mesh.clone())],
-        ..Dump::default()
-    };
+    let dump = Dump { meshes: vec![("m".into(), mesh.clone())], ..Dump::default() };
     let text = write_dump(&dump);
     let mut read = read_dump(&text).unwrap();
     assert_eq!(write_dump(&read), text);
@@ -47,44 +44,20 @@ fn a_broken_mesh_makes_the_round_trip() {
 #[test]
 fn malformed_lines_are_refused_in_words() {
     let cases = [
-        (
-            "vertex 0 halfedge 0 at 0 0 0",
-            "line 1: no `mesh` line comes before it",
-        ),
-        (
-            "mesh m\nvertx 0",
-            "line 2: `vertx` begins no line of a dump",
-        ),
+        ("vertex 0 halfedge 0 at 0 0 0", "line 1: no `mesh` line comes before it"),
+        ("mesh m\nvertx 0", "line 2: `vertx` begins no line of a dump"),
         ("mesh m\n\nedge 0", "line 3: expected `edge ID halfedge ID`"),
-        (
-            "mesh m\nedge -1 halfedge 0",
-            "line 2: `-1` is no id below 1048576",
-        ),
-        (
-            "mesh m\nedge 4294967295 halfedge 0",
-            "line 2: `4294967295` is no id below 1048576",
-        ),
-        (
-            "mesh m\nvertex 0 halfedge - at 0 y 0",
-            "line 2: `y` is no number",
-        ),
-        (
-            "mesh m\nface 0 halfedge 0\nhole 0 halfedge 0",
-            "line 3: face 0 has a line already",
-        ),
+        ("mesh m\nedge -1 halfedge 0", "line 2: `-1` is no id below 1048576"),
+        ("mesh m\nedge 4294967295 halfedge 0", "line 2: `4294967295` is no id below 1048576"),
+        ("mesh m\nvertex 0 halfedge - at 0 y 0", "line 2: `y` is no number"),
+        ("mesh m\nface 0 halfedge 0\nhole 0 halfedge 0", "line 3: face 0 has a line already"),
         ("name v", "line 1: expected `name WORD KIND ID…`"),
-        (
-            "mesh m\nvalue 0 1",
-            "line 2: no `attribute` line comes before it",
-        ),
+        ("mesh m\nvalue 0 1", "line 2: no `attribute` line comes before it"),
         (
             "mesh m\nattribute corner x real 0",
             "line 2: expected `attribute KIND WORD TYPE DEFAULT`",
         ),
-        (
-            "mesh m\nattribute edge x vec2 0",
-            "line 2: expected a value of type vec2",
-        ),
+        ("mesh m\nattribute edge x vec2 0", "line 2: expected a value of type vec2"),
         (
             "mesh m\nattribute edge x real 0\nattribute edge x int 0",
             "line 3: the attribute `x` has a line already",
@@ -103,9 +76,7 @@ fn malformed_lines_are_refused_in_words() {
 fn attributes_of_all_kinds_and_types_make_the_round_trip() {
     let reals = |count: usize| -> Vec<f64> {
         let odd = [0.1, -0.0, 1e300, f64::MIN_POSITIVE, f64::INFINITY];
-        (0..count)
-            .map(|i| odd[i % 5] / (1 + i / 5) as f64)
-            .collect()
+        (0..count).map(|i| odd[i % 5] / (1 + i / 5) as f64).collect()
     };
     let samples = [
         (Value::Bool(true), Value::Bool(false)),
@@ -114,14 +85,8 @@ fn attributes_of_all_kinds_and_types_make_the_round_trip() {
         (Value::Vec2(DVec2::new(0.1, -0.0)), Value::Vec2(DVec2::ZERO)),
         (Value::Vec3(DVec3::splat(1e-320)), Value::Vec3(DVec3::ONE)),
         (Value::Vec4(DVec4::splat(2.5)), Value::Vec4(DVec4::ZERO)),
-        (
-            Value::Mat3(DMat3::from_cols_slice(&reals(9))),
-            Value::Mat3(DMat3::IDENTITY),
-        ),
-        (
-            Value::Mat4(DMat4::from_cols_slice(&reals(16))),
-            Value::Mat4(DMat4::ZERO),
-        ),
+        (Value::Mat3(DMat3::from_cols_slice(&reals(9))), Value::Mat3(DMat3::IDENTITY)),
+        (Value::Mat4(DMat4::from_cols_slice(&reals(16))), Value::Mat4(DMat4::ZERO)),
     ];
     let mut mesh = shape::grid(3, 2);
     let mut written = 0;
@@ -149,9 +114,7 @@ fn attributes_of_all_kinds_and_types_make_the_round_trip() {
 #[test]
 fn erased_slots_stay_free_and_keep_the_numbers_of_others() {
     let mut mesh = shape::cube();
-    let column = mesh
-        .add_column(ElementKind::Vertex, "weight", Value::Real(2.0))
-        .unwrap();
+    let column = mesh.add_column(ElementKind::Vertex, "weight", Value::Real(2.0)).unwrap();
     let extra = [(); 3].map(|()| mesh.add_vertex());
     assert!(mesh.set_value(column, extra[0].0, Value::Real(5.0)));
     assert!(mesh.set_value(column, extra[2].0, Value::Real(7.0)));

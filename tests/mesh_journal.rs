@@ -77,9 +77,7 @@ fn what_is_rolled_back_was_never_written() {
     for original in meshes() {
         for _ in 0..200 {
             let mut mesh = original.clone();
-            let color = mesh
-                .add_column(ElementKind::Vertex, "color", Value::Int(7))
-                .unwrap();
+            let color = mesh.add_column(ElementKind::Vertex, "color", Value::Int(7)).unwrap();
             // Some slots are free, some are pending.
             wander(&mut mesh, &plans, &mut dice);
             if dice.below(2) == 0 {

@@ -18,10 +18,7 @@ fn nothing_points_at_the_dead_fails() {
     let mut mesh = shape::cube();
     mesh.erase_face(FaceId(2));
     let found = said(nothing_points_at_the_dead(&mesh));
-    assert_eq!(
-        found,
-        "the `face` of halfedge 8 is face 2, which does not exist"
-    );
+    assert_eq!(found, "the `face` of halfedge 8 is face 2, which does not exist");
     assert!(validate(&mesh).is_err());
     let mut mesh = shape::cube();
     mesh.set_twin(HalfedgeId(3), HalfedgeId::NONE);
@@ -46,10 +43,7 @@ fn next_is_permutation_fails() {
 fn twin_is_involution_fails() {
     let mut mesh = shape::cube();
     mesh.set_twin(HalfedgeId(0), HalfedgeId(0));
-    assert_eq!(
-        said(twin_is_involution(&mesh)),
-        "halfedge 0 is its own twin"
-    );
+    assert_eq!(said(twin_is_involution(&mesh)), "halfedge 0 is its own twin");
     let mut mesh = shape::cube();
     let twin = mesh.twin(HalfedgeId(0));
     mesh.set_twin(twin, HalfedgeId(5));
@@ -126,9 +120,7 @@ fn positions_are_finite_fails() {
 
 fn built(polygons: &[&[u32]]) -> Mesh {
     let vertices = polygons.iter().flat_map(|p| p.iter()).max().unwrap() + 1;
-    let positions: Vec<_> = (0..vertices)
-        .map(|i| glam::DVec3::splat(f64::from(i)))
-        .collect();
+    let positions: Vec<_> = (0..vertices).map(|i| glam::DVec3::splat(f64::from(i))).collect();
     Mesh::from_polygons(&positions, &polygons.iter().collect::<Polygons>()).unwrap()
 }
 
@@ -141,16 +133,10 @@ fn below(mesh: &Mesh, level: Level) -> BelowLevel {
 fn surfaces_have_faces_everywhere() {
     let mut mesh = shape::grid(2, 1);
     mesh.set_hole(FaceId(0), true);
-    assert!(matches!(
-        below(&mesh, Level::Surface),
-        BelowLevel::Pinched { .. }
-    ));
+    assert!(matches!(below(&mesh, Level::Surface), BelowLevel::Pinched { .. }));
     let mut mesh = shape::single_polygon(4);
     mesh.set_hole(FaceId(0), true);
-    assert!(matches!(
-        below(&mesh, Level::Surface),
-        BelowLevel::Pinched { .. }
-    ));
+    assert!(matches!(below(&mesh, Level::Surface), BelowLevel::Pinched { .. }));
 }
 
 /// One edge with both ends free and a loop of two around it.
@@ -177,22 +163,11 @@ fn lone_edge() -> Mesh {
 fn a_lone_edge_is_only_a_map() {
     let mut mesh = lone_edge();
     let reason = below(&mesh, Level::Surface);
-    assert_eq!(
-        reason,
-        BelowLevel::SmallFace {
-            face: FaceId(0),
-            size: 2
-        }
-    );
+    assert_eq!(reason, BelowLevel::SmallFace { face: FaceId(0), size: 2 });
     assert_eq!(reason.to_string(), "face 0 has only 2 sides");
     mesh.set_hole(FaceId(0), true);
     let reason = below(&mesh, Level::Surface);
-    assert_eq!(
-        reason,
-        BelowLevel::NoFaceAround {
-            vertex: VertexId(0)
-        }
-    );
+    assert_eq!(reason, BelowLevel::NoFaceAround { vertex: VertexId(0) });
 }
 
 #[test]
@@ -201,12 +176,7 @@ fn simple_faces_differ_in_their_corners() {
     let mesh = built(&[&[0, 1, 2, 3], &[3, 2, 1, 4]]);
     assert!(validate_level(&mesh, Level::Simple).is_ok());
     let reason = below(&shape::pillow(5), Level::Simple);
-    assert_eq!(
-        reason,
-        BelowLevel::SameCorners {
-            faces: [FaceId(0), FaceId(1)]
-        }
-    );
+    assert_eq!(reason, BelowLevel::SameCorners { faces: [FaceId(0), FaceId(1)] });
 }
 
 #[test]
@@ -248,9 +218,7 @@ fn an_isolated_vertex_is_fine_at_every_level() {
 fn laws_answer_on_any_table() {
     let mut state = 1u64;
     let mut random = |below: usize| {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         match (state >> 33) as usize % (below + 3) {
             i if i < below => i as u32,
             i if i == below => u32::MAX,
@@ -259,11 +227,7 @@ fn laws_answer_on_any_table() {
     };
     let mut broken = 0;
     for round in 0..400 {
-        let mut mesh = if round % 2 == 0 {
-            shape::cube()
-        } else {
-            shape::fan(4)
-        };
+        let mut mesh = if round % 2 == 0 { shape::cube() } else { shape::fan(4) };
         let writes = 1 + round % 9;
         for _ in 0..writes {
             let n = mesh.capacity(ElementKind::Halfedge);

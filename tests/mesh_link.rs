@@ -50,9 +50,7 @@ fn collapse(mesh: &mut Mesh, e: EdgeId) {
 /// The mesh of some of the faces of `whole`, if they are one.
 fn part(whole: &Mesh, wanted: impl Fn(usize) -> bool) -> Option<Mesh> {
     let positions: Vec<_> = whole.vertices().map(|v| whole.position(v)).collect();
-    let faces = whole
-        .faces()
-        .filter(|&f| !whole.is_hole(f) && wanted(f.index()));
+    let faces = whole.faces().filter(|&f| !whole.is_hole(f) && wanted(f.index()));
     let corners = |f| whole.face_vertices(f).map(|v| v.0).collect::<Vec<_>>();
     Mesh::from_polygons(&positions, &faces.map(corners).collect::<Polygons>()).ok()
 }
@@ -67,11 +65,7 @@ fn check(mesh: &Mesh) -> [usize; 2] {
         let mut result = mesh.clone();
         collapse(&mut result, e);
         let outcome = validate_level(&result, Level::Simple);
-        assert_eq!(
-            mesh.link_condition(e),
-            outcome.is_ok(),
-            "{e} of {mesh:?}: {outcome:?}"
-        );
+        assert_eq!(mesh.link_condition(e), outcome.is_ok(), "{e} of {mesh:?}: {outcome:?}");
         counts[usize::from(outcome.is_ok())] += 1;
     }
     counts
@@ -80,11 +74,7 @@ fn check(mesh: &Mesh) -> [usize; 2] {
 #[test]
 fn on_every_part_of_small_shapes() {
     let mut total = [0, 0];
-    for whole in [
-        shape::tetrahedron(),
-        shape::octahedron(),
-        shape::triangle_grid(2, 2),
-    ] {
+    for whole in [shape::tetrahedron(), shape::octahedron(), shape::triangle_grid(2, 2)] {
         for subset in 0u32..1 << whole.face_count() {
             if let Some(mesh) = part(&whole, |f| subset >> f & 1 == 1) {
                 let [no, yes] = check(&mesh);
@@ -99,9 +89,7 @@ fn on_every_part_of_small_shapes() {
 fn on_random_parts_and_after_collapses() {
     let mut state = 7u64;
     let mut random = || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 33) as usize
     };
     let wholes = [
@@ -113,9 +101,7 @@ fn on_random_parts_and_after_collapses() {
     let mut total = [0, 0];
     for round in 0..100 {
         let whole = &wholes[round % wholes.len()];
-        let dropped: Vec<usize> = (0..round % 5)
-            .map(|_| random() % whole.face_count())
-            .collect();
+        let dropped: Vec<usize> = (0..round % 5).map(|_| random() % whole.face_count()).collect();
         let Some(mut mesh) = part(whole, |f| !dropped.contains(&f)) else {
             continue;
         };

@@ -30,12 +30,7 @@ fn example_meshes_make_the_round_trip() {
         let first = read_obj(Path::new(&path)).unwrap();
         validate(&first.mesh).unwrap();
         let original = std::fs::read_to_string(&path).unwrap();
-        let lines = |key: &str| {
-            original
-                .lines()
-                .filter(|line| line.starts_with(key))
-                .count()
-        };
+        let lines = |key: &str| original.lines().filter(|line| line.starts_with(key)).count();
         assert_eq!(first.mesh.vertex_count(), lines("v "));
         assert_eq!(first.mesh.face_count(), lines("f "));
         assert_eq!(validate_level(&first.mesh, Level::Simple), Ok(()));
@@ -60,32 +55,17 @@ fn malformed_files_are_refused_in_words() {
             "v 0 0 0\nv 0 NaN 0\nv 1 1 1\n",
             "2: vertex 2 has a coordinate that is not a finite number",
         ),
-        (
-            "v 0 0 1e999\n",
-            "1: vertex 1 has a coordinate that is not a finite number",
-        ),
+        ("v 0 0 1e999\n", "1: vertex 1 has a coordinate that is not a finite number"),
         ("vt\n", "1: `vt` needs a number or more"),
         ("vn 1 2\n", "1: `vn` needs three numbers"),
         ("T\nf 1 2 x\n", "4: `x` is not a corner of a face"),
         ("T\nf 1 2 3.0\n", "4: `3.0` is not a corner of a face"),
-        (
-            "T\nf 1 2 3/1/1/1\n",
-            "4: `3/1/1/1` is not a corner of a face",
-        ),
+        ("T\nf 1 2 3/1/1/1\n", "4: `3/1/1/1` is not a corner of a face"),
         ("T\nf 1 2 /1\n", "4: `/1` is not a corner of a face"),
-        (
-            "T\nf 0 1 2\n",
-            "4: 0 is no index: they count from 1, or back from -1",
-        ),
+        ("T\nf 0 1 2\n", "4: 0 is no index: they count from 1, or back from -1"),
         ("T\nf 1 2 4\nv 0 0\n", "5: `v` needs three numbers"),
-        (
-            "T\nf 1 2 4\nf 1 2 3\n",
-            "4: there is no vertex 4: the file has 3 vertices",
-        ),
-        (
-            "T\nf 1 2 -4\n",
-            "4: there is no vertex -4: the file has 3 vertices",
-        ),
+        ("T\nf 1 2 4\nf 1 2 3\n", "4: there is no vertex 4: the file has 3 vertices"),
+        ("T\nf 1 2 -4\n", "4: there is no vertex -4: the file has 3 vertices"),
         (
             "T\nf 1 2 99999999999999999\n",
             "4: there is no vertex 99999999999999999: the file has 3 vertices",
@@ -94,18 +74,9 @@ fn malformed_files_are_refused_in_words() {
             "T\nvt 0 0\nf 1/1 2/1 3/2\n",
             "5: there is no texture coordinate 2: the file has 1 texture coordinate",
         ),
-        (
-            "T\nf 1//1 2//1 3//1\n",
-            "4: there is no normal 1: the file has 0 normals",
-        ),
-        (
-            "T\n#\nf 1 2\n",
-            "5: a face needs 3 corners or more, and this has 2 corners",
-        ),
-        (
-            "T\nf\n",
-            "4: a face needs 3 corners or more, and this has 0 corners",
-        ),
+        ("T\nf 1//1 2//1 3//1\n", "4: there is no normal 1: the file has 0 normals"),
+        ("T\n#\nf 1 2\n", "5: a face needs 3 corners or more, and this has 2 corners"),
+        ("T\nf\n", "4: a face needs 3 corners or more, and this has 0 corners"),
         ("T\nf 1 2 2\n", "4: the face has vertex 2 as a corner twice"),
         (
             "T\nT\n\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
@@ -184,10 +155,7 @@ fn colors_are_kept_when_all_vertices_have_one() {
     let mut obj = read(file);
     assert_eq!(text(&obj), file);
     let color = obj.mesh.find_column(ElementKind::Vertex, "color").unwrap();
-    assert_eq!(
-        obj.mesh.values::<DVec3>(color).unwrap()[2],
-        DVec3::new(0.0, 0.0, 0.5)
-    );
+    assert_eq!(obj.mesh.values::<DVec3>(color).unwrap()[2], DVec3::new(0.0, 0.0, 0.5));
     obj.mesh.add_vertex();
     assert!(text(&obj).contains("v 0 0 0 1 1 1\n"));
     let some = "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
@@ -202,30 +170,20 @@ fn corners_keep_texture_and_normals() {
     assert_eq!(text(&obj), file);
     assert_eq!(obj.texture_coordinates().len(), 2);
     assert_eq!(
-        (
-            obj.texture_index(HalfedgeId(1)),
-            obj.normal_index(HalfedgeId(4))
-        ),
+        (obj.texture_index(HalfedgeId(1)), obj.normal_index(HalfedgeId(4))),
         (Some(1), None)
     );
     // Only some corners of the second face have one.
     let file = format!("{head}f 1//1 2//1 3//2\nf 2/1 4 3/1\n");
-    assert_eq!(
-        text(&read(&file)),
-        format!("{head}f 1//1 2//1 3//2\nf 2 4 3\n")
-    );
+    assert_eq!(text(&read(&file)), format!("{head}f 1//1 2//1 3//2\nf 2 4 3\n"));
     // Negative ones count back from where they stand.
     let file =
         format!("{TRIANGLE}v 1 1 0\nvt 0 0\nvt 1 0\nf 1/-2 2/-1 3/-2\nvt 5 5\nf 2/-1 4/2 3/1\n");
     let obj = read(&file);
-    let rows: Vec<_> = (0..6)
-        .map(|h| obj.texture_index(HalfedgeId(h)).unwrap())
-        .collect();
+    let rows: Vec<_> = (0..6).map(|h| obj.texture_index(HalfedgeId(h)).unwrap()).collect();
     assert_eq!(rows, [0, 1, 0, 2, 1, 0]);
     // A halfedge that starts elsewhere is no longer that corner.
-    let mut obj = read(&format!(
-        "{TRIANGLE}v 1 1 0\nvt 0\nf 1/1 2/1 3/1\nf 2/1 4/1 3/1\n"
-    ));
+    let mut obj = read(&format!("{TRIANGLE}v 1 1 0\nvt 0\nf 1/1 2/1 3/1\nf 2/1 4/1 3/1\n"));
     obj.mesh.set_vertex(HalfedgeId(4), VertexId(0));
     assert!(text(&obj).ends_with("f 1/1 2/1 3/1\nf 2 1 3\n"));
 }
@@ -234,32 +192,20 @@ fn corners_keep_texture_and_normals() {
 fn numbers_follow_the_file() {
     let mut obj = read("v 0 0 0\nv 7 7 7\nv 1 0 0\nv 0 1 0\nf 1 3 4\n");
     assert_eq!(obj.vertex_by_number(2), Some(VertexId(1)));
-    assert_eq!(
-        (obj.vertex_by_number(0), obj.vertex_by_number(5)),
-        (None, None)
-    );
-    assert_eq!(
-        (obj.face_by_number(1), obj.face_by_number(2)),
-        (Some(FaceId(0)), None)
-    );
+    assert_eq!((obj.vertex_by_number(0), obj.vertex_by_number(5)), (None, None));
+    assert_eq!((obj.face_by_number(1), obj.face_by_number(2)), (Some(FaceId(0)), None));
     // A new vertex takes the slot of an old one, but not its number.
     obj.mesh.erase_vertex(VertexId(1));
     assert_eq!(obj.vertex_by_number(2), None);
     obj.mesh.recycle();
     let new = obj.mesh.add_vertex();
     assert_eq!(new, VertexId(1));
-    assert_eq!(
-        (obj.vertex_by_number(2), obj.vertex_number(new)),
-        (None, None)
-    );
+    assert_eq!((obj.vertex_by_number(2), obj.vertex_number(new)), (None, None));
     assert_eq!(obj.vertex_number(VertexId(3)), Some(4));
     let numbers = obj.written_numbers();
     let written: Vec<_> = (0..5).map(|v| numbers.vertex(VertexId(v))).collect();
     assert_eq!(written, [Some(1), Some(4), Some(2), Some(3), None]);
-    assert_eq!(
-        (numbers.face(FaceId(0)), numbers.face(FaceId(1))),
-        (Some(1), None)
-    );
+    assert_eq!((numbers.face(FaceId(0)), numbers.face(FaceId(1))), (Some(1), None));
     assert_eq!(text(&obj), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nf 1 2 3\n");
     obj.mesh.set_hole(FaceId(0), true);
     assert_eq!(obj.written_numbers().face(FaceId(0)), None);
@@ -291,8 +237,7 @@ fn a_mesh_from_nowhere_is_written_in_order() {
 #[test]
 fn what_is_no_place_is_not_written() {
     let mut obj = read(&format!("{TRIANGLE}f 1 2 3\n"));
-    obj.mesh
-        .set_position(VertexId(1), DVec3::new(f64::INFINITY, 0.0, 0.0));
+    obj.mesh.set_position(VertexId(1), DVec3::new(f64::INFINITY, 0.0, 0.0));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.obj");
     std::fs::write(&path, "before").unwrap();
@@ -333,10 +278,7 @@ fn modes_and_links_are_respected() {
     let dangling = folder.path().join("dangling.obj");
     symlink("later.obj", &dangling).unwrap();
     write_obj(&dangling, &obj).unwrap();
-    assert_eq!(
-        std::fs::read_to_string(folder.path().join("later.obj")).unwrap(),
-        text(&obj)
-    );
+    assert_eq!(std::fs::read_to_string(folder.path().join("later.obj")).unwrap(), text(&obj));
 }
 
 proptest! {

@@ -41,9 +41,8 @@ impl Mutant {
         let changed = text.lines().zip(mutated.lines());
         let changed = changed.filter(|(old, new)| old != new);
         let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
-        let changed: Vec<_> = changed
-            .map(|(old, new)| format!("{} -> {}", words(old), words(new)))
-            .collect();
+        let changed: Vec<_> =
+            changed.map(|(old, new)| format!("{} -> {}", words(old), words(new))).collect();
         format!("{op}, {}: {}", self.what, changed.join("; "))
     }
 }
@@ -74,10 +73,7 @@ fn analysis(text: &str) -> (Sources, Analysis) {
 }
 
 fn told(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
-    let how = Rendering {
-        colour: false,
-        most: usize::MAX,
-    };
+    let how = Rendering { colour: false, most: usize::MAX };
     render(diagnostics, sources, how)
 }
 
@@ -115,10 +111,7 @@ fn mutants(rule: &Rule) -> Vec<Mutant> {
         };
         for mention in mentions(side).into_iter().chain(lists) {
             for other in others(rule, mention) {
-                mutants.push(Mutant {
-                    what: "renamed",
-                    edits: vec![(mention.span, other)],
-                });
+                mutants.push(Mutant { what: "renamed", edits: vec![(mention.span, other)] });
             }
         }
         let all = mentions(side);
@@ -157,10 +150,7 @@ fn mutants(rule: &Rule) -> Vec<Mutant> {
 }
 
 fn dropped(span: Span) -> Mutant {
-    Mutant {
-        what: "dropped",
-        edits: vec![(span, String::new())],
-    }
+    Mutant { what: "dropped", edits: vec![(span, String::new())] }
 }
 
 /// The other names of the kind of a mention.
@@ -202,29 +192,19 @@ fn with_one_thing_wrong_they_are_refused() {
             refused += 1;
             let errors = analysis.diagnostics.iter().filter(|said| said.is_error());
             let errors: Vec<_> = errors.cloned().collect();
-            if !errors
-                .iter()
-                .any(|error| is_about(error, &mutant, &text, &mutated))
-            {
+            if !errors.iter().any(|error| is_about(error, &mutant, &text, &mutated)) {
                 let said = told(&sources, &errors);
                 astray.push(format!("{}\n{said}", mutant.told(&name, &text)));
             }
         }
     }
-    assert!(
-        astray.is_empty(),
-        "neither at the place nor about the name:\n{}",
-        astray.join("\n")
-    );
+    assert!(astray.is_empty(), "neither at the place nor about the name:\n{}", astray.join("\n"));
     assert!(refused > 1900, "only {refused} mutants were refused");
     let harmless = harmless();
     let wrong: Vec<_> = accepted.difference(&harmless).collect();
     let gone: Vec<_> = harmless.difference(&accepted).collect();
     assert!(wrong.is_empty(), "accepted: {wrong:#?}");
-    assert!(
-        gone.is_empty(),
-        "no longer accepted, or no mutant: {gone:#?}"
-    );
+    assert!(gone.is_empty(), "no longer accepted, or no mutant: {gone:#?}");
 }
 
 /// Whether a diagnostic points at a line that was changed, or speaks of a name that stood or
@@ -258,8 +238,6 @@ fn is_about(error: &Diagnostic, mutant: &Mutant, text: &str, mutated: &str) -> b
 
 fn harmless() -> BTreeSet<String> {
     let list = fs::read_to_string(folder().join("harmless.txt")).unwrap();
-    let lines = list
-        .lines()
-        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let lines = list.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
     lines.map(String::from).collect()
 }

@@ -13,10 +13,7 @@ use hedgerow::diagnostic::{Rendering, render};
 use hedgerow::source::Sources;
 use hedgerow::syntax::parse;
 
-const PLAIN: Rendering = Rendering {
-    colour: false,
-    most: 20,
-};
+const PLAIN: Rendering = Rendering { colour: false, most: 20 };
 
 #[test]
 fn pages_hold() {

@@ -41,18 +41,15 @@ fn codes(folder: &Path, found: &mut BTreeSet<String>) {
 fn every_code_is_in_the_reference() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut known = BTreeSet::from(["interrupted".to_owned()]);
-    for layer in [
-        "analysis", "check", "compile", "emit", "resolve", "run", "syntax",
-    ] {
+    for layer in ["analysis", "check", "compile", "emit", "resolve", "run", "syntax"] {
         codes(&root.join("src").join(layer), &mut known);
     }
     let page = read("grammar/reference.md");
     let (_, section) = page.split_once("\n## Diagnostics\n").unwrap();
     let (section, _) = section.split_once("\n## ").unwrap_or((section, ""));
     let rows = section.lines().filter_map(|line| line.strip_prefix("| `"));
-    let listed: BTreeSet<_> = rows
-        .filter_map(|row| Some(row.split_once('`')?.0.to_owned()))
-        .collect();
+    let listed: BTreeSet<_> =
+        rows.filter_map(|row| Some(row.split_once('`')?.0.to_owned())).collect();
     let missing: Vec<_> = known.difference(&listed).collect();
     let invented: Vec<_> = listed.difference(&known).collect();
     assert!(missing.is_empty(), "not in the reference: {missing:?}");
@@ -62,19 +59,14 @@ fn every_code_is_in_the_reference() {
 /// What stands between a line of ticks and the next.
 fn fences(page: &str) -> Vec<String> {
     let parts = page.split("\n```").skip(1).step_by(2);
-    parts
-        .filter_map(|fence| Some(fence.split_once('\n')?.1.to_owned() + "\n"))
-        .collect()
+    parts.filter_map(|fence| Some(fence.split_once('\n')?.1.to_owned() + "\n")).collect()
 }
 
 fn said(name: &str, text: &str) -> String {
     let mut sources = Sources::new();
     let file = sources.add(name, text);
     let analysis = Analysis::of(&sources, file);
-    let how = Rendering {
-        colour: false,
-        most: usize::MAX,
-    };
+    let how = Rendering { colour: false, most: usize::MAX };
     render(&analysis.diagnostics, &sources, how)
 }
 
@@ -109,10 +101,7 @@ fn the_tests_of_the_readme_pass() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("refine.hedge");
     let fences = fences(&read("README.md"));
-    let [program] = fences
-        .iter()
-        .filter(|text| text.contains("\ntest \""))
-        .collect::<Vec<_>>()[..]
+    let [program] = fences.iter().filter(|text| text.contains("\ntest \"")).collect::<Vec<_>>()[..]
     else {
         panic!("one program with tests");
     };

@@ -48,11 +48,7 @@ pub fn actions(snapshot: &Snapshot, part: Range<usize>) -> Vec<Action> {
 
 /// The edit that writes statements at the end of a side, each on a line of its own.
 pub(super) fn append(snapshot: &Snapshot, side: &Side, statements: &[String]) -> Edit {
-    let last = side
-        .statements
-        .iter()
-        .map(statement_span)
-        .max_by_key(|span| span.end);
+    let last = side.statements.iter().map(statement_span).max_by_key(|span| span.end);
     let brace = snapshot.sources().slice(side.span).find('{');
     let open = side.span.start as usize + brace.map_or(0, |at| at + 1);
     let place = match last {

@@ -47,10 +47,7 @@ pub fn aliases(analysis: &Analysis) -> Vec<RuleAliases> {
         op: op.name.clone(),
         rule: rule.label.clone(),
         has_families: rule.has_families(),
-        sets: identifications(op, rule)
-            .into_iter()
-            .map(|one| NamesAsOne::new(rule, one))
-            .collect(),
+        sets: identifications(op, rule).into_iter().map(|one| NamesAsOne::new(rule, one)).collect(),
     });
     of_rule.collect()
 }

@@ -81,10 +81,7 @@ fn demands(rule: &Rule) -> Vec<Demand> {
         let Some(drawn) = drawing.after.edge_statement(edge) else {
             continue;
         };
-        let ends = drawn
-            .halfedges
-            .each_ref()
-            .map(|half| drawing.origin_after(half.name));
+        let ends = drawn.halfedges.each_ref().map(|half| drawing.origin_after(half.name));
         if let [Some(one), Some(other)] = ends
             && one != other
             && [one, other].into_iter().all(|end| drawing.survives(end))
@@ -96,11 +93,7 @@ fn demands(rule: &Rule) -> Vec<Demand> {
 }
 
 fn element(rule: &Rule, name: NameId, ty: Type) -> Expr {
-    Expr {
-        ty,
-        kind: ExprKind::Element(name),
-        span: rule.span,
-    }
+    Expr { ty, kind: ExprKind::Element(name), span: rule.span }
 }
 
 fn link_condition(rule: &Rule, edge: NameId) -> Demand {
@@ -108,10 +101,7 @@ fn link_condition(rule: &Rule, edge: NameId) -> Demand {
     Demand {
         condition: Expr {
             ty: Type::Bool,
-            kind: ExprKind::Call(
-                Builtin::LinkCondition,
-                vec![element(rule, edge, Type::Edge)],
-            ),
+            kind: ExprKind::Call(Builtin::LinkCondition, vec![element(rule, edge, Type::Edge)]),
             span: rule.span,
         },
         text: format!("link_condition({of})"),
@@ -144,9 +134,6 @@ fn written_before_after(snapshot: &Snapshot, rule: &tree::Rule, demand: &Demand)
     let indentation = indentation(snapshot, place);
     Some(Edit {
         span: place.before(),
-        text: format!(
-            "require {} else \"{}\"\n{indentation}",
-            demand.text, demand.reason
-        ),
+        text: format!("require {} else \"{}\"\n{indentation}", demand.text, demand.reason),
     })
 }

@@ -113,12 +113,7 @@ pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<
             (false, false) => return None,
             // What hangs at a vertex is not part of it.
             _ if kind == Kind::Vertex => Fate::Kept,
-            _ if pointers
-                .iter()
-                .all(|pointer| pointer.before == pointer.after) =>
-            {
-                Fate::Kept
-            }
+            _ if pointers.iter().all(|pointer| pointer.before == pointer.after) => Fate::Kept,
             _ => Fate::Moved,
         },
     };
@@ -171,9 +166,7 @@ fn pointers(kind: Kind, word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
         Kind::Halfedge => halfedge(word, sides),
         Kind::Path => vec![
             both("loop", &|side| in_loop(side, word, |drawn| &drawn.face)),
-            both("starts at", &|side| {
-                in_loop(side, word, |drawn| &drawn.from)
-            }),
+            both("starts at", &|side| in_loop(side, word, |drawn| &drawn.from)),
             both("ends at", &|side| in_loop(side, word, |drawn| &drawn.to)),
         ],
         Kind::Fan => vec![both("vertex", &|side| text(side.star_of(word)))],
@@ -194,8 +187,7 @@ fn text(place: Option<Place>) -> String {
 }
 
 fn in_loop(side: &Sketch, word: &str, part: impl Fn(&super::side::Drawn) -> &Place) -> String {
-    side.place(word)
-        .map_or(NOTHING.into(), |drawn| part(&drawn).text())
+    side.place(word).map_or(NOTHING.into(), |drawn| part(&drawn).text())
 }
 
 fn halfedge(word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
@@ -221,8 +213,7 @@ fn halfedge(word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
         _ => place.text(),
     };
     let looped = |side: &Sketch, part: &dyn Fn(&super::side::Drawn) -> Place| {
-        side.place(word)
-            .map_or(NOTHING.into(), |drawn| run(&part(&drawn)))
+        side.place(word).map_or(NOTHING.into(), |drawn| run(&part(&drawn)))
     };
     vec![
         pointer("next", &|side| looped(side, &|drawn| drawn.next.clone())),
@@ -284,10 +275,8 @@ fn star(side: &Sketch, word: &str) -> String {
 /// The drawn halfedges and paths that leave a vertex.
 fn leaving(side: &Sketch, word: &str) -> String {
     let own = side.drawn.iter().filter(|drawn| drawn.from.word == word);
-    let mut names: Vec<_> = own
-        .filter(|drawn| !drawn.item.word.is_empty())
-        .map(|drawn| drawn.item.text())
-        .collect();
+    let mut names: Vec<_> =
+        own.filter(|drawn| !drawn.item.word.is_empty()).map(|drawn| drawn.item.text()).collect();
     names.sort();
     names.join(" ")
 }

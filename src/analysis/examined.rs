@@ -66,10 +66,7 @@ impl Examined {
 }
 
 fn too_large(span: Span, name: &str) -> Diagnostic {
-    Diagnostic::error(
-        "too-large",
-        format!("`{name}` is too large to compile"),
-        span,
+    Diagnostic::error("too-large", format!("`{name}` is too large to compile"), span).note(
+        "its diagrams need more registers or tests than there can be: split it into smaller ops",
     )
-    .note("its diagrams need more registers or tests than there can be: split it into smaller ops")
 }

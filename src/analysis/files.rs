@@ -170,11 +170,7 @@ pub(super) struct Part {
 impl Part {
     /// The file as `resolve` wants it.
     pub fn unit(&self) -> Unit<'_> {
-        Unit {
-            tree: &self.parsed.tree,
-            uses: self.uses.clone(),
-            lacks: self.lacks,
-        }
+        Unit { tree: &self.parsed.tree, uses: self.uses.clone(), lacks: self.lacks }
     }
 }
 
@@ -207,12 +203,7 @@ impl Parts {
         let paths = uses(&parsed);
         let place = self.parts.len();
         self.places.insert(file, place);
-        self.parts.push(Part {
-            file,
-            parsed,
-            uses: Vec::new(),
-            lacks: false,
-        });
+        self.parts.push(Part { file, parsed, uses: Vec::new(), lacks: false });
         if self.open.is_empty() {
             self.open.push((file, None));
         }
@@ -223,15 +214,13 @@ impl Parts {
                 let mut told = self.parts[place].parsed.diagnostics.iter();
                 if !told.any(|told| told.span() == span) {
                     let missing = absent.get(&name);
-                    self.diagnostics
-                        .push(missing_file(&path, &name, span, missing));
+                    self.diagnostics.push(missing_file(&path, &name, span, missing));
                 }
                 self.parts[place].lacks = true;
                 continue;
             };
             if let Some(at) = self.open.iter().position(|(open, _)| *open == used) {
-                self.diagnostics
-                    .push(cycle(sources, &self.open[at..], span));
+                self.diagnostics.push(cycle(sources, &self.open[at..], span));
                 continue;
             }
             let used = match self.places.get(&used) {
@@ -277,10 +266,7 @@ fn cycle(sources: &Sources, chain: &[(FileId, Option<Span>)], last: Span) -> Dia
     let message = match names.as_slice() {
         [only] => format!("{only} uses itself"),
         [first, others @ ..] => {
-            format!(
-                "{first} uses {}, which uses {first}",
-                others.join(", which uses ")
-            )
+            format!("{first} uses {}, which uses {first}", others.join(", which uses "))
         }
         [] => "the file uses itself".to_owned(),
     };

@@ -103,10 +103,7 @@ fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
     vec![
         go_on("=P=>"),
         go_on("-h->"),
-        (
-            format!("end at `{first}`"),
-            edit(end.span, first.to_owned()),
-        ),
+        (format!("end at `{first}`"), edit(end.span, first.to_owned())),
     ]
 }
 
@@ -173,18 +170,13 @@ fn account_for(
         let draws = |name: &String| mentions(statement).any(|drawn| drawn == name);
         let is_stated = |name: &Name| {
             let stated = after.statements.iter().filter_map(subject);
-            stated
-                .into_iter()
-                .any(|known| known.ident.text == name.ident.text)
+            stated.into_iter().any(|known| known.ident.text == name.ident.text)
         };
         let Some(of) = subject(statement).filter(|of| !is_stated(of)) else {
             continue;
         };
         if names.iter().any(|(_, name)| draws(name)) {
-            let text = snapshot
-                .sources()
-                .slice(statement_span(statement))
-                .to_owned();
+            let text = snapshot.sources().slice(statement_span(statement)).to_owned();
             let title = format!("restate `{text}` in `after`");
             proposals.push((title, vec![append(snapshot, after, &[text])]));
             let keep = format!("keep {}", of.ident.text);
@@ -239,10 +231,8 @@ fn list_forgotten(
 
 /// The words that a statement draws.
 fn mentions(statement: &Statement) -> impl Iterator<Item = &String> {
-    let mut words: Vec<&String> = subject(statement)
-        .map(|name| &name.ident.text)
-        .into_iter()
-        .collect();
+    let mut words: Vec<&String> =
+        subject(statement).map(|name| &name.ident.text).into_iter().collect();
     match statement {
         Statement::Loop(orbit) => {
             for item in &orbit.items {
@@ -300,10 +290,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
         (is == list).then(|| listed.last()).flatten()
     });
     if let Some(last) = last {
-        return Edit {
-            span: last.span.after(),
-            text: format!(" {names}"),
-        };
+        return Edit { span: last.span.after(), text: format!(" {names}") };
     }
     let statement = format!("{list} {names}");
     match after.statements.first() {
@@ -311,10 +298,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
         Some(first) if list == "new" => {
             let place = statement_span(first);
             let indentation = super::action::indentation(snapshot, place);
-            Edit {
-                span: place.before(),
-                text: format!("{statement}\n{indentation}"),
-            }
+            Edit { span: place.before(), text: format!("{statement}\n{indentation}") }
         }
         _ => append(snapshot, after, &[statement]),
     }
@@ -323,30 +307,22 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
 /// Takes a name out of a list; of a list that has no other, all.
 fn unlist(snapshot: &Snapshot, place: Span, rule: &Rule) -> Vec<Proposal> {
     let sides = rule.before.iter().chain(&rule.after);
-    let found = sides
-        .flat_map(|side| &side.statements)
-        .find_map(|statement| {
-            let (Statement::New(names, span)
-            | Statement::Erase(names, span)
-            | Statement::Keep(names, span)) = statement
-            else {
-                return None;
-            };
-            let name = names.iter().find(|name| name.span == place)?;
-            Some((names.len(), *span, name))
-        });
+    let found = sides.flat_map(|side| &side.statements).find_map(|statement| {
+        let (Statement::New(names, span)
+        | Statement::Erase(names, span)
+        | Statement::Keep(names, span)) = statement
+        else {
+            return None;
+        };
+        let name = names.iter().find(|name| name.span == place)?;
+        Some((names.len(), *span, name))
+    });
     let Some((count, whole, name)) = found else {
         return Vec::new();
     };
     let gone = if count == 1 { whole } else { name.span };
     let before = &snapshot.text()[..gone.start as usize];
     let start = before.trim_end_matches([' ', '\t']).len();
-    let edit = Edit {
-        span: Span::new(gone.file, start, gone.end as usize),
-        text: String::new(),
-    };
-    vec![(
-        format!("remove `{}` from the list", name.ident.text),
-        vec![edit],
-    )]
+    let edit = Edit { span: Span::new(gone.file, start, gone.end as usize), text: String::new() };
+    vec![(format!("remove `{}` from the list", name.ident.text), vec![edit])]
 }

@@ -53,18 +53,12 @@ fn op_hints(snapshot: &Snapshot, op: &Op, hints: &mut Vec<Hint>) {
     for (at, rule) in op.rules.iter().enumerate() {
         outer_ends(rule, hints);
         if let (Some(verdict), Some(after)) = (verdict.rules.get(at), &rule.after) {
-            let changes: Vec<_> = verdict
-                .degrees
-                .iter()
-                .map(|(vertex, by)| format!("{vertex} {by}"))
-                .collect();
+            let changes: Vec<_> =
+                verdict.degrees.iter().map(|(vertex, by)| format!("{vertex} {by}")).collect();
             if !changes.is_empty() {
                 let keyword = after.span.start + "after".len() as u32;
                 hints.push(Hint {
-                    after: Span {
-                        end: keyword.min(after.span.end),
-                        ..after.span
-                    },
+                    after: Span { end: keyword.min(after.span.end), ..after.span },
                     label: format!("degrees {}", changes.join(", ")),
                     is_type: false,
                     meaning: "how the degrees of the vertices change".into(),

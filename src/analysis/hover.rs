@@ -65,25 +65,17 @@ pub fn hover(snapshot: &Snapshot, offset: usize) -> Option<Hover> {
     if let Some(mention) = snapshot.names().at(offset)
         && let Some(card) = of_mention(snapshot, mention, offset)
     {
-        return Some(Hover {
-            span: mention.span,
-            card,
-        });
+        return Some(Hover { span: mention.span, card });
     }
     let tokens = &snapshot.parsed().tokens;
     let after = tokens.partition_point(|token| token.span.start as usize <= offset);
-    let token = tokens[..after]
-        .last()
-        .filter(|token| token.span.touches(offset))?;
+    let token = tokens[..after].last().filter(|token| token.span.touches(offset))?;
     let opens_op = matches!(
         token.kind,
         TokenKind::Op | TokenKind::Before | TokenKind::After | TokenKind::Rule
     );
     if opens_op && let Some((_, op)) = snapshot.op_at(offset) {
-        return Some(Hover {
-            span: token.span,
-            card: Card::Op(op_card(snapshot, op)),
-        });
+        return Some(Hover { span: token.span, card: Card::Op(op_card(snapshot, op)) });
     }
     let card = Card::Word(word(snapshot.sources().slice(token.span))?);
     let span = token.span;
@@ -117,15 +109,10 @@ fn items(snapshot: &Snapshot) -> impl Iterator<Item = &Item> {
 fn of_mention(snapshot: &Snapshot, mention: Mention, offset: usize) -> Option<Card> {
     let symbol = snapshot.names().symbol(mention.symbol);
     match symbol.kind {
-        SymbolKind::Op => Some(Card::Op(op_card(
-            snapshot,
-            op_named(snapshot, &symbol.name)?,
-        ))),
+        SymbolKind::Op => Some(Card::Op(op_card(snapshot, op_named(snapshot, &symbol.name)?))),
         SymbolKind::Element(_) => {
             let found = element(snapshot, mention.symbol, offset);
-            found
-                .map(Card::Element)
-                .or_else(|| Some(declared(snapshot, mention.symbol)))
+            found.map(Card::Element).or_else(|| Some(declared(snapshot, mention.symbol)))
         }
         SymbolKind::Script | SymbolKind::Function | SymbolKind::Attribute => {
             item_card(snapshot, &symbol.name)
@@ -166,10 +153,7 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
         Item::Attr(attr) if attr.name.text == name => Some((attr.span, attr.span.end, &attr.docs)),
         _ => None,
     })?;
-    let span = Span {
-        end: end.max(start.start),
-        ..start
-    };
+    let span = Span { end: end.max(start.start), ..start };
     Some(Card::Declared {
         head: snapshot.sources().slice(span).trim_end().to_owned(),
         docs: docs.clone(),

@@ -22,10 +22,7 @@ pub(super) fn inverse(snapshot: &Snapshot, op: &Op, name: &str) -> Option<Vec<Ed
     if op.rules.is_empty() || op_named(snapshot, name).is_some() {
         return None;
     }
-    let params = op
-        .params
-        .iter()
-        .map(|param| snapshot.sources().slice(param.span));
+    let params = op.params.iter().map(|param| snapshot.sources().slice(param.span));
     let params = params.collect::<Vec<_>>().join(", ");
     let mut text = format!("\n\nop {name}({params}) {{");
     for rule in &op.rules {
@@ -94,25 +91,13 @@ fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec
     let is_made = |name: &Name| made.iter().any(|made| made.ident.text == name.ident.text);
     let mut lines = Vec::new();
     for statement in assigned {
-        let Statement::Assign {
-            target,
-            attribute,
-            value,
-            ..
-        } = statement
-        else {
+        let Statement::Assign { target, attribute, value, .. } = statement else {
             continue;
         };
         if is_made(target) {
             continue;
         }
-        let place = Place {
-            snapshot,
-            target,
-            attribute: &attribute.text,
-            assigned,
-            made,
-        };
+        let place = Place { snapshot, target, attribute: &attribute.text, assigned, made };
         let line = match place.solved(value) {
             Some(old) => format!("{} = {old}", place.text()),
             None => format!("// has no inverse: {}", slice(snapshot, statement)),
@@ -201,10 +186,9 @@ impl Place<'_> {
                 let is_kept = self.is_attribute(&field.text) && !is_set(&field.text);
                 is_kept && matches!(base.kind, ExprKind::Name(_))
             }
-            ExprKind::Name(name) => !self
-                .made
-                .iter()
-                .any(|made| made.ident.text == name.ident.text),
+            ExprKind::Name(name) => {
+                !self.made.iter().any(|made| made.ident.text == name.ident.text)
+            }
             ExprKind::Int(_) | ExprKind::Real(_) | ExprKind::Unary(..) => true,
             ExprKind::Binary(..) => true,
             // What a function looks at may have changed.
@@ -215,13 +199,7 @@ impl Place<'_> {
         });
         let text = self.snapshot.sources().slice(value.span);
         let is_one = !matches!(value.kind, ExprKind::Binary(..) | ExprKind::Unary(..));
-        stays.then(|| {
-            if is_one {
-                text.to_owned()
-            } else {
-                format!("({text})")
-            }
-        })
+        stays.then(|| if is_one { text.to_owned() } else { format!("({text})") })
     }
 
     /// Whether a word is that of an attribute, and not of something that follows from the mesh.
@@ -249,10 +227,7 @@ impl Place<'_> {
 
 /// A value without the parentheses around all of it.
 fn bare(value: String) -> String {
-    match value
-        .strip_prefix('(')
-        .and_then(|rest| rest.strip_suffix(')'))
-    {
+    match value.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
         Some(inner) => inner.to_owned(),
         None => value,
     }

@@ -62,10 +62,7 @@ pub fn lenses(snapshot: &Snapshot) -> Vec<Lens> {
                 name: script.name.text.clone(),
             }),
             Item::Test(test) => lenses.push(Lens {
-                span: Span {
-                    end: test.body.span.start.max(test.span.start),
-                    ..test.span
-                },
+                span: Span { end: test.body.span.start.max(test.span.start), ..test.span },
                 title: "run test".into(),
                 offer: Offer::Test,
                 name: test.name.clone(),

@@ -39,18 +39,13 @@ pub(super) struct Read<'p> {
 
 impl<'p> Read<'p> {
     pub(super) fn of(sources: &'p Sources, file: FileId, parsed: &'p Parsed) -> Self {
-        Self {
-            text: sources.get(file).text(),
-            parsed,
-        }
+        Self { text: sources.get(file).text(), parsed }
     }
 
     fn tokens(self, span: Span) -> impl Iterator<Item = &'p Token> {
         let tokens = &self.parsed.tokens;
         let first = tokens.partition_point(|token| token.span.start < span.start);
-        tokens[first..]
-            .iter()
-            .take_while(move |token| token.span.end <= span.end)
+        tokens[first..].iter().take_while(move |token| token.span.end <= span.end)
     }
 
     /// The words in a span, also those in texts, which may be names of what is shown there.
@@ -85,11 +80,7 @@ impl<'p> Meanings<'p> {
                     continue;
                 };
                 let at = meanings.declarations.len();
-                meanings.declarations.push(Declaration {
-                    file,
-                    span: item.span(),
-                    number,
-                });
+                meanings.declarations.push(Declaration { file, span: item.span(), number });
                 meanings.named.entry(&name.text).or_default().push(at);
                 if lacks_default {
                     meanings.wanted.push(at);
@@ -116,11 +107,7 @@ impl<'p> Meanings<'p> {
         let mut hasher = DefaultHasher::new();
         for declaration in reached.iter().map(|&at| &self.declarations[at]) {
             declaration.number.hash(&mut hasher);
-            declaration
-                .file
-                .text
-                .get(declaration.span.range())
-                .hash(&mut hasher);
+            declaration.file.text.get(declaration.span.range()).hash(&mut hasher);
         }
         hasher.finish()
     }

@@ -58,11 +58,8 @@ impl Memory {
         if self.proofs.len() > MOST_REMEMBERED {
             self.proofs.retain(|known, _| text.contains(known.as_str()));
         }
-        let remembered = Remembered {
-            meaning: op.meaning,
-            at: op.span,
-            examined: Rc::clone(examined),
-        };
+        let remembered =
+            Remembered { meaning: op.meaning, at: op.span, examined: Rc::clone(examined) };
         self.proofs.insert(op.text.to_owned(), remembered);
     }
 }
@@ -80,10 +77,7 @@ fn moved(examined: &Rc<Examined>, was: Span, is: Span) -> Rc<Examined> {
     };
     let mut moved = Examined::clone(examined);
     for diagnostic in &mut moved.diagnostics {
-        diagnostic
-            .labels
-            .iter_mut()
-            .for_each(|label| shift(&mut label.span));
+        diagnostic.labels.iter_mut().for_each(|label| shift(&mut label.span));
         for fix in &mut diagnostic.fixes {
             fix.edits.iter_mut().for_each(|edit| shift(&mut edit.span));
         }

@@ -124,10 +124,7 @@ pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>,
         return Err(format!("there is already {} `{to}` here", a_word(taken)));
     }
     let names = snapshot.names();
-    let edit = |mention: &Mention| Edit {
-        span: mention.span,
-        text: to.to_owned(),
-    };
+    let edit = |mention: &Mention| Edit { span: mention.span, text: to.to_owned() };
     Ok(names.mentions_of(mention.symbol).map(edit).collect())
 }
 
@@ -145,10 +142,8 @@ pub fn rename_shared(snapshot: &Snapshot, item: &Shared, to: &str) -> Result<Vec
         let what = a_word(taken);
         return Err(format!("there is already {what} `{to}` in `{file}`"));
     }
-    let edits = mentions.into_iter().map(|mention| Edit {
-        span: mention.span,
-        text: to.to_owned(),
-    });
+    let edits =
+        mentions.into_iter().map(|mention| Edit { span: mention.span, text: to.to_owned() });
     Ok(edits.collect())
 }
 
@@ -156,9 +151,7 @@ pub fn rename_shared(snapshot: &Snapshot, item: &Shared, to: &str) -> Result<Vec
 fn is_name(text: &str) -> bool {
     let tokens = parse(Default::default(), text).tokens;
     matches!(tokens.as_slice(), [only] if only.kind.is_name() && only.span.range() == (0..text.len()))
-        && TokenKind::KEYWORDS
-            .iter()
-            .all(|(word, kind)| *word != text || kind.is_soft())
+        && TokenKind::KEYWORDS.iter().all(|(word, kind)| *word != text || kind.is_soft())
 }
 
 /// Another name that would be the same as this one, renamed.

@@ -46,9 +46,7 @@ pub struct Entry {
 /// The outline of a text.
 pub fn outline(snapshot: &Snapshot) -> Vec<Entry> {
     let items = snapshot.items().iter();
-    items
-        .filter_map(|item| item_entry(snapshot, item))
-        .collect()
+    items.filter_map(|item| item_entry(snapshot, item)).collect()
 }
 
 fn item_entry(snapshot: &Snapshot, item: &Item) -> Option<Entry> {
@@ -74,10 +72,7 @@ fn item_entry(snapshot: &Snapshot, item: &Item) -> Option<Entry> {
             detail: "test".into(),
             kind: EntryKind::Test,
             span: test.span,
-            name_span: Span {
-                end: test.body.span.start.max(test.span.start),
-                ..test.span
-            },
+            name_span: Span { end: test.body.span.start.max(test.span.start), ..test.span },
             children: Vec::new(),
         },
         Item::Use(_) | Item::Broken(_) => return None,
@@ -87,8 +82,7 @@ fn item_entry(snapshot: &Snapshot, item: &Item) -> Option<Entry> {
 /// What an op takes and gives, as it is written.
 fn parameters(snapshot: &Snapshot, op: &Op) -> String {
     let head = super::hover::head(snapshot, op);
-    head.split_once('(')
-        .map_or(String::new(), |(_, rest)| format!("({rest}"))
+    head.split_once('(').map_or(String::new(), |(_, rest)| format!("({rest}"))
 }
 
 fn rules(op: &Op) -> Vec<Entry> {
@@ -115,10 +109,7 @@ fn sides(rule: &Rule) -> Vec<Entry> {
             detail: String::new(),
             kind: EntryKind::Side,
             span: side.span,
-            name_span: Span {
-                end: end.min(side.span.end),
-                ..side.span
-            },
+            name_span: Span { end: end.min(side.span.end), ..side.span },
             children: side.statements.iter().filter_map(statement).collect(),
         })
     };
@@ -185,9 +176,6 @@ fn comments(snapshot: &Snapshot) -> Vec<Span> {
         }
         runs.push(comment.span);
     }
-    runs.retain(|run| {
-        text.get(run.range())
-            .is_some_and(|text| text.contains('\n'))
-    });
+    runs.retain(|run| text.get(run.range()).is_some_and(|text| text.contains('\n')));
     runs
 }

@@ -35,10 +35,7 @@ pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) ->
     }
     let propose = |halves: Vec<SymbolId>| {
         let words: Vec<_> = halves.iter().map(|&id| written(snapshot, id)).collect();
-        let statements: Vec<_> = halves
-            .iter()
-            .map(|&id| statement(snapshot, rule, id))
-            .collect();
+        let statements: Vec<_> = halves.iter().map(|&id| statement(snapshot, rule, id)).collect();
         let twins = if words.len() == 1 { "twin" } else { "twins" };
         let title = format!("draw the {twins} of `{}` in `before`", words.join("`, `"));
         (title, vec![append(snapshot, before, &statements)])

@@ -111,9 +111,7 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> Place {
     if last.kind == T::Dot {
         return Place::Field(chain(snapshot, &tokens[..tokens.len() - 1]));
     }
-    let start = tokens
-        .iter()
-        .rposition(|token| begins_item(snapshot, *token));
+    let start = tokens.iter().rposition(|token| begins_item(snapshot, *token));
     let Some(start) = start else {
         return Place::Top;
     };
@@ -123,10 +121,8 @@ pub fn place(snapshot: &Snapshot, offset: usize) -> Place {
 /// Whether a token begins an item: one of their keywords, first in its line or behind the
 /// end of another.
 fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
-    let is_keyword = matches!(
-        token.kind,
-        T::Op | T::Script | T::Fn | T::Attr | T::Use | T::Test | T::Private
-    );
+    let is_keyword =
+        matches!(token.kind, T::Op | T::Script | T::Fn | T::Attr | T::Use | T::Test | T::Private);
     let before = &snapshot.text()[..token.span.start as usize];
     let line = before.rsplit('\n').next().unwrap_or("");
     is_keyword && (line.trim().is_empty() || line.trim_end().ends_with('}'))
@@ -139,9 +135,7 @@ fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
     while let Some(token) = at.checked_sub(1).map(|before| tokens[before]) {
         if token.kind == T::RightBracket {
             // A subscript: `v[i+1]`.
-            let open = tokens[..at]
-                .iter()
-                .rposition(|token| token.kind == T::LeftBracket);
+            let open = tokens[..at].iter().rposition(|token| token.kind == T::LeftBracket);
             match open {
                 Some(open) => at = open,
                 None => break,
@@ -205,11 +199,7 @@ fn within(tokens: &[Token]) -> Place {
             T::Attr | T::Private => Place::Nowhere,
             _ => Place::Type,
         },
-        first => match open
-            .iter()
-            .rev()
-            .find(|(bracket, _)| *bracket == T::LeftBrace)
-        {
+        first => match open.iter().rev().find(|(bracket, _)| *bracket == T::LeftBrace) {
             None => head(tokens, last),
             Some((_, T::Before)) => side(tokens, SideName::Before),
             Some((_, T::After)) => side(tokens, SideName::After),
@@ -324,11 +314,7 @@ fn is_path(tokens: &[Token], equals: usize) -> bool {
 pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &Rule)> {
     let (item, op) = op_near(snapshot, offset)?;
     let touched = op.rules.iter().position(|rule| rule.span.touches(offset));
-    let behind = || {
-        op.rules
-            .iter()
-            .rposition(|rule| rule.span.start as usize <= offset)
-    };
+    let behind = || op.rules.iter().rposition(|rule| rule.span.start as usize <= offset);
     let rule = touched.or_else(behind)?;
     Some((item, rule, &op.rules[rule]))
 }

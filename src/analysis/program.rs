@@ -53,11 +53,7 @@ impl Analysis {
         absent: &Absent,
         readings: &mut Readings,
     ) -> Self {
-        let Parts {
-            parts,
-            mut diagnostics,
-            ..
-        } = Parts::of(sources, file, absent, readings);
+        let Parts { parts, mut diagnostics, .. } = Parts::of(sources, file, absent, readings);
         let units: Vec<_> = parts.iter().map(Part::unit).collect();
         let resolved = resolve_all(&units);
         for part in &parts {
@@ -91,15 +87,7 @@ impl Analysis {
         diagnostics.dedup_by(|next, last| {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
-        Self {
-            file,
-            seen,
-            program,
-            proved,
-            plans,
-            counterexamples,
-            diagnostics,
-        }
+        Self { file, seen, program, proved, plans, counterexamples, diagnostics }
     }
 
     /// Whether nothing in the file is an error.

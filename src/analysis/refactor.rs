@@ -69,10 +69,8 @@ fn skeleton(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
         _ => None,
     });
     let stated = rule.after.iter().flat_map(|side| &side.statements);
-    let stated: Vec<&str> = stated
-        .filter_map(subject)
-        .map(|name| name.ident.text.as_str())
-        .collect();
+    let stated: Vec<&str> =
+        stated.filter_map(subject).map(|name| name.ident.text.as_str()).collect();
     let missing: Vec<String> = before
         .statements
         .iter()
@@ -114,10 +112,7 @@ fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
         .iter()
         .filter(|statement| {
             subject(statement).is_some()
-                && before
-                    .statements
-                    .iter()
-                    .any(|was| words(was) == words(statement))
+                && before.statements.iter().any(|was| words(was) == words(statement))
         })
         .collect();
     let (first, rest) = same.split_first()?;
@@ -126,17 +121,12 @@ fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
         .filter_map(|statement| subject(statement))
         .map(|name| name.ident.text.as_str())
         .collect();
-    let mut edits = vec![Edit {
-        span: statement_span(first),
-        text: format!("keep {}", names.join(" ")),
-    }];
+    let mut edits =
+        vec![Edit { span: statement_span(first), text: format!("keep {}", names.join(" ")) }];
     for statement in rest {
         let span = statement_span(statement);
         let before = &snapshot.text()[..span.start as usize];
-        let start = before
-            .trim_end_matches([' ', '\t'])
-            .trim_end_matches('\n')
-            .len();
+        let start = before.trim_end_matches([' ', '\t']).trim_end_matches('\n').len();
         edits.push(Edit {
             span: Span::new(span.file, start, span.end as usize),
             text: String::new(),
@@ -158,18 +148,12 @@ fn split_out(snapshot: &Snapshot, op: &Op, at: usize, name: &str) -> Option<Vec<
     let head = head.replacen(&op.name.text, name, 1);
     let body = text[open..].replace("\n  ", "\n");
     let before = &snapshot.text()[..rule.span.start as usize];
-    let start = before
-        .trim_end_matches([' ', '\t'])
-        .trim_end_matches('\n')
-        .len();
+    let start = before.trim_end_matches([' ', '\t']).trim_end_matches('\n').len();
     Some(vec![
         Edit {
             span: Span::new(rule.span.file, start, rule.span.end as usize),
             text: String::new(),
         },
-        Edit {
-            span: op.span.after(),
-            text: format!("\n\n{}{body}", head),
-        },
+        Edit { span: op.span.after(), text: format!("\n\n{}{body}", head) },
     ])
 }

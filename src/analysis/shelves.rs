@@ -45,9 +45,7 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
 /// Whether a file of the library declares an op or a function of this name.
 fn declares(file: &LibraryFile, word: &str) -> bool {
     file.text.lines().any(|line| {
-        let named = line
-            .strip_prefix("op ")
-            .or_else(|| line.strip_prefix("fn "));
+        let named = line.strip_prefix("op ").or_else(|| line.strip_prefix("fn "));
         let behind = named.and_then(|named| named.strip_prefix(word));
         behind.is_some_and(|behind| behind.starts_with('('))
     })
@@ -58,11 +56,7 @@ fn declares(file: &LibraryFile, word: &str) -> bool {
 fn head(text: &str, of: Span, line: &str) -> (Span, String) {
     let at = |place: usize| {
         let place = u32::try_from(place).unwrap_or(u32::MAX);
-        Span {
-            start: place,
-            end: place,
-            ..of
-        }
+        Span { start: place, end: place, ..of }
     };
     let (mut place, mut first, mut last) = (0, None, None);
     for written in text.split_inclusive('\n') {
@@ -92,9 +86,6 @@ mod tests {
             format!("{before}{line}{after}")
         };
         assert_eq!(inserted("use \"a\"\n\nop"), "use \"a\"\nuse \"b\"\n\nop");
-        assert_eq!(
-            inserted("//! a\n\n/// b\nop"),
-            "//! a\n\nuse \"b\"\n\n/// b\nop"
-        );
+        assert_eq!(inserted("//! a\n\n/// b\nop"), "//! a\n\nuse \"b\"\n\n/// b\nop");
     }
 }

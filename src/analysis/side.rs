@@ -21,10 +21,7 @@ impl Place {
             let variable = variable.map(|variable| variable.text.clone());
             (variable.unwrap_or_default(), index.offset)
         });
-        Self {
-            word: name.ident.text.clone(),
-            index,
-        }
+        Self { word: name.ident.text.clone(), index }
     }
 
     fn shifted(mut self, by: i64) -> Self {
@@ -118,9 +115,7 @@ impl Sketch {
         for statement in statements {
             match statement {
                 Statement::Loop(orbit) => sketch.orbit(orbit),
-                Statement::Edge {
-                    name, halfedges, ..
-                } => sketch.pairs.push(Pair {
+                Statement::Edge { name, halfedges, .. } => sketch.pairs.push(Pair {
                     edge: Place::of(name),
                     halfedges: [Place::of(&halfedges[0]), Place::of(&halfedges[1])],
                 }),
@@ -136,10 +131,7 @@ impl Sketch {
         let around = i64::from(orbit.each.is_some());
         let item = |at: usize| match &orbit.items[at].arrow {
             Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Place::of(name),
-            Arrow::Path(None) => Place {
-                word: String::new(),
-                index: None,
-            },
+            Arrow::Path(None) => Place { word: String::new(), index: None },
         };
         let from = |at: usize| Place::of(&orbit.items[at].from);
         for at in 0..count {
@@ -169,10 +161,7 @@ impl Sketch {
     fn star(&mut self, star: &Star) {
         let spoke = |spoke: &Spoke| match spoke {
             Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => Place::of(name),
-            Spoke::Fan(None, _) => Place {
-                word: String::new(),
-                index: None,
-            },
+            Spoke::Fan(None, _) => Place { word: String::new(), index: None },
         };
         let words = star.spokes.iter().map(|written| match written {
             Spoke::Halfedge(name) => Place::of(name).text(),
@@ -223,10 +212,8 @@ impl Sketch {
 
     /// The vertex whose statement lists a spoke or fan.
     pub fn star_of(&self, word: &str) -> Option<Place> {
-        let star = self
-            .stars
-            .iter()
-            .find(|star| star.spokes.iter().any(|spoke| spoke.word == word))?;
+        let star =
+            self.stars.iter().find(|star| star.spokes.iter().any(|spoke| spoke.word == word))?;
         Some(star.vertex.clone())
     }
 
@@ -253,14 +240,8 @@ impl Sketch {
         self.drawn
             .iter()
             .any(|drawn| is(&drawn.item) || is(&drawn.face) || is(&drawn.from) || is(&drawn.to))
-            || self
-                .pairs
-                .iter()
-                .any(|pair| is(&pair.edge) || pair.halfedges.iter().any(is))
-            || self
-                .stars
-                .iter()
-                .any(|star| is(&star.vertex) || star.spokes.iter().any(is))
+            || self.pairs.iter().any(|pair| is(&pair.edge) || pair.halfedges.iter().any(is))
+            || self.stars.iter().any(|star| is(&star.vertex) || star.spokes.iter().any(is))
     }
 }
 

@@ -29,11 +29,7 @@ pub fn signature(snapshot: &Snapshot, offset: usize) -> Option<(Vec<Call>, usize
             T::LeftParen if tokens[at - 1].kind.is_wordlike() => {
                 let is_head = at > 1 && matches!(tokens[at - 2].kind, T::Op | T::Script | T::Fn);
                 let word = snapshot.sources().slice(tokens[at - 1].span);
-                let calls = if is_head {
-                    Vec::new()
-                } else {
-                    calls(snapshot, word)
-                };
+                let calls = if is_head { Vec::new() } else { calls(snapshot, word) };
                 return (!calls.is_empty()).then_some((calls, argument));
             }
             T::LeftParen => return None,
@@ -50,23 +46,16 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
     let declared = snapshot.items().iter().chain(used).find_map(|item| {
         let (name, params, result, docs) = match item {
             Item::Op(op) => (&op.name, &op.params, &op.result, &op.docs),
-            Item::Fn(function) => (
-                &function.name,
-                &function.params,
-                &function.result,
-                &function.docs,
-            ),
+            Item::Fn(function) => {
+                (&function.name, &function.params, &function.result, &function.docs)
+            }
             _ => return None,
         };
         (name.text == word).then(|| {
             let params: Vec<String> = params.iter().map(written).collect();
             let result = result.as_ref().map(|result| format!(" -> {}", result.text));
             Call {
-                label: format!(
-                    "{word}({}){}",
-                    params.join(", "),
-                    result.unwrap_or_default()
-                ),
+                label: format!("{word}({}){}", params.join(", "), result.unwrap_or_default()),
                 params,
                 about: docs.join("\n"),
             }
@@ -88,10 +77,6 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
 }
 
 fn written(param: &Param) -> String {
-    let optional = if param.default.is_some() {
-        " = …"
-    } else {
-        ""
-    };
+    let optional = if param.default.is_some() { " = …" } else { "" };
     format!("{}: {}{optional}", param.name.ident.text, param.ty.text)
 }

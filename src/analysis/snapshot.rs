@@ -74,11 +74,7 @@ impl Snapshot {
     fn read(name: &str, text: &str, reader: &mut dyn Reader, memory: Rc<RefCell<Memory>>) -> Self {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
-        let Parts {
-            mut parts,
-            diagnostics: mut told,
-            ..
-        } = {
+        let Parts { mut parts, diagnostics: mut told, .. } = {
             let readings = &mut memory.borrow_mut().readings;
             let absent = fetch(&mut sources, file, reader, readings);
             Parts::of(&sources, file, &absent, readings)
@@ -96,11 +92,7 @@ impl Snapshot {
         told.retain(|told| told.span().file == file);
         let program = resolved.program;
         let (functions, too_large) = Functions::of(&program);
-        told.extend(
-            too_large
-                .into_iter()
-                .filter(|told| told.span().file == file),
-        );
+        told.extend(too_large.into_iter().filter(|told| told.span().file == file));
         Self {
             names: OnceCell::new(),
             meanings: OnceCell::new(),
@@ -152,8 +144,7 @@ impl Snapshot {
 
     /// The names of the files it uses, directly or through others.
     pub fn used_names(&self) -> impl Iterator<Item = String> {
-        self.used()
-            .map(|(file, _)| self.sources.get(file).name().to_owned())
+        self.used().map(|(file, _)| self.sources.get(file).name().to_owned())
     }
 
     /// The file that a `use` of the text means, if it could be had.
@@ -169,10 +160,7 @@ impl Snapshot {
     pub fn looks_for(&self, file: &str) -> bool {
         let used = self.used().map(|(_, tree)| tree);
         let own = std::iter::once(&self.parsed.tree);
-        let has = self
-            .sources
-            .find(file)
-            .is_some_and(|found| found != self.file);
+        let has = self.sources.find(file).is_some_and(|found| found != self.file);
         has || own
             .chain(used)
             .flat_map(|tree| &tree.items)
@@ -216,8 +204,7 @@ impl Snapshot {
 
     /// Whether the diagram of an op can be read in this text.
     pub fn is_readable(&self, op: &tree::Op) -> bool {
-        self.resolved(op)
-            .is_some_and(|at| self.program.ops[at].diagram.is_some())
+        self.resolved(op).is_some_and(|at| self.program.ops[at].diagram.is_some())
     }
 
     /// What came of an op of the program, by its index.
@@ -242,9 +229,7 @@ impl Snapshot {
     pub fn progress(&self) -> (usize, usize) {
         let mut due = self.due.iter();
         let all = due.len();
-        let done = due
-            .by_ref()
-            .filter(|&&op| self.examined[op].get().is_some());
+        let done = due.by_ref().filter(|&&op| self.examined[op].get().is_some());
         (done.count(), all)
     }
 
@@ -273,11 +258,7 @@ impl Snapshot {
         let plans = match self.due.contains(&at) {
             true => &self.planned().plans,
             // One that the text does not declare, and perhaps does not call.
-            false => {
-                &self
-                    .plan(&reached(&self.program, &self.functions, vec![at]))
-                    .plans
-            }
+            false => &self.plan(&reached(&self.program, &self.functions, vec![at])).plans,
         };
         plans.get(at)?.as_ref()?;
         let found = example(&self.program, at, plans).map(Rc::new);
@@ -312,21 +293,12 @@ impl Snapshot {
         let meaning = self.meanings()[op];
         let op = &self.program.ops[op];
         let span = op.diagram.as_ref().map_or(op.span, |diagram| diagram.span);
-        let passage = Passage {
-            text: self.sources.slice(span),
-            span,
-            meaning,
-        };
+        let passage = Passage { text: self.sources.slice(span), span, meaning };
         let known = self.memory.borrow().recall(passage);
         if let Some(known) = known.filter(|_| op.diagram.is_some()) {
             return known;
         }
-        let examined = Rc::new(Examined::of(
-            op,
-            &self.told,
-            &self.sources,
-            &self.functions.code,
-        ));
+        let examined = Rc::new(Examined::of(op, &self.told, &self.sources, &self.functions.code));
         let labels = examined.diagnostics.iter().flat_map(|told| &told.labels);
         let is_alone = labels.map(|label| label.span).all(|label| {
             label.file == span.file && span.start <= label.start && label.end <= span.end
@@ -344,9 +316,8 @@ impl Snapshot {
         self.meanings.get_or_init(|| {
             let used = self.used.iter().map(|(file, parsed)| (*file, &**parsed));
             let files = [(self.file, &*self.parsed)].into_iter().chain(used);
-            let files: BTreeMap<FileId, Read> = files
-                .map(|(file, parsed)| (file, Read::of(&self.sources, file, parsed)))
-                .collect();
+            let files: BTreeMap<FileId, Read> =
+                files.map(|(file, parsed)| (file, Read::of(&self.sources, file, parsed))).collect();
             let meanings = Meanings::of(&self.program, files.values().copied());
             let ops = self.program.ops.iter().map(|op| {
                 let place = op.diagram.as_ref().map(|diagram| diagram.span);

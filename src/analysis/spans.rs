@@ -32,10 +32,7 @@ pub fn around(snapshot: &Snapshot, offset: usize) -> Vec<Span> {
     let mut chain: Vec<Span> = Vec::new();
     for span in around {
         let holds_last = |last: &Span| span.start <= last.start && last.end <= span.end;
-        if chain
-            .last()
-            .is_none_or(|last| holds_last(last) && *last != span)
-        {
+        if chain.last().is_none_or(|last| holds_last(last) && *last != span) {
             chain.push(span);
         }
     }
@@ -78,19 +75,14 @@ impl Spans {
 
     fn rule(&mut self, rule: &Rule) {
         self.all.push(rule.span);
-        rule.before
-            .iter()
-            .chain(&rule.after)
-            .for_each(|side| self.side(side));
+        rule.before.iter().chain(&rule.after).for_each(|side| self.side(side));
         self.conditions(&rule.conditions);
     }
 
     fn conditions(&mut self, conditions: &[Condition]) {
         for condition in conditions {
             match condition {
-                Condition::Require {
-                    condition, span, ..
-                } => {
+                Condition::Require { condition, span, .. } => {
                     self.all.push(*span);
                     self.value(condition);
                 }
@@ -120,11 +112,7 @@ impl Spans {
                     self.all.push(item.from.span.to(item.span));
                 }
             }
-            Statement::Edge {
-                name,
-                halfedges,
-                span,
-            } => {
+            Statement::Edge { name, halfedges, span } => {
                 self.all.push(*span);
                 self.name(name);
                 halfedges.iter().for_each(|half| self.name(half));
@@ -160,10 +148,7 @@ impl Spans {
     fn block(&mut self, block: &Block) {
         self.all.push(block.span);
         self.blocks.push(block.span);
-        block
-            .statements
-            .iter()
-            .for_each(|action| self.action(action));
+        block.statements.iter().for_each(|action| self.action(action));
     }
 
     fn action(&mut self, action: &Action) {

@@ -67,10 +67,7 @@ pub struct Coloured {
 pub fn tokens(snapshot: &Snapshot) -> Vec<Coloured> {
     let types = type_spans(snapshot);
     let properties = property_spans(snapshot);
-    let mut rules = Rules {
-        snapshot,
-        known: None,
-    };
+    let mut rules = Rules { snapshot, known: None };
     let mut coloured = Vec::new();
     let mut last = None;
     for token in &snapshot.parsed().tokens {
@@ -93,13 +90,9 @@ pub fn tokens(snapshot: &Snapshot) -> Vec<Coloured> {
             plain(Class::Keyword)
         } else {
             match token.kind {
-                TokenKind::Word if is_function(snapshot.sources().slice(token.span)) => Some((
-                    Class::Function,
-                    Marks {
-                        is_built_in: true,
-                        ..Marks::default()
-                    },
-                )),
+                TokenKind::Word if is_function(snapshot.sources().slice(token.span)) => {
+                    Some((Class::Function, Marks { is_built_in: true, ..Marks::default() }))
+                }
                 TokenKind::Word => plain(Class::Variable),
                 TokenKind::Int | TokenKind::Real | TokenKind::BadNumber => plain(Class::Number),
                 TokenKind::Text
@@ -113,19 +106,12 @@ pub fn tokens(snapshot: &Snapshot) -> Vec<Coloured> {
                 _ => None,
             }
         };
-        coloured.extend(found.map(|(class, marks)| Coloured {
-            span: token.span,
-            class,
-            marks,
-        }));
+        coloured.extend(found.map(|(class, marks)| Coloured { span: token.span, class, marks }));
     }
     let comments = snapshot.parsed().comments.iter().map(|comment| Coloured {
         span: comment.span,
         class: Class::Comment,
-        marks: Marks {
-            documents: comment.kind != CommentKind::Plain,
-            ..Marks::default()
-        },
+        marks: Marks { documents: comment.kind != CommentKind::Plain, ..Marks::default() },
     });
     coloured.extend(comments);
     coloured.sort_by_key(|token| token.span);
@@ -141,10 +127,8 @@ struct Rules<'s> {
 impl Rules<'_> {
     fn named(&mut self, mention: Mention) -> (Class, Marks) {
         let symbol = self.snapshot.names().symbol(mention.symbol);
-        let mut marks = Marks {
-            declares: symbol.definition == Some(mention.span),
-            ..Marks::default()
-        };
+        let mut marks =
+            Marks { declares: symbol.definition == Some(mention.span), ..Marks::default() };
         let class = match symbol.kind {
             SymbolKind::Op => Class::Op,
             SymbolKind::Rule => Class::Rule,
@@ -180,10 +164,7 @@ impl Rules<'_> {
     /// The rule around a mention, and its side before.
     fn rule(&mut self, at: Span) -> Option<(Span, &Sketch)> {
         let offset = at.start as usize;
-        let is_known = self
-            .known
-            .as_ref()
-            .is_some_and(|(span, _)| span.touches(offset));
+        let is_known = self.known.as_ref().is_some_and(|(span, _)| span.touches(offset));
         if !is_known {
             let (_, rule, op) = self.snapshot.rule_at(offset)?;
             let rule = &op.rules[rule];
@@ -217,8 +198,7 @@ fn type_spans(snapshot: &Snapshot) -> HashSet<Span> {
             Item::Use(_) | Item::Broken(_) => (&[], None),
         };
         spans.extend(params.iter().map(|param| param.ty.span));
-        body.into_iter()
-            .for_each(|body| declared_types(body, &mut spans));
+        body.into_iter().for_each(|body| declared_types(body, &mut spans));
     }
     spans
 }

@@ -23,9 +23,7 @@ pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
     let tokens = &snapshot.parsed().tokens;
     let at = tokens.iter().position(|token| token.span == place)?;
     let sequence = tokens.get(at + 2..)?;
-    let words = sequence
-        .iter()
-        .map(|token| snapshot.sources().slice(token.span));
+    let words = sequence.iter().map(|token| snapshot.sources().slice(token.span));
     words
         .zip(sequence)
         .take_while(|(_, token)| {

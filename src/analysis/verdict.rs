@@ -95,11 +95,7 @@ impl GuardVerdict {
                 None => tests.push(statement),
             }
         }
-        Some(Self {
-            level,
-            tests,
-            proved,
-        })
+        Some(Self { level, tests, proved })
     }
 }
 
@@ -112,9 +108,7 @@ impl RuleVerdict {
             vertices: facts.change.vertices,
             edges: facts.change.edges,
             faces: facts.change.faces,
-            per_index: facts
-                .per_index
-                .map(|change| [change.vertices, change.edges, change.faces]),
+            per_index: facts.per_index.map(|change| [change.vertices, change.edges, change.faces]),
             constant_time: facts.grows_with.is_empty(),
             grows_with: facts.grows_with.clone(),
             keeps: facts.keeps.iter().map(|property| property.word()).collect(),
@@ -126,22 +120,15 @@ impl RuleVerdict {
 }
 
 fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
-    let told = changes
-        .iter()
-        .filter(|change| !change.is_nothing())
-        .map(|change| {
-            let constant = (change.constant != 0).then(|| format!("{:+}", change.constant));
-            let per_index = (change.per_index != 0).then(|| format!("{:+}n", change.per_index));
-            let gains = change.gains.iter().map(|run| format!("+{run}"));
-            let loses = change.loses.iter().map(|run| format!("-{run}"));
-            let parts: Vec<_> = constant
-                .into_iter()
-                .chain(per_index)
-                .chain(gains)
-                .chain(loses)
-                .collect();
-            (change.element.clone(), parts.join(" "))
-        });
+    let told = changes.iter().filter(|change| !change.is_nothing()).map(|change| {
+        let constant = (change.constant != 0).then(|| format!("{:+}", change.constant));
+        let per_index = (change.per_index != 0).then(|| format!("{:+}n", change.per_index));
+        let gains = change.gains.iter().map(|run| format!("+{run}"));
+        let loses = change.loses.iter().map(|run| format!("-{run}"));
+        let parts: Vec<_> =
+            constant.into_iter().chain(per_index).chain(gains).chain(loses).collect();
+        (change.element.clone(), parts.join(" "))
+    });
     told.collect()
 }
 
@@ -163,10 +150,7 @@ impl StepsVerdict {
         let calls = plan.steps.as_ref()?.calls.iter();
         let calls = calls
             .filter_map(|&(called, _)| Some(program.ops.get(usize::from(called))?.name.clone()));
-        Some(Self {
-            calls: calls.collect(),
-            level: plan.level,
-        })
+        Some(Self { calls: calls.collect(), level: plan.level })
     }
 }
 
@@ -184,7 +168,5 @@ impl Verdict {
 
 fn rules(proved: &Proved) -> Vec<RuleVerdict> {
     let rules = proved.op().rules.iter().zip(proved.proofs());
-    rules
-        .map(|(rule, proof)| RuleVerdict::new(rule, proof))
-        .collect()
+    rules.map(|(rule, proof)| RuleVerdict::new(rule, proof)).collect()
 }

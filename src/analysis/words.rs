@@ -16,35 +16,20 @@ const MEANINGS: &[(&str, &str)] = &[
     ("use", "takes in what another file declares"),
     ("private", "an attribute that is never saved"),
     ("attr", "a value stored with each element of a kind"),
-    (
-        "fn",
-        "a function: computes a value from elements and values",
-    ),
+    ("fn", "a function: computes a value from elements and values"),
     ("op", "an operation, drawn before and after"),
     ("script", "a program that runs operations over a mesh"),
     ("test", "a test: runs on small meshes, and asserts"),
-    (
-        "keeps",
-        "what the operation must be proved to keep, besides validity",
-    ),
-    (
-        "rule",
-        "one alternative of an operation; they are tried in order",
-    ),
+    ("keeps", "what the operation must be proved to keep, besides validity"),
+    ("rule", "one alternative of an operation; they are tried in order"),
     ("before", "the orbits that the operation matches"),
     ("after", "the orbits that the operation leaves"),
     (
         "require",
         "a condition asked before anything is written; where it fails the operation refuses, and changes nothing",
     ),
-    (
-        "guard",
-        "the weakest tests, found by the compiler, that keep a mesh of this level one",
-    ),
-    (
-        "alias",
-        "names that may stand for one element: the operation is proved for that too",
-    ),
+    ("guard", "the weakest tests, found by the compiler, that keep a mesh of this level one"),
+    ("alias", "names that may stand for one element: the operation is proved for that too"),
     (
         "face",
         "a cycle of `next` around an interior face, counterclockwise: `face f0: v0 -a-> v1 -b-> v2 -c-> v0`",
@@ -55,74 +40,35 @@ const MEANINGS: &[(&str, &str)] = &[
     ),
     ("loop", "a cycle of `next`: a face or a hole"),
     ("edge", "a pair of twins: `edge e: a | d`"),
-    (
-        "vertex",
-        "the spokes of a vertex, counterclockwise: `vertex v: a b *S`",
-    ),
-    (
-        "halfedge",
-        "one side of an edge: it has `next`, `prev`, `twin`, `vertex`, `edge` and `face`",
-    ),
-    (
-        "each",
-        "a cyclic pattern of any size: `face f: each i { v[i] -h[i]-> }`",
-    ),
+    ("vertex", "the spokes of a vertex, counterclockwise: `vertex v: a b *S`"),
+    ("halfedge", "one side of an edge: it has `next`, `prev`, `twin`, `vertex`, `edge` and `face`"),
+    ("each", "a cyclic pattern of any size: `face f: each i { v[i] -h[i]-> }`"),
     ("new", "lists what `after` adds"),
-    (
-        "keep",
-        "states again, word for word, what `before` says of these names",
-    ),
+    ("keep", "states again, word for word, what `before` says of these names"),
     ("erase", "lists what the operation removes"),
     ("let", "a variable that does not change"),
     ("var", "a variable that may change"),
-    (
-        "if",
-        "chooses by a condition; `if let m = split(e)` by whether an operation applies",
-    ),
-    (
-        "else",
-        "what is done otherwise; behind `require`, the reason of the refusal",
-    ),
+    ("if", "chooses by a condition; `if let m = split(e)` by whether an operation applies"),
+    ("else", "what is done otherwise; behind `require`, the reason of the refusal"),
     ("repeat", "does something a number of times"),
     (
         "for",
         "visits the elements that exist when the loop starts, and still do when their turn comes",
     ),
     ("in", "what is visited"),
-    (
-        "where",
-        "which elements are visited, asked when their turn comes",
-    ),
+    ("where", "which elements are visited, asked when their turn comes"),
     ("while", "goes on as long as a condition holds"),
-    (
-        "drain",
-        "takes the element with the least key first, and keeps keys current",
-    ),
+    ("drain", "takes the element with the least key first, and keeps keys current"),
     ("by", "the key of a `drain`"),
-    (
-        "update",
-        "reads old values everywhere, and writes all at the end",
-    ),
+    ("update", "reads old values everywhere, and writes all at the end"),
     ("must", "stops the script where the operation refuses"),
     ("print", "prints values, separated by spaces"),
     ("assert", "stops the script unless a condition holds"),
-    (
-        "return",
-        "ends the script, or gives the value of a function",
-    ),
+    ("return", "ends the script, or gives the value of a function"),
     ("break", "ends the innermost loop"),
-    (
-        "continue",
-        "goes on with the next turn of the innermost loop",
-    ),
-    (
-        "and",
-        "both hold; the right one is asked only if the left one does",
-    ),
-    (
-        "or",
-        "one of them holds; the right one is asked only if the left one does not",
-    ),
+    ("continue", "goes on with the next turn of the innermost loop"),
+    ("and", "both hold; the right one is asked only if the left one does"),
+    ("or", "one of them holds; the right one is asked only if the left one does not"),
     ("not", "it does not hold"),
     ("div", "division of ints, rounded towards minus infinity"),
     ("mod", "what `div` leaves; it has the sign of the divisor"),
@@ -133,33 +79,15 @@ const MEANINGS: &[(&str, &str)] = &[
     ("twin", "the halfedge on the other side of the edge"),
     ("target", "the vertex where the halfedge ends"),
     ("position", "where a vertex is, a vector"),
-    (
-        "halfedges",
-        "all halfedges, of the mesh, around a vertex or around a face",
-    ),
-    (
-        "vertices",
-        "all vertices, of the mesh, of a face or of an edge",
-    ),
-    (
-        "edges",
-        "all edges, of the mesh, at a vertex or around a face",
-    ),
-    (
-        "faces",
-        "all faces, of the mesh, around a vertex or beside an edge",
-    ),
+    ("halfedges", "all halfedges, of the mesh, around a vertex or around a face"),
+    ("vertices", "all vertices, of the mesh, of a face or of an edge"),
+    ("edges", "all edges, of the mesh, at a vertex or around a face"),
+    ("faces", "all faces, of the mesh, around a vertex or beside an edge"),
     ("holes", "all boundary loops of the mesh"),
     ("neighbors", "the other ends of the edges at a vertex"),
     ("map", "every orbit is in order: what is always proved"),
-    (
-        "surface",
-        "a level: no face with two sides, no vertex where the surface is pinched",
-    ),
-    (
-        "simple",
-        "a level: edges and faces are told apart by their vertices",
-    ),
+    ("surface", "a level: no face with two sides, no vertex where the surface is pinched"),
+    ("simple", "a level: edges and faces are told apart by their vertices"),
     ("triangles", "every face stays a triangle, if all were"),
     ("quads", "every face stays a quad, if all were"),
     ("euler", "V - E + F stays what it is"),
@@ -196,15 +124,9 @@ const MEANINGS: &[(&str, &str)] = &[
     ("length", "the length of an edge, a halfedge or a vector"),
     ("area", "the area of a face"),
     ("normal", "the unit normal of a face, or at a vertex"),
-    (
-        "centroid",
-        "the mean of the corners of a face, or of the ends of an edge",
-    ),
+    ("centroid", "the mean of the corners of a face, or of the ends of an edge"),
     ("midpoint", "the middle of an edge"),
-    (
-        "mix",
-        "from the first towards the second, by the third, from 0 to 1",
-    ),
+    ("mix", "from the first towards the second, by the third, from 0 to 1"),
     ("dot", "the scalar product"),
     ("cross", "the vector product"),
     ("normalize", "the same direction, with length 1"),
@@ -213,25 +135,13 @@ const MEANINGS: &[(&str, &str)] = &[
         "angle",
         "the angle between two directions, or of the corner where a halfedge starts, in radians",
     ),
-    (
-        "cotangent",
-        "the cotangent of the angle opposite to a halfedge in its triangle",
-    ),
-    (
-        "dihedral_angle",
-        "the angle between the normals at an edge, positive where it stands out",
-    ),
+    ("cotangent", "the cotangent of the angle opposite to a halfedge in its triangle"),
+    ("dihedral_angle", "the angle between the normals at an edge, positive where it stands out"),
     ("outer", "a column times a row: a matrix"),
     ("transpose", "the matrix whose columns are the rows"),
     ("determinant", "the determinant of a matrix"),
-    (
-        "inverse",
-        "the inverse of a matrix; of a singular one it is not a number",
-    ),
-    (
-        "solve",
-        "the vector that a matrix takes to another; of a singular one it is not a number",
-    ),
+    ("inverse", "the inverse of a matrix; of a singular one it is not a number"),
+    ("solve", "the vector that a matrix takes to another; of a singular one it is not a number"),
     ("is_nan", "whether a component is not a number"),
     ("is_finite", "whether all components are finite"),
     ("abs", "the size without the sign"),
@@ -248,23 +158,14 @@ const MEANINGS: &[(&str, &str)] = &[
     ("floor", "the whole number below, as a real"),
     ("ceil", "the whole number above, as a real"),
     ("round", "the nearest int, of two the even one"),
-    (
-        "mean",
-        "the mean of a value over a sequence: `mean(length(e) for e in edges)`",
-    ),
+    ("mean", "the mean of a value over a sequence: `mean(length(e) for e in edges)`"),
     ("sum", "the sum of a value over a sequence"),
     ("min", "the smaller of two, or the least over a sequence"),
     ("max", "the larger of two, or the greatest over a sequence"),
-    (
-        "argmin",
-        "the element with the least value: `argmin(length(e) for e in edges)`",
-    ),
+    ("argmin", "the element with the least value: `argmin(length(e) for e in edges)`"),
     ("argmax", "the element with the greatest value"),
     ("count", "how many there are: `count(faces)`"),
-    (
-        "any",
-        "whether a condition holds somewhere: `any(boundary(v) for v in vertices)`",
-    ),
+    ("any", "whether a condition holds somewhere: `any(boundary(v) for v in vertices)`"),
     ("all", "whether a condition holds everywhere"),
 ];
 
@@ -283,10 +184,7 @@ pub fn word(text: &str) -> Option<Word> {
     if meaning.is_none() && forms.is_empty() {
         return None;
     }
-    Some(Word {
-        forms,
-        meaning: meaning.unwrap_or(""),
-    })
+    Some(Word { forms, meaning: meaning.unwrap_or("") })
 }
 
 /// What a word means, in a sentence.

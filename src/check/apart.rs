@@ -53,11 +53,7 @@ struct Apart<'a> {
 impl<'a> Apart<'a> {
     fn new(drawing: &'a Drawing) -> Self {
         let count = drawing.rule.names.len();
-        Self {
-            drawing,
-            count,
-            known: vec![false; count * count],
-        }
+        Self { drawing, count, known: vec![false; count * count] }
     }
 
     fn place(&self, [left, right]: [NameId; 2]) -> usize {
@@ -134,9 +130,7 @@ fn faces_differ(drawing: &Drawing, left: NameId, right: NameId) -> bool {
                 })
         };
     let kinds = (left.kind, right.kind);
-    matches!(
-        kinds,
-        (LoopKind::Face, LoopKind::Hole) | (LoopKind::Hole, LoopKind::Face)
-    ) || apart(left, right)
+    matches!(kinds, (LoopKind::Face, LoopKind::Hole) | (LoopKind::Hole, LoopKind::Face))
+        || apart(left, right)
         || apart(right, left)
 }

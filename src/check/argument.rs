@@ -50,10 +50,7 @@ impl Words<'_> {
     }
 
     fn list(&self, names: impl Iterator<Item = NameId>) -> String {
-        names
-            .map(|name| self.word(name))
-            .collect::<Vec<_>>()
-            .join(" ")
+        names.map(|name| self.word(name)).collect::<Vec<_>>().join(" ")
     }
 
     fn names(&self, drawing: &Drawing) -> Vec<String> {
@@ -72,8 +69,7 @@ impl Words<'_> {
             ("erased:", refs(&self.rule.erased)),
         ];
         let told = lines.into_iter().filter(|(_, names)| !names.is_empty());
-        told.map(|(what, names)| format!("{what} {names}"))
-            .collect()
+        told.map(|(what, names)| format!("{what} {names}")).collect()
     }
 
     fn loops(&self, side: &Side) -> Vec<String> {
@@ -126,16 +122,10 @@ impl Words<'_> {
         if halves.is_empty() {
             return vec!["no halfedge is erased".into()];
         }
-        debug_assert!(
-            halves
-                .iter()
-                .all(|&half| drawing.before.pairing(half).is_some())
-        );
+        debug_assert!(halves.iter().all(|&half| drawing.before.pairing(half).is_some()));
         let halves = halves.into_iter().filter(|&half| self.rule.is_first(half));
         let list = self.list(halves);
-        vec![format!(
-            "the loop and the twin of each erased halfedge are drawn: {list}"
-        )]
+        vec![format!("the loop and the twin of each erased halfedge are drawn: {list}")]
     }
 
     fn ends(&self, drawing: &Drawing) -> Vec<String> {
@@ -146,12 +136,7 @@ impl Words<'_> {
         };
         let line = |edge: &Edge| {
             let [left, right] = edge.halfedges.map(|half| ends(half.name));
-            Some(format!(
-                "{}: {}, {}",
-                self.word(edge.edge.name),
-                left?,
-                right?
-            ))
+            Some(format!("{}: {}, {}", self.word(edge.edge.name), left?, right?))
         };
         let edges = self.rule.after.edges.iter();
         let edges = edges.filter(|edge| self.rule.is_first(edge.edge.name));
@@ -188,10 +173,7 @@ impl Words<'_> {
                 Some(1) => String::new(),
                 Some(ways) => format!(", in {ways} ways"),
             };
-            lines.push(format!(
-                "  {vertex}: {}, {arcs}{ways}",
-                chains.join(" and ")
-            ));
+            lines.push(format!("  {vertex}: {}, {arcs}{ways}", chains.join(" and ")));
         }
         for (at, case) in rings.shown.iter().enumerate() {
             lines.push(match rings.cases {

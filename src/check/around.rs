@@ -31,10 +31,7 @@ impl Reach<'_> {
             // The walk begins where the family does.
             let known = halfedges[0];
             self.begun.retain(|&begun| begun != known);
-            self.steps.push(Step::Walk {
-                orbit: around.orbit,
-                halfedges: halfedges.clone(),
-            });
+            self.steps.push(Step::Walk { orbit: around.orbit, halfedges: halfedges.clone() });
             for half in halfedges {
                 self.now_bound(half);
             }
@@ -95,9 +92,8 @@ impl Reach<'_> {
         let mut orbits = Vec::new();
         for orbit in rule.before.loops.iter().filter(|orbit| orbit.each) {
             let items = orbit.items.iter().map(|item| item.item.name);
-            let halfedges: Vec<_> = items
-                .filter(|&item| rule.kind(item) == Kind::Halfedge)
-                .collect();
+            let halfedges: Vec<_> =
+                items.filter(|&item| rule.kind(item) == Kind::Halfedge).collect();
             if halfedges.len() == orbit.items.len() {
                 orbits.push(Around {
                     orbit: orbit.face.name,

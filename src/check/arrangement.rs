@@ -70,13 +70,7 @@ pub(super) fn arrangements(
     if corner.chains.iter().any(|chain| chain.closed) {
         let order: Vec<_> = (0..count).collect();
         let alone = count == 1;
-        return Some(
-            alone
-                .then(|| read(drawing, corner, &order))
-                .flatten()
-                .into_iter()
-                .collect(),
-        );
+        return Some(alone.then(|| read(drawing, corner, &order)).flatten().into_iter().collect());
     }
     let mut orders = Orders::new(drawing, corner, settled);
     let behind = orders.order.len().min(1);
@@ -119,9 +113,7 @@ impl<'a> Orders<'a> {
         };
         let chains = corner.chains.iter();
         let listed: Vec<_> = chains.map(|chain| places(&chain.ports)).collect();
-        let mut order: Vec<_> = (0..listed.len())
-            .filter(|at| !settled.contains(at))
-            .collect();
+        let mut order: Vec<_> = (0..listed.len()).filter(|at| !settled.contains(at)).collect();
         // A chain with a listed spoke says where the others have to be.
         if let Some(first) = order.iter().position(|&at| !listed[at].is_empty()) {
             order.swap(0, first);
@@ -147,10 +139,9 @@ impl<'a> Orders<'a> {
         if fixed >= self.order.len() {
             self.tried += 1;
             let way = read(self.drawing, self.corner, &self.order);
-            self.found.extend(way.map(|way| Arrangement {
-                stands_for_others: self.stands_for_others,
-                ..way
-            }));
+            self.found.extend(
+                way.map(|way| Arrangement { stands_for_others: self.stands_for_others, ..way }),
+            );
             return;
         }
         for pick in fixed..self.order.len() {
@@ -204,8 +195,7 @@ fn read(drawing: &Drawing, corner: &Corner, order: &[usize]) -> Option<Arrangeme
             if drawing.rule.kind(item) == Kind::Path {
                 let exits = !chain.closed && port == chain.exit();
                 let empty = exits && next.entry() == Port::In(item) && drawing.may_be_empty(item);
-                way.first_spokes
-                    .push((item, if empty { Lies::Empty } else { Lies::Rest }));
+                way.first_spokes.push((item, if empty { Lies::Empty } else { Lies::Rest }));
                 pieces.push(Piece::First(way.first_spokes.len() - 1, empty));
             } else {
                 pieces.push(Piece::Spoke(item));
@@ -252,9 +242,7 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
         }
         Some(())
     };
-    let anchor = stated
-        .iter()
-        .position(|spoke| matches!(spoke, Spoke::Halfedge(_)));
+    let anchor = stated.iter().position(|spoke| matches!(spoke, Spoke::Halfedge(_)));
     let Some(anchor) = anchor else {
         // One fan, and nothing else.
         let lies = stated.first().map_or(Lies::Empty, |spoke| belongs(spoke));
@@ -263,9 +251,7 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
     let Spoke::Halfedge(first) = stated[anchor] else {
         return None;
     };
-    let start = pieces
-        .iter()
-        .position(|&piece| piece == Piece::Spoke(first.name))?;
+    let start = pieces.iter().position(|&piece| piece == Piece::Spoke(first.name))?;
     let mut at = 0; // how many pieces have been read, from the anchor on
     let mut step = 0;
     while step < stated.len() {

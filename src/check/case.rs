@@ -32,14 +32,8 @@ pub(super) struct Case<'a> {
 impl<'a> Case<'a> {
     /// Joins the stated links of `after` with the arcs.
     pub fn new(drawing: &'a Drawing<'a>, after: &Links, ways: &[Cow<Arrangement>]) -> Self {
-        let arcs: Vec<Arc> = ways
-            .iter()
-            .flat_map(|way| way.arcs.iter().copied())
-            .collect();
-        let first_spokes = ways
-            .iter()
-            .flat_map(|way| way.first_spokes.iter().copied())
-            .collect();
+        let arcs: Vec<Arc> = ways.iter().flat_map(|way| way.arcs.iter().copied()).collect();
+        let first_spokes = ways.iter().flat_map(|way| way.first_spokes.iter().copied()).collect();
         let drawn = |port: &Port| after.ports.contains(port);
         let keeps = |arc: &Arc| {
             drawn(&arc.from)
@@ -71,12 +65,7 @@ impl<'a> Case<'a> {
                 cycles.push(cycle);
             }
         }
-        Self {
-            drawing,
-            first_spokes,
-            cycles,
-            cut,
-        }
+        Self { drawing, first_spokes, cycles, cut }
     }
 
     /// The vertex that takes what lies in a fan, or stays with `vertex`.
@@ -113,9 +102,7 @@ impl<'a> Case<'a> {
         }
         let mut problems = Vec::new();
         for vertex in self.drawing.rule.names_of(Kind::Vertex) {
-            let of_vertex: Vec<_> = (0..labels.len())
-                .filter(|&at| labels[at] == vertex)
-                .collect();
+            let of_vertex: Vec<_> = (0..labels.len()).filter(|&at| labels[at] == vertex).collect();
             let lives = self.drawing.survives(vertex) || self.drawing.created(vertex).is_some();
             match of_vertex.as_slice() {
                 [] if lives => problems.push(self.without_spokes(vertex)),

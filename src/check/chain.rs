@@ -62,10 +62,7 @@ pub(super) fn corners(drawing: &Drawing, links: &Links) -> Vec<Corner> {
         };
         match corners.iter_mut().find(|corner| corner.vertex == vertex) {
             Some(corner) => corner.chains.push(chain),
-            None => corners.push(Corner {
-                vertex,
-                chains: vec![chain],
-            }),
+            None => corners.push(Corner { vertex, chains: vec![chain] }),
         }
     }
     corners
@@ -73,15 +70,7 @@ pub(super) fn corners(drawing: &Drawing, links: &Links) -> Vec<Corner> {
 
 /// All chains of a side.
 pub(super) fn chains_of(links: &Links) -> Vec<Chain> {
-    let mut seen = vec![
-        false;
-        links
-            .ports
-            .iter()
-            .map(|port| port.index() + 1)
-            .max()
-            .unwrap_or(0)
-    ];
+    let mut seen = vec![false; links.ports.iter().map(|port| port.index() + 1).max().unwrap_or(0)];
     let mut chains = Vec::new();
     let entries = links.ports.iter().filter(|&&port| !links.is_reached(port));
     // Ports that no entry leads to lie on closed chains.
@@ -89,10 +78,7 @@ pub(super) fn chains_of(links: &Links) -> Vec<Chain> {
         if seen[start.index()] {
             continue;
         }
-        let mut chain = Chain {
-            ports: Vec::new(),
-            closed: false,
-        };
+        let mut chain = Chain { ports: Vec::new(), closed: false };
         let mut at = Some(start);
         while let Some(port) = at {
             if std::mem::replace(&mut seen[port.index()], true) {

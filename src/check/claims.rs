@@ -15,15 +15,12 @@ impl Reach<'_> {
             self.order_claims(),
             self.emptiness_claims(),
         ];
-        self.steps
-            .extend(claims.into_iter().flatten().map(Step::Test));
+        self.steps.extend(claims.into_iter().flatten().map(Step::Test));
     }
 
     fn pointer_claims(&self) -> Vec<Claim> {
         let unused = self.pointers.iter().filter(|pointer| !pointer.used);
-        unused
-            .map(|pointer| Claim::Leads(pointer.forward(), Bound::Element(pointer.to)))
-            .collect()
+        unused.map(|pointer| Claim::Leads(pointer.forward(), Bound::Element(pointer.to))).collect()
     }
 
     /// One claim for each piece of an orbit after the first: pieces of a loop lie in one
@@ -129,20 +126,14 @@ impl Reach<'_> {
         let mut in_order = |along_loop: bool, each: bool, pieces: &[NameId]| {
             if each && !pieces.is_empty() {
                 let halfedges = pieces[..pieces.len() / size].to_vec();
-                claims.push(Claim::AroundInOrder {
-                    along_loop,
-                    halfedges,
-                });
+                claims.push(Claim::AroundInOrder { along_loop, halfedges });
             }
             if each || pieces.len() < 3 {
                 return;
             }
             for at in 1..pieces.len() - 1 {
                 let halfedges = [pieces[0], pieces[at], pieces[at + 1]];
-                claims.push(Claim::InOrder {
-                    along_loop,
-                    halfedges,
-                });
+                claims.push(Claim::InOrder { along_loop, halfedges });
             }
         };
         let first = |orbit: &&Loop| rule.is_first(orbit.face.name);
@@ -150,22 +141,18 @@ impl Reach<'_> {
             let count = orbit.items.len();
             let is_path = |at: usize| rule.kind(orbit.items[at % count].item.name) == Kind::Path;
             let behind_path = |&at: &usize| is_path(at + count - 1) && !is_path(at);
-            let pieces: Vec<_> = (0..count)
-                .filter(behind_path)
-                .map(|at| orbit.items[at].item.name)
-                .collect();
+            let pieces: Vec<_> =
+                (0..count).filter(behind_path).map(|at| orbit.items[at].item.name).collect();
             in_order(true, orbit.each, &pieces);
         }
         let first = |star: &&Star| rule.is_first(star.vertex.name);
         for star in rule.before.stars.iter().filter(first) {
             let count = star.spokes.len();
             let pieces: Vec<_> = (0..count)
-                .filter_map(
-                    |at| match (&star.spokes[(at + count - 1) % count], &star.spokes[at]) {
-                        (Spoke::Fan(_) | Spoke::Rest(_), Spoke::Halfedge(half)) => Some(half.name),
-                        _ => None,
-                    },
-                )
+                .filter_map(|at| match (&star.spokes[(at + count - 1) % count], &star.spokes[at]) {
+                    (Spoke::Fan(_) | Spoke::Rest(_), Spoke::Halfedge(half)) => Some(half.name),
+                    _ => None,
+                })
                 .collect();
             in_order(false, star.each, &pieces);
         }

@@ -20,10 +20,7 @@ pub(super) fn grows_with(
 ) -> Vec<String> {
     let rule = drawing.rule;
     let cost = Cost { drawing };
-    let mut grows: Vec<String> = matching
-        .iter()
-        .filter_map(|step| cost.of_step(step))
-        .collect();
+    let mut grows: Vec<String> = matching.iter().filter_map(|step| cost.of_step(step)).collect();
     let first = |run: &NameId| rule.is_first(*run);
     let paths = moved_paths(drawing).filter(first);
     grows.extend(paths.map(|path| format!("the length of {}", rule.quoted(path))));
@@ -58,20 +55,14 @@ impl Cost<'_> {
     fn of_step(&self, step: &Step) -> Option<String> {
         let rule = self.drawing.rule;
         match step {
-            Step::Attempt {
-                element,
-                tries: None,
-                ..
+            Step::Attempt { element, tries: None, .. } | Step::Walk { orbit: element, .. } => {
+                match rule.kind(*element) {
+                    Kind::Vertex => Some(format!("the degree of {}", rule.quoted(*element))),
+                    Kind::Face => Some(format!("the size of {}", rule.quoted(*element))),
+                    _ => None,
+                }
             }
-            | Step::Walk { orbit: element, .. } => match rule.kind(*element) {
-                Kind::Vertex => Some(format!("the degree of {}", rule.quoted(*element))),
-                Kind::Face => Some(format!("the size of {}", rule.quoted(*element))),
-                _ => None,
-            },
-            Step::Test(Claim::InOrder {
-                along_loop,
-                halfedges: [from, ..],
-            }) => {
+            Step::Test(Claim::InOrder { along_loop, halfedges: [from, ..] }) => {
                 if *along_loop {
                     let face = self.drawing.before.face(*from)?;
                     Some(format!("the size of {}", rule.quoted(face)))

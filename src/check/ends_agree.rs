@@ -12,10 +12,7 @@ use crate::diagram::{Drawing, Kind, LoopKind, NameId, Ref, Side, Spoke, View};
 
 /// Tests the law.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
-    let mut law = Law {
-        drawing,
-        problems: Vec::new(),
-    };
+    let mut law = Law { drawing, problems: Vec::new() };
     law.halfedges_are_placed();
     law.edges_join_their_ends(&drawing.rule.before, &drawing.before, "before");
     law.edges_join_their_ends(&drawing.rule.after, &drawing.after, "after");
@@ -84,10 +81,7 @@ impl Law<'_> {
                 let mut diagnostic = Diagnostic::error("ends-disagree", message, edge.span)
                     .saying("paired here")
                     .label(end.span, format!("{} ends here", rule.quoted(ends.name)))
-                    .label(
-                        start.span,
-                        format!("{} starts here", rule.quoted(starts.name)),
-                    );
+                    .label(start.span, format!("{} starts here", rule.quoted(starts.name)));
                 let back = [left, right].map(|half| runs_back(drawing, view, half.name));
                 diagnostic.notes.extend(back.into_iter().flatten().next());
                 self.tell(diagnostic);
@@ -99,10 +93,9 @@ impl Law<'_> {
     fn spokes_start_at_their_vertex(&mut self) {
         let drawing = self.drawing;
         let rule = drawing.rule;
-        for (side, view, word) in [
-            (&rule.before, &drawing.before, "before"),
-            (&rule.after, &drawing.after, "after"),
-        ] {
+        for (side, view, word) in
+            [(&rule.before, &drawing.before, "before"), (&rule.after, &drawing.after, "after")]
+        {
             let mut listed: Vec<Option<Ref>> = vec![None; rule.names.len()];
             for star in &side.stars {
                 for spoke in &star.spokes {
@@ -136,10 +129,7 @@ impl Law<'_> {
                     self.tell(
                         Diagnostic::error("ends-disagree", message, spoke.span)
                             .saying(format!("listed at {vertex} here"))
-                            .label(
-                                says.span,
-                                format!("starts at {} here", rule.quoted(says.name)),
-                            ),
+                            .label(says.span, format!("starts at {} here", rule.quoted(says.name))),
                     );
                 }
             }
@@ -159,10 +149,7 @@ impl Law<'_> {
                 let vertex = rule.quoted(star.vertex.name);
                 let message =
                     format!("{text} starts at {vertex}, but the vertex statement does not list it");
-                let drawn = drawing
-                    .before
-                    .mention(name)
-                    .expect("it has an origin before");
+                let drawn = drawing.before.mention(name).expect("it has an origin before");
                 let mut diagnostic = Diagnostic::error("hidden-spoke", message, star.span)
                     .saying(format!("{text} is missing among the spokes"))
                     .label(drawn, "drawn here")
@@ -197,9 +184,7 @@ impl Law<'_> {
             let count = orbit.items.len();
             for (at, item) in orbit.items.iter().enumerate() {
                 let next = orbit.items[(at + 1) % count].item;
-                let paths = [item.item, next]
-                    .iter()
-                    .all(|item| rule.kind(item.name) == Kind::Path);
+                let paths = [item.item, next].iter().all(|item| rule.kind(item.name) == Kind::Path);
                 if paths && count > 1 {
                     let message = format!(
                         "nothing says where {} ends and {} begins",
@@ -235,10 +220,7 @@ impl Law<'_> {
             if orbit.kind == LoopKind::Any && self.drawing.created(orbit.face.name).is_some() {
                 let text = rule.quoted(orbit.face.name);
                 let message = format!("the new {text} must be a face or a hole");
-                let keyword = crate::source::Span {
-                    end: orbit.span.start + 4,
-                    ..orbit.span
-                };
+                let keyword = crate::source::Span { end: orbit.span.start + 4, ..orbit.span };
                 self.tell(
                     Diagnostic::error("new-loop-kind", message, keyword)
                         .saying("`loop` means either")
@@ -260,7 +242,5 @@ fn runs_back(drawing: &Drawing, view: &View, half: NameId) -> Option<String> {
         return None;
     };
     let [half, twin, from, to] = [half, twin, from, to].map(|name| rule.quoted(name));
-    Some(format!(
-        "{half} runs from {from} to {to}; what runs from {to} to {from} is {twin}"
-    ))
+    Some(format!("{half} runs from {from} to {to}; what runs from {to} to {from} is {twin}"))
 }

@@ -54,18 +54,11 @@ impl Change {
     pub(super) fn of(rule: &Rule) -> Self {
         let count = |kind: Kind| {
             let of = |names: &[crate::diagram::Ref]| {
-                names
-                    .iter()
-                    .filter(|mention| rule.kind(mention.name) == kind)
-                    .count() as i64
+                names.iter().filter(|mention| rule.kind(mention.name) == kind).count() as i64
             };
             of(&rule.created) - of(&rule.erased)
         };
-        Self {
-            vertices: count(Kind::Vertex),
-            edges: count(Kind::Edge),
-            faces: count(Kind::Face),
-        }
+        Self { vertices: count(Kind::Vertex), edges: count(Kind::Edge), faces: count(Kind::Face) }
     }
 }
 
@@ -102,11 +95,7 @@ impl Facts {
         let drawing = Drawing::new(&sizes.large.rule);
         let grows_with = grows_with(&drawing, matching, guard);
         // All counts grow evenly with the size.
-        let counts: Vec<_> = sizes
-            .small
-            .iter()
-            .map(|one| Change::of(&one.rule))
-            .collect();
+        let counts: Vec<_> = sizes.small.iter().map(|one| Change::of(&one.rule)).collect();
         let per_index = counts[1].minus(counts[0]);
         Self {
             cases,

@@ -50,10 +50,7 @@ impl Sizes {
             if !is_in_a_surface(&drawing) {
                 continue;
             }
-            let fold = Fold {
-                large: &self.large,
-                other,
-            };
+            let fold = Fold { large: &self.large, other };
             fold_obligations(&fold, obligations(&drawing, level), &mut found);
         }
         found
@@ -103,13 +100,7 @@ fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
         None => Vec::new(),
     };
     let facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
-    let proof = Proof {
-        matching,
-        guard,
-        facts,
-        rings,
-        unrolled: Some(Box::new(large.clone())),
-    };
+    let proof = Proof { matching, guard, facts, rings, unrolled: Some(Box::new(large.clone())) };
     proof.bears_out(op, &drawing)
 }
 
@@ -176,8 +167,5 @@ fn reject(op: &Op, sizes: &Sizes, broken: Broken) -> Rejected {
         seen.push(key);
         first
     });
-    Rejected {
-        diagnostics,
-        outcome,
-    }
+    Rejected { diagnostics, outcome }
 }

@@ -62,9 +62,7 @@ pub(super) fn add_obligation(
     found: &mut Vec<Obligation>,
 ) {
     let key = |statement: &Statement| statement.without_origin();
-    let known = found
-        .iter_mut()
-        .find(|known| key(&known.statement) == key(&statement));
+    let known = found.iter_mut().find(|known| key(&known.statement) == key(&statement));
     match known {
         Some(known) if because.is_none() => known.because = None,
         Some(_) => {}
@@ -109,41 +107,31 @@ fn near(fold: &Fold, statement: Statement) -> Statement {
                 false => Statement::CornerOnce { face, vertex },
             }
         }
-        Statement::FacesDiffer { vertex, from } => Statement::FacesDiffer {
-            vertex: name(vertex),
-            from: origins(from),
-        },
+        Statement::FacesDiffer { vertex, from } => {
+            Statement::FacesDiffer { vertex: name(vertex), from: origins(from) }
+        }
         Statement::TwoSpokes(vertex) => Statement::TwoSpokes(name(vertex)),
-        Statement::OneHole { vertex, from } => Statement::OneHole {
-            vertex: name(vertex),
-            from: origins(from),
-        },
+        Statement::OneHole { vertex, from } => {
+            Statement::OneHole { vertex: name(vertex), from: origins(from) }
+        }
         Statement::OneHoleAlong(path) => Statement::OneHoleAlong(name(path)),
-        Statement::NeighborsDiffer { vertex, from } => Statement::NeighborsDiffer {
-            vertex: name(vertex),
-            from: origins(from),
-        },
+        Statement::NeighborsDiffer { vertex, from } => {
+            Statement::NeighborsDiffer { vertex: name(vertex), from: origins(from) }
+        }
         Statement::SingleEdge { halfedge, ends } => {
             let single = ends.into_iter().find(|&end| !rule.is_member(end));
             match single.filter(|_| rule.is_member(halfedge)) {
-                Some(vertex) => Statement::NeighborsDiffer {
-                    vertex: name(vertex),
-                    from: Vec::new(),
-                },
-                None => Statement::SingleEdge {
-                    halfedge: name(halfedge),
-                    ends: ends.map(name),
-                },
+                Some(vertex) => {
+                    Statement::NeighborsDiffer { vertex: name(vertex), from: Vec::new() }
+                }
+                None => Statement::SingleEdge { halfedge: name(halfedge), ends: ends.map(name) },
             }
         }
         Statement::CornersDiffer(vertex) => Statement::CornersDiffer(name(vertex)),
         Statement::CornersOwn { face, vertex } => {
             match rule.is_member(face) && !rule.is_member(vertex) {
                 true => Statement::CornersDiffer(name(vertex)),
-                false => Statement::CornersOwn {
-                    face: name(face),
-                    vertex: name(vertex),
-                },
+                false => Statement::CornersOwn { face: name(face), vertex: name(vertex) },
             }
         }
     }

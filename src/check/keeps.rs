@@ -24,18 +24,11 @@ pub(super) fn not_kept(drawing: &Drawing, mut diagnostic: Diagnostic, level: Lev
         diagnostic = diagnostic.label(place, format!("perhaps {}", statement.refusal(rule)));
     }
     if let Some((_, guard)) = rule.guard {
-        return diagnostic.label(
-            guard,
-            format!("`guard {level}` would refuse where it is so"),
-        );
+        return diagnostic.label(guard, format!("`guard {level}` would refuse where it is so"));
     }
-    diagnostic
-        .note(format!(
-            "`guard {level}` refuses where it is so, and nowhere else"
-        ))
-        .fix(
-            format!("insert `guard {level}`"),
-            rule.after.span.before(),
-            format!("guard {level}\n  "),
-        )
+    diagnostic.note(format!("`guard {level}` refuses where it is so, and nowhere else")).fix(
+        format!("insert `guard {level}`"),
+        rule.after.span.before(),
+        format!("guard {level}\n  "),
+    )
 }

@@ -181,9 +181,7 @@ impl Claim {
             Claim::InOrder { halfedges, .. } => halfedges.to_vec(),
             Claim::NotAllEmpty(names)
             | Claim::AllDistinct(names)
-            | Claim::AroundInOrder {
-                halfedges: names, ..
-            }
+            | Claim::AroundInOrder { halfedges: names, .. }
             | Claim::NotAllEmptyAround(names) => names.clone(),
             Claim::Begins(name) => vec![*name],
         }

@@ -13,10 +13,7 @@ pub(super) fn add_fixes(
     problems: Vec<Problem>,
     laws: impl Fn(&Rule) -> Vec<Problem>,
 ) -> Vec<Diagnostic> {
-    let before: Vec<_> = problems
-        .iter()
-        .map(|problem| problem.diagnostic.clone())
-        .collect();
+    let before: Vec<_> = problems.iter().map(|problem| problem.diagnostic.clone()).collect();
     let good = |remedy: &Remedy, at: usize| {
         let mended = remedy.apply(rule)?;
         let left = laws(&mended);
@@ -36,20 +33,16 @@ pub(super) fn add_fixes(
             Remedy::Keep(_) | Remedy::Take(_) | Remedy::Pair { .. } => left.iter().all(known),
             // Names that nothing knows are new for sure if nothing is missing but what a new
             // element is given.
-            Remedy::Create(_) => left
-                .iter()
-                .all(|problem| problem.diagnostic.code == "missing-attribute"),
+            Remedy::Create(_) => {
+                left.iter().all(|problem| problem.diagnostic.code == "missing-attribute")
+            }
         };
         good.then(|| remedy.fix(rule))
     };
     let mut diagnostics = Vec::new();
     for (at, problem) in problems.into_iter().enumerate() {
         let mut diagnostic = problem.diagnostic;
-        let mut fixes = problem
-            .remedies
-            .iter()
-            .filter_map(|remedy| good(remedy, at))
-            .flatten();
+        let mut fixes = problem.remedies.iter().filter_map(|remedy| good(remedy, at)).flatten();
         if let (Some(fix), None) = (fixes.next(), fixes.next()) {
             diagnostic.fixes.push(fix);
         }
@@ -65,17 +58,13 @@ impl Remedy {
         let span = rule.after.span;
         match self {
             Remedy::Erase(names) => {
-                mended
-                    .erased
-                    .extend(names.iter().map(|&name| Ref::plain(name, span)));
+                mended.erased.extend(names.iter().map(|&name| Ref::plain(name, span)));
             }
             Remedy::Create(names) => {
                 // Of a family all members are created.
                 let all = (0..rule.names.len() as u32).map(NameId);
                 let created = all.filter(|&name| names.contains(&rule.first_member(name)));
-                mended
-                    .created
-                    .extend(created.map(|name| Ref::plain(name, span)));
+                mended.created.extend(created.map(|name| Ref::plain(name, span)));
             }
             Remedy::Keep(names) => {
                 let before = Drawing::new(rule).before;
@@ -101,11 +90,7 @@ impl Remedy {
             Remedy::Pair { edge, halfedges } => {
                 let mention = |name| Ref::plain(name, span);
                 let halfedges = halfedges.map(mention);
-                mended.after.edges.push(Edge {
-                    edge: mention(*edge),
-                    halfedges,
-                    span,
-                });
+                mended.after.edges.push(Edge { edge: mention(*edge), halfedges, span });
             }
         }
         Some(mended)
@@ -114,11 +99,7 @@ impl Remedy {
     /// The remedy as an edit of the text.
     fn fix(&self, rule: &Rule) -> Option<Fix> {
         let words = |names: &[NameId]| {
-            names
-                .iter()
-                .map(|&name| rule.name(name).text.as_str())
-                .collect::<Vec<_>>()
-                .join(" ")
+            names.iter().map(|&name| rule.name(name).text.as_str()).collect::<Vec<_>>().join(" ")
         };
         let (statement, edit) = match self {
             Remedy::Erase(names) => {
@@ -126,10 +107,8 @@ impl Remedy {
                 match rule.erased.iter().max_by_key(|erased| erased.span.end) {
                     Some(last) => {
                         let title = format!("erase {}", enumerate(rule, names));
-                        let edits = vec![Edit {
-                            span: last.span.after(),
-                            text: format!(" {list}"),
-                        }];
+                        let edits =
+                            vec![Edit { span: last.span.after(), text: format!(" {list}") }];
                         return Some(Fix { title, edits });
                     }
                     None => (format!("erase {list}"), end_of_after(rule)?),
@@ -155,17 +134,11 @@ impl Remedy {
             Remedy::Take(erased) => return take(rule, *erased),
             Remedy::Pair { edge, halfedges } => {
                 let [left, right] = halfedges.map(|half| &rule.name(half).text);
-                (
-                    format!("edge {}: {left} | {right}", rule.name(*edge).text),
-                    end_of_after(rule)?,
-                )
+                (format!("edge {}: {left} | {right}", rule.name(*edge).text), end_of_after(rule)?)
             }
         };
         let text = format!("\n    {statement}");
-        Some(Fix {
-            title: format!("insert `{statement}`"),
-            edits: vec![Edit { span: edit, text }],
-        })
+        Some(Fix { title: format!("insert `{statement}`"), edits: vec![Edit { span: edit, text }] })
     }
 }
 
@@ -181,14 +154,8 @@ fn take(rule: &Rule, erased: NameId) -> Option<Fix> {
         return None; // `keep` restates it
     }
     let mut edits = vec![match written {
-        Some(star) => Edit {
-            span: star.span,
-            text: after.clone(),
-        },
-        None => Edit {
-            span: end_of_after(rule)?,
-            text: format!("\n    {after}"),
-        },
+        Some(star) => Edit { span: star.span, text: after.clone() },
+        None => Edit { span: end_of_after(rule)?, text: format!("\n    {after}") },
     }];
     let mut title = match written {
         Some(_) => format!("write `{after}`"),
@@ -199,10 +166,7 @@ fn take(rule: &Rule, erased: NameId) -> Option<Fix> {
         title = format!("insert `{before}` in `before`, and in `after` {title}");
         edits.insert(
             0,
-            Edit {
-                span: drawing.before.end_of_statements()?,
-                text: format!("\n    {before}"),
-            },
+            Edit { span: drawing.before.end_of_statements()?, text: format!("\n    {before}") },
         );
     }
     Some(Fix { title, edits })
@@ -223,10 +187,7 @@ fn statement(rule: &Rule, star: &Star) -> String {
 /// The edit that lists names in `new`, which stands first in `after`.
 fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
     if let Some(last) = rule.created.iter().max_by_key(|created| created.span.end) {
-        return Some(Edit {
-            span: last.span.after(),
-            text: format!(" {words}"),
-        });
+        return Some(Edit { span: last.span.after(), text: format!(" {words}") });
     }
     let side = &rule.after;
     let loops = side.loops.iter().map(|orbit| orbit.span);
@@ -235,38 +196,20 @@ fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
     let first = loops.chain(edges).chain(stars).min_by_key(|s| s.start)?;
     if side.kept.iter().any(|kept| kept.span.start <= first.start) {
         // What is kept stands for its statement, behind the word `keep`.
-        return Some(Edit {
-            span: end_of_after(rule)?,
-            text: format!("\n    new {words}"),
-        });
+        return Some(Edit { span: end_of_after(rule)?, text: format!("\n    new {words}") });
     }
-    Some(Edit {
-        span: first.before(),
-        text: format!("new {words}\n    "),
-    })
+    Some(Edit { span: first.before(), text: format!("new {words}\n    ") })
 }
 
 /// Where one more statement can be written: behind the last one of `after`.
 fn end_of_after(rule: &Rule) -> Option<Span> {
     let side = Drawing::new(rule).after.end_of_statements();
-    let lists = rule
-        .created
-        .iter()
-        .chain(&rule.erased)
-        .map(|mention| mention.span.after());
-    let stars = rule
-        .after
-        .stars
-        .iter()
-        .flat_map(|star| &star.spokes)
-        .map(|spoke| match spoke {
-            Spoke::Rest(span) => span.after(),
-            Spoke::Halfedge(name) | Spoke::Fan(name) => name.span.after(),
-        });
-    let assignments = rule
-        .assignments
-        .iter()
-        .map(|assignment| assignment.span.after());
+    let lists = rule.created.iter().chain(&rule.erased).map(|mention| mention.span.after());
+    let stars = rule.after.stars.iter().flat_map(|star| &star.spokes).map(|spoke| match spoke {
+        Spoke::Rest(span) => span.after(),
+        Spoke::Halfedge(name) | Spoke::Fan(name) => name.span.after(),
+    });
+    let assignments = rule.assignments.iter().map(|assignment| assignment.span.after());
     let inside = |span: &Span| span.start <= rule.after.span.end;
     side.into_iter()
         .chain(lists)

@@ -21,12 +21,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     let unknown = Unknown::find(drawing);
     let mut problems: Vec<Problem> = Vec::new();
     problems.extend(unknown.problems);
-    let mut law = Law {
-        drawing,
-        explained: unknown.meant,
-        placed: Vec::new(),
-        problems,
-    };
+    let mut law = Law { drawing, explained: unknown.meant, placed: Vec::new(), problems };
     law.erased_and_drawn();
     law.loops();
     law.edges();
@@ -38,10 +33,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
 /// The keyword `after`, to point at a place where something is missing.
 pub(super) fn after_keyword(drawing: &Drawing) -> Span {
     let span = drawing.rule.after.span;
-    Span {
-        end: (span.start + "after".len() as u32).min(span.end),
-        ..span
-    }
+    Span { end: (span.start + "after".len() as u32).min(span.end), ..span }
 }
 
 struct Law<'a> {
@@ -99,8 +91,7 @@ impl Law<'_> {
         let missing = |orbit: &Loop| -> Vec<Ref> {
             let items = orbit.items.iter().map(|item| item.item);
             let open = items.filter(|item| self.is_open(item.name));
-            open.filter(|item| drawing.after.loop_of_item(item.name).is_none())
-                .collect()
+            open.filter(|item| drawing.after.loop_of_item(item.name).is_none()).collect()
         };
         let orbits = drawing.rule.before.loops.iter();
         let orbits: Vec<_> = orbits
@@ -109,9 +100,8 @@ impl Law<'_> {
             .collect();
         let lost = drawing.rule.before.loops.iter().map(|orbit| orbit.face);
         let lost = lost.filter(|face| drawing.survives(face.name));
-        let lost: Vec<_> = lost
-            .filter(|face| drawing.after.loop_of_face(face.name).is_none())
-            .collect();
+        let lost: Vec<_> =
+            lost.filter(|face| drawing.after.loop_of_face(face.name).is_none()).collect();
         match lost.as_slice() {
             [_] if !orbits.is_empty() && drawing.rule.cycle.is_none() => {
                 self.loop_is_missing(&orbits);
@@ -129,13 +119,9 @@ impl Law<'_> {
     fn would_stand_there(&mut self, orbits: &[(&Loop, Vec<Ref>)]) {
         let drawing = self.drawing;
         for item in orbits.iter().flat_map(|(_, missing)| missing) {
-            let ends = [
-                drawing.before.loop_origin(item.name),
-                drawing.target_before(item.name),
-            ];
+            let ends = [drawing.before.loop_origin(item.name), drawing.target_before(item.name)];
             let undrawn = |vertex: &NameId| drawing.after.mention(*vertex).is_none();
-            self.explained
-                .extend(ends.into_iter().flatten().filter(undrawn));
+            self.explained.extend(ends.into_iter().flatten().filter(undrawn));
         }
         for created in &drawing.rule.created {
             let is_halfedge = drawing.rule.kind(created.name) == Kind::Halfedge;
@@ -201,15 +187,8 @@ impl Law<'_> {
                 self.explained.push(face);
             }
         }
-        self.explained.extend(
-            names
-                .iter()
-                .filter(|&&name| drawing.after.pairing(name).is_none()),
-        );
-        self.problems.push(Problem {
-            diagnostic,
-            remedies,
-        });
+        self.explained.extend(names.iter().filter(|&&name| drawing.after.pairing(name).is_none()));
+        self.problems.push(Problem { diagnostic, remedies });
     }
 
     /// Halfedges that are paired before, and not after.
@@ -218,8 +197,7 @@ impl Law<'_> {
         let missing = |edge: &Edge| {
             let halves = edge.halfedges.iter().copied();
             let open = halves.filter(|half| self.is_open(half.name));
-            open.filter(|half| drawing.after.pairing(half.name).is_none())
-                .collect::<Vec<_>>()
+            open.filter(|half| drawing.after.pairing(half.name).is_none()).collect::<Vec<_>>()
         };
         let edges = drawing.rule.before.edges.iter();
         let edges: Vec<_> = edges
@@ -247,11 +225,7 @@ impl Law<'_> {
         let rule = drawing.rule;
         let names = edges.iter().flat_map(|(_, missing)| missing);
         let names: Vec<_> = names.map(|half| half.name).collect();
-        let twins = join(
-            names
-                .iter()
-                .map(|&name| format!("`{}.twin`", rule.name(name).text)),
-        );
+        let twins = join(names.iter().map(|&name| format!("`{}.twin`", rule.name(name).text)));
         let message = format!("{twins} {} not reassigned", is_or_are(names.len()));
         let place = |(edge, missing): &(&Edge, Vec<Ref>)| {
             let drawn = missing.iter().map(|half| half.span).reduce(Span::to);
@@ -281,8 +255,7 @@ impl Law<'_> {
             diagnostic = diagnostic.note(rule);
         }
         remedies.push(Remedy::Erase(names.clone()));
-        self.explained
-            .extend(names.iter().filter(|&&name| drawing.is_outer(name)));
+        self.explained.extend(names.iter().filter(|&&name| drawing.is_outer(name)));
         for (edge, _) in edges {
             if drawing.after.mention(edge.edge.name).is_none() {
                 self.explained.push(edge.edge.name);
@@ -291,14 +264,10 @@ impl Law<'_> {
         // The other half of the edge that is missing is told with it.
         for remedy in &remedies {
             if let Remedy::Pair { halfedges, .. } = remedy {
-                self.explained
-                    .extend(halfedges.iter().filter(|half| !names.contains(half)));
+                self.explained.extend(halfedges.iter().filter(|half| !names.contains(half)));
             }
         }
-        self.problems.push(Problem {
-            diagnostic,
-            remedies,
-        });
+        self.problems.push(Problem { diagnostic, remedies });
     }
 
     /// The halfedges that have a twin before, or are new, and have none after.
@@ -327,10 +296,7 @@ impl Law<'_> {
             let edges = drawing.rule.names_of(Kind::Edge);
             let pairs = edges
                 .filter(|&edge| free(edge) && kept != Some(edge))
-                .map(|edge| Remedy::Pair {
-                    edge,
-                    halfedges: [left, right],
-                });
+                .map(|edge| Remedy::Pair { edge, halfedges: [left, right] });
             remedies.extend(pairs);
         }
         remedies
@@ -389,20 +355,15 @@ impl Law<'_> {
                 self.problems.push(diagnostic.into());
             }
             if drawing.after.pairing(name).is_none() && !self.explained.contains(&name) {
-                let diagnostic = lacks(
-                    "edge of `after`",
-                    format!("`{word}.twin` and `{word}.edge`"),
-                );
+                let diagnostic =
+                    lacks("edge of `after`", format!("`{word}.twin` and `{word}.edge`"));
                 let remedies = self.pairings(None);
                 for remedy in &remedies {
                     if let Remedy::Pair { halfedges, .. } = remedy {
                         self.explained.extend(halfedges);
                     }
                 }
-                self.problems.push(Problem {
-                    diagnostic,
-                    remedies,
-                });
+                self.problems.push(Problem { diagnostic, remedies });
             }
         }
     }
@@ -428,19 +389,15 @@ fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
         diagnostic = diagnostic.label(span, "");
     }
     let stand = if names.len() == 1 { "stands" } else { "stand" };
-    diagnostic = diagnostic.label(
-        after_keyword(drawing),
-        format!("{list} {stand} nowhere here"),
-    );
+    diagnostic = diagnostic.label(after_keyword(drawing), format!("{list} {stand} nowhere here"));
     let words: Vec<_> = names.iter().map(|&name| &*rule.name(name).text).collect();
     let words = words.join(" ");
     diagnostic = match kind {
         Kind::Fan => {
             diagnostic.note("list it in the vertex statement of the vertex that takes its spokes")
         }
-        Kind::Vertex | Kind::Edge | Kind::Face => diagnostic.note(format!(
-            "draw {list} in `after`, or write `keep {words}` or `erase {words}`"
-        )),
+        Kind::Vertex | Kind::Edge | Kind::Face => diagnostic
+            .note(format!("draw {list} in `after`, or write `keep {words}` or `erase {words}`")),
         Kind::Halfedge | Kind::Path => diagnostic,
     };
     let remedies = match kind {
@@ -454,8 +411,5 @@ fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
         }
         Kind::Halfedge | Kind::Path => Vec::new(),
     };
-    Problem {
-        diagnostic,
-        remedies,
-    }
+    Problem { diagnostic, remedies }
 }

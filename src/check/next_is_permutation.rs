@@ -20,9 +20,7 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
             Diagnostic::error("impossible-drawing", message, second)
                 .saying("here again")
                 .label(first, "here")
-                .note(format!(
-                    "{text} has one `next`, so it stands in one place of one loop"
-                ))
+                .note(format!("{text} has one `next`, so it stands in one place of one loop"))
                 .into(),
         );
     });
@@ -50,10 +48,8 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
                 let text = rule.quoted(name);
                 let word = &rule.name(name).text;
                 let message = format!("the outer halfedge {text} enters a loop");
-                let before = drawing
-                    .before
-                    .mention(name)
-                    .expect("an outer halfedge is drawn before");
+                let before =
+                    drawing.before.mention(name).expect("an outer halfedge is drawn before");
                 let problem = Diagnostic::error("outer-in-loop", message, item.item.span)
                     .saying(format!("this would set `{word}.next`"))
                     .label(before, format!("`before` draws {text} only as a twin, in no loop"))

@@ -52,28 +52,15 @@ pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
     let mut pointers = Vec::new();
     for orbit in &rule.before.loops {
         for (at, item) in orbit.items.iter().enumerate() {
-            let (from, to) = (
-                item.item.name,
-                orbit.items[(at + 1) % orbit.items.len()].item.name,
-            );
+            let (from, to) = (item.item.name, orbit.items[(at + 1) % orbit.items.len()].item.name);
             if is_halfedge(from) && is_halfedge(to) {
-                pointers.push(Pointer {
-                    from,
-                    to,
-                    leads: Leads::Next,
-                    used: false,
-                });
+                pointers.push(Pointer { from, to, leads: Leads::Next, used: false });
             }
         }
     }
     for edge in &rule.before.edges {
         let [from, to] = edge.halfedges.map(|half| half.name);
-        pointers.push(Pointer {
-            from,
-            to,
-            leads: Leads::Twin,
-            used: false,
-        });
+        pointers.push(Pointer { from, to, leads: Leads::Twin, used: false });
     }
     for star in &rule.before.stars {
         for (at, spoke) in star.spokes.iter().enumerate() {
@@ -86,12 +73,7 @@ pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
                 .item_before(from)
                 .is_some_and(|prev| is_halfedge(prev) && view.twin(prev) == Some(to));
             if !implied {
-                pointers.push(Pointer {
-                    from,
-                    to,
-                    leads: Leads::Counterclockwise,
-                    used: false,
-                });
+                pointers.push(Pointer { from, to, leads: Leads::Counterclockwise, used: false });
             }
         }
     }

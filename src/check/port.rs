@@ -51,22 +51,11 @@ impl Links {
     /// Reads the links of a side.
     pub fn of(rule: &Rule, side: &Side) -> Self {
         let count = 2 * rule.names.len();
-        let mut links = Self {
-            ports: Vec::new(),
-            next: vec![None; count],
-            linked: vec![false; count],
-        };
+        let mut links =
+            Self { ports: Vec::new(), next: vec![None; count], linked: vec![false; count] };
         let mut seen = vec![false; rule.names.len()];
-        let in_loops = side
-            .loops
-            .iter()
-            .flat_map(|orbit| &orbit.items)
-            .map(|item| item.item.name);
-        let in_edges = side
-            .edges
-            .iter()
-            .flat_map(|edge| edge.halfedges)
-            .map(|half| half.name);
+        let in_loops = side.loops.iter().flat_map(|orbit| &orbit.items).map(|item| item.item.name);
+        let in_edges = side.edges.iter().flat_map(|edge| edge.halfedges).map(|half| half.name);
         for item in in_loops.chain(in_edges) {
             debug_assert!(matches!(rule.kind(item), Kind::Halfedge | Kind::Path));
             if !std::mem::replace(&mut seen[item.index()], true) {

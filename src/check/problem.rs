@@ -25,18 +25,12 @@ pub(super) enum Remedy {
     /// is erased.
     Take(NameId),
     /// `edge e: x | y`
-    Pair {
-        edge: NameId,
-        halfedges: [NameId; 2],
-    },
+    Pair { edge: NameId, halfedges: [NameId; 2] },
 }
 
 impl From<Diagnostic> for Problem {
     fn from(diagnostic: Diagnostic) -> Self {
-        Self {
-            diagnostic,
-            remedies: Vec::new(),
-        }
+        Self { diagnostic, remedies: Vec::new() }
     }
 }
 

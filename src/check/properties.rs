@@ -69,11 +69,7 @@ pub(super) fn kept_by_families(sizes: &Sizes, grows_with: &[String]) -> Vec<Prop
         Property::Boundary => at_all(&|drawing, _| keeps_boundary(drawing)),
         Property::ConstantTime => grows_with.is_empty(),
         Property::Level(level) => {
-            let guarded = sizes
-                .large
-                .rule
-                .guard
-                .is_some_and(|(guard, _)| guard >= *level);
+            let guarded = sizes.large.rule.guard.is_some_and(|(guard, _)| guard >= *level);
             guarded || !sizes.obligations(*level).iter().any(Obligation::is_test)
         }
     };
@@ -103,11 +99,7 @@ pub(super) fn evenly(
             let counts: Vec<_> = families.collect();
             let mut at = 0;
             runs.retain(|_| {
-                let whole = counts
-                    .iter()
-                    .filter(|family| **family == counts[at])
-                    .count()
-                    > 2;
+                let whole = counts.iter().filter(|family| **family == counts[at]).count() > 2;
                 let first = !counts[..at].contains(&counts[at]);
                 at += 1;
                 !whole || first
@@ -127,18 +119,13 @@ fn family_of(rule: &Rule, word: &str) -> Option<NameId> {
 
 /// What `keeps` declares and the rule does not keep.
 pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Problem> {
-    let broken = op
-        .keeps
-        .iter()
-        .filter(|(property, _)| !facts.keeps.contains(property));
+    let broken = op.keeps.iter().filter(|(property, _)| !facts.keeps.contains(property));
     broken
         .map(|&(property, span)| {
             let word = property.word();
             let rule = drawing.rule.label.as_ref();
-            let who = rule.map_or_else(
-                || format!("`{}`", op.name),
-                |rule| format!("the rule `{rule}`"),
-            );
+            let who =
+                rule.map_or_else(|| format!("`{}`", op.name), |rule| format!("the rule `{rule}`"));
             let message = format!("{who} does not keep `{word}`");
             let diagnostic = Diagnostic::error("property-not-kept", message, span);
             let why = match property {
@@ -151,10 +138,9 @@ pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Pr
                 Property::Boundary => {
                     Some("a hole may lose or gain vertices, or come or go".into())
                 }
-                Property::ConstantTime => Some(format!(
-                    "its time grows with {}",
-                    join(facts.grows_with.iter().cloned())
-                )),
+                Property::ConstantTime => {
+                    Some(format!("its time grows with {}", join(facts.grows_with.iter().cloned())))
+                }
             };
             match why {
                 Some(why) => diagnostic.note(why).into(),
@@ -196,11 +182,7 @@ fn path_length(drawing: &Drawing, path: NameId, after: &Loop, size: i64) -> Opti
     let stays = before.face.name == after.face.name && after.kind == LoopKind::Any;
     let is_face = before.kind == LoopKind::Face || (before.kind == LoopKind::Any && stays);
     let is_path = |name: NameId| drawing.rule.kind(name) == Kind::Path;
-    let paths = before
-        .items
-        .iter()
-        .filter(|item| is_path(item.item.name))
-        .count();
+    let paths = before.items.iter().filter(|item| is_path(item.item.name)).count();
     let drawn = (before.items.len() - paths) as i64;
     (is_face && paths == 1).then_some(size - drawn)
 }
@@ -212,10 +194,8 @@ fn keeps_size(drawing: &Drawing, size: i64) -> bool {
 /// Whether the drawing matches where all faces have `size` halfedges.
 fn matches_faces_of(drawing: &Drawing, size: i64) -> bool {
     drawing.rule.before.loops.iter().all(|orbit| {
-        let paths = orbit
-            .items
-            .iter()
-            .filter(|item| drawing.rule.kind(item.item.name) == Kind::Path);
+        let paths =
+            orbit.items.iter().filter(|item| drawing.rule.kind(item.item.name) == Kind::Path);
         let paths = paths.count();
         let drawn = (orbit.items.len() - paths) as i64;
         orbit.kind != LoopKind::Face || (drawn <= size && (paths > 0 || drawn == size))
@@ -225,16 +205,9 @@ fn matches_faces_of(drawing: &Drawing, size: i64) -> bool {
 /// A face of `after` that may not have `size` halfedges, in words.
 fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
     if !matches_faces_of(drawing, size) {
-        return Some(format!(
-            "the drawing does not match where all faces have {size} sides"
-        ));
+        return Some(format!("the drawing does not match where all faces have {size} sides"));
     }
-    let faces = drawing
-        .rule
-        .after
-        .loops
-        .iter()
-        .filter(|orbit| orbit.kind != LoopKind::Hole);
+    let faces = drawing.rule.after.loops.iter().filter(|orbit| orbit.kind != LoopKind::Hole);
     faces
         .filter_map(|orbit| {
             let text = drawing.rule.quoted(orbit.face.name);
@@ -266,10 +239,7 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
         after.is_some_and(|after| after.kind == orbit.kind && content(after) == content(orbit))
     };
     let none_created = rule.after.loops.iter().filter(may_be_hole).all(|orbit| {
-        drawing
-            .before
-            .loop_of_face(orbit.face.name)
-            .is_some_and(|before| before.kind == orbit.kind)
+        drawing.before.loop_of_face(orbit.face.name).is_some_and(|before| before.kind == orbit.kind)
     });
     none_created
         && rule.before.loops.iter().filter(may_be_hole).all(same)
@@ -296,12 +266,8 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
                 - halfedges().filter(starts_before).count() as i64;
             let moved: Vec<_> = super::facts::moved_fans(drawing).collect();
             let named = |at: Option<NameId>| at == Some(vertex);
-            let gains = moved
-                .iter()
-                .filter(|&&fan| named(drawing.after.star_of_spoke(fan)));
-            let loses = moved
-                .iter()
-                .filter(|&&fan| named(drawing.before.star_of_spoke(fan)));
+            let gains = moved.iter().filter(|&&fan| named(drawing.after.star_of_spoke(fan)));
+            let loses = moved.iter().filter(|&&fan| named(drawing.before.star_of_spoke(fan)));
             SizeChange {
                 element: rule.name(vertex).text.clone(),
                 constant,
@@ -316,28 +282,20 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
 /// How the size of each face that lives on changes.
 pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
-    let faces = rule
-        .names_of(Kind::Face)
-        .filter(|&face| drawing.survives(face) && rule.is_first(face));
+    let faces =
+        rule.names_of(Kind::Face).filter(|&face| drawing.survives(face) && rule.is_first(face));
     faces
         .filter_map(|face| {
             let before = drawing.before.loop_of_face(face)?;
             let after = drawing.after.loop_of_face(face)?;
             let is_path = |name: &NameId| rule.kind(*name) == Kind::Path;
-            let items = |orbit: &Loop| {
-                orbit
-                    .items
-                    .iter()
-                    .map(|item| item.item.name)
-                    .collect::<Vec<_>>()
-            };
+            let items =
+                |orbit: &Loop| orbit.items.iter().map(|item| item.item.name).collect::<Vec<_>>();
             let (before, after) = (items(before), items(after));
             let drawn =
                 |items: &[NameId]| items.iter().filter(|name| !is_path(name)).count() as i64;
             let only_in = |these: &[NameId], others: &[NameId]| {
-                let paths = these
-                    .iter()
-                    .filter(|name| is_path(name) && !others.contains(name));
+                let paths = these.iter().filter(|name| is_path(name) && !others.contains(name));
                 paths.map(|&path| rule.name(path).text.clone()).collect()
             };
             Some(SizeChange {

@@ -98,10 +98,7 @@ pub fn check(op: &Op) -> Result<Proved, Vec<Diagnostic>> {
 /// Proves an operation, or tells every law it breaks, with meshes that show it.
 pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     let mut proofs = Vec::new();
-    let mut rejection = Rejection {
-        diagnostics: Vec::new(),
-        outcomes: Vec::new(),
-    };
+    let mut rejection = Rejection { diagnostics: Vec::new(), outcomes: Vec::new() };
     for rule in &op.rules {
         let proof = match rule.has_families() {
             true => families::prove(op, rule),
@@ -122,10 +119,7 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
         }
     }
     if rejection.diagnostics.is_empty() {
-        Ok(Proved {
-            op: op.clone(),
-            proofs,
-        })
+        Ok(Proved { op: op.clone(), proofs })
     } else {
         Err(rejection)
     }
@@ -145,10 +139,7 @@ fn reject(op: &Op, rule: &Rule, mut broken: Broken) -> Rejected {
         Ok(_) => Vec::new(),
         Err(broken) => broken.problems,
     };
-    Rejected {
-        diagnostics: mend::add_fixes(rule, broken.problems, laws),
-        outcome,
-    }
+    Rejected { diagnostics: mend::add_fixes(rule, broken.problems, laws), outcome }
 }
 
 /// The laws that a rule breaks.
@@ -163,11 +154,7 @@ pub(super) struct Broken {
 
 impl From<Vec<Problem>> for Broken {
     fn from(problems: Vec<Problem>) -> Self {
-        Self {
-            problems,
-            arcs: None,
-            outcome: None,
-        }
+        Self { problems, arcs: None, outcome: None }
     }
 }
 
@@ -187,13 +174,7 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let cases = rings.cases + aliased.cases();
     let mut facts = Facts::of(&drawing, &matching, &guard, cases);
     aliased.keeps_no_more(&mut facts);
-    let proof = Proof {
-        matching,
-        guard,
-        facts,
-        rings,
-        unrolled: None,
-    };
+    let proof = Proof { matching, guard, facts, rings, unrolled: None };
     proof.bears_out(op, &drawing)
 }
 
@@ -212,9 +193,5 @@ pub(super) fn statements(drawing: &Drawing) -> Result<(), Broken> {
 }
 
 pub(super) fn stop_at(problems: Vec<Problem>) -> Result<(), Broken> {
-    if problems.is_empty() {
-        Ok(())
-    } else {
-        Err(problems.into())
-    }
+    if problems.is_empty() { Ok(()) } else { Err(problems.into()) }
 }

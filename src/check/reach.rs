@@ -71,10 +71,7 @@ impl Reach<'_> {
     fn bind(&mut self, name: NameId, source: Source) {
         let rule = self.drawing.rule;
         let source = source.turned(rule, -i64::from(rule.index(name)));
-        self.steps.push(Step::Bind {
-            name: Bound::Element(rule.first_member(name)),
-            source,
-        });
+        self.steps.push(Step::Bind { name: Bound::Element(rule.first_member(name)), source });
         self.now_bound(name);
     }
 
@@ -103,11 +100,7 @@ impl Reach<'_> {
             if let Some(claim) = self.known_element(name) {
                 self.steps.push(Step::Test(claim));
             } else if let Some(halfedge) = self.anchor(name) {
-                self.steps.push(Step::Attempt {
-                    element: name,
-                    halfedge,
-                    tries: self.tries(name),
-                });
+                self.steps.push(Step::Attempt { element: name, halfedge, tries: self.tries(name) });
                 self.begin(halfedge);
                 self.follow();
             } else if !self.is_whole_path(name) {
@@ -172,20 +165,13 @@ impl Reach<'_> {
             Kind::Face => {
                 let items = &view.loop_of_face(element)?.items;
                 let halfedges = items.iter().map(|item| item.item.name);
-                let half = halfedges
-                    .filter(|&item| rule.kind(item) == Kind::Halfedge)
-                    .find(bound)?;
+                let half =
+                    halfedges.filter(|&item| rule.kind(item) == Kind::Halfedge).find(bound)?;
                 Some((half, Source::Face(Bound::Element(half))))
             }
             Kind::Vertex => {
-                let corner = self
-                    .corners
-                    .iter()
-                    .find(|corner| corner.vertex == element)?;
-                corner
-                    .chains
-                    .iter()
-                    .find_map(|chain| self.vertex_source(&chain.ports))
+                let corner = self.corners.iter().find(|corner| corner.vertex == element)?;
+                corner.chains.iter().find_map(|chain| self.vertex_source(&chain.ports))
             }
             Kind::Halfedge | Kind::Path | Kind::Fan => None,
         }
@@ -216,9 +202,7 @@ impl Reach<'_> {
         let rule = self.drawing.rule;
         let view = &self.drawing.before;
         match rule.kind(element) {
-            Kind::Edge => view
-                .edge_statement(element)
-                .map(|edge| edge.halfedges[0].name),
+            Kind::Edge => view.edge_statement(element).map(|edge| edge.halfedges[0].name),
             Kind::Face => {
                 let items = &view.loop_of_face(element)?.items;
                 items
@@ -287,19 +271,12 @@ impl Reach<'_> {
                 return Err(vec![self.unreachable(op, &[face])]);
             }
             let first = Bound::First(path);
-            self.steps.push(Step::Bind {
-                name: first,
-                source: Source::FaceHalfedge(face),
-            });
-            self.steps.push(Step::Bind {
-                name: Bound::Last(path),
-                source: Source::Prev(first),
-            });
+            self.steps.push(Step::Bind { name: first, source: Source::FaceHalfedge(face) });
+            self.steps.push(Step::Bind { name: Bound::Last(path), source: Source::Prev(first) });
             let vertex = item.from.name;
             let source = Source::Origin(first);
             if self.is_bound(vertex) {
-                self.steps
-                    .push(Step::Test(Claim::Leads(source, Bound::Element(vertex))));
+                self.steps.push(Step::Test(Claim::Leads(source, Bound::Element(vertex))));
             } else {
                 self.bind(vertex, source);
             }
@@ -310,27 +287,16 @@ impl Reach<'_> {
             .filter(|&name| view.mention(name).is_some() && !self.is_bound(name))
             .filter(|&name| rule.is_first(name))
             .collect();
-        if lost.is_empty() {
-            Ok(())
-        } else {
-            Err(vec![self.unreachable(op, &lost)])
-        }
+        if lost.is_empty() { Ok(()) } else { Err(vec![self.unreachable(op, &lost)]) }
     }
 
     fn unreachable(&self, op: &Op, lost: &[NameId]) -> Problem {
         let rule = self.drawing.rule;
         let list = enumerate(rule, lost);
         let be = super::problem::is_or_are(lost.len());
-        let message = format!(
-            "{list} {be} not reachable from the parameters of `{}`",
-            op.name
-        );
+        let message = format!("{list} {be} not reachable from the parameters of `{}`", op.name);
         let name = lost[0];
-        let span = self
-            .drawing
-            .before
-            .mention(name)
-            .unwrap_or(rule.before.span);
+        let span = self.drawing.before.mention(name).unwrap_or(rule.before.span);
         let mut diagnostic =
             Diagnostic::error("unreachable-name", message, span).saying("no pointer leads here");
         for &other in lost.iter().skip(1).take(3) {
@@ -353,10 +319,7 @@ impl Reach<'_> {
                 "a loop that holds a halfedge that is reached would bind {}",
                 rule.quoted(name)
             ),
-            Kind::Vertex => format!(
-                "a loop that runs through {} would bind it",
-                rule.quoted(name)
-            ),
+            Kind::Vertex => format!("a loop that runs through {} would bind it", rule.quoted(name)),
             _ => format!("an edge statement would bind it: `edge {word}: h | h'`"),
         };
         // What is said of the parameter that is missing mends more.
@@ -370,12 +333,7 @@ impl Reach<'_> {
     /// The ends of the paths.
     fn paths(&mut self) {
         let rule = self.drawing.rule;
-        for orbit in rule
-            .before
-            .loops
-            .iter()
-            .filter(|orbit| orbit.items.len() > 1)
-        {
+        for orbit in rule.before.loops.iter().filter(|orbit| orbit.items.len() > 1) {
             let count = orbit.items.len();
             for (at, item) in orbit.items.iter().enumerate() {
                 let path = item.item.name;

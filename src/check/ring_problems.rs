@@ -37,10 +37,11 @@ impl Case<'_> {
             let message = format!(
                 "a spoke of {text} outside of the drawing would still start at {text}, which is erased"
             );
-            let drawn = self.drawing.before.star(vertex).map_or_else(
-                || self.drawing.before.mention(vertex),
-                |star| Some(star.span),
-            );
+            let drawn = self
+                .drawing
+                .before
+                .star(vertex)
+                .map_or_else(|| self.drawing.before.mention(vertex), |star| Some(star.span));
             let mut diagnostic =
                 Diagnostic::error("stale-vertex", message, erased).saying("erased here");
             if let Some(drawn) = drawn {
@@ -104,16 +105,11 @@ impl Case<'_> {
     pub(super) fn cut_arc(&self, arc: Arc) -> Problem {
         let rule = self.drawing.rule;
         let text = rule.quoted(arc.vertex);
-        let gone = [arc.from, arc.to]
-            .into_iter()
-            .find(|port| self.drawing.erased(port.item()).is_some());
+        let gone =
+            [arc.from, arc.to].into_iter().find(|port| self.drawing.erased(port.item()).is_some());
         let port = gone.unwrap_or(arc.from);
         let item = rule.quoted(port.item());
-        let span = self
-            .drawing
-            .before
-            .mention(port.item())
-            .unwrap_or(rule.before.span);
+        let span = self.drawing.before.mention(port.item()).unwrap_or(rule.before.span);
         let message = format!(
             "what lies around {text} outside of the drawing would lose its neighbour {item}"
         );
@@ -126,30 +122,19 @@ impl Case<'_> {
         let text = rule.quoted(vertex);
         match step {
             Step::Port(port @ Port::Out(item)) => {
-                let span = self
-                    .drawing
-                    .after
-                    .origin_mention(item)
-                    .map(|mention| mention.span);
+                let span = self.drawing.after.origin_mention(item).map(|mention| mention.span);
                 let span = span.or_else(|| self.star_mention(item));
                 let span = span.or_else(|| self.drawing.after.mention(item));
                 let what = match rule.kind(item) {
                     Kind::Path if vertex_after(self.drawing, port) != Some(vertex) => {
-                        format!(
-                            "the first halfedge of {} starts at {text}",
-                            rule.quoted(item)
-                        )
+                        format!("the first halfedge of {} starts at {text}", rule.quoted(item))
                     }
                     _ => format!("{} starts at {text}", rule.quoted(item)),
                 };
                 (what, span)
             }
             Step::Port(Port::In(item)) => {
-                let span = self
-                    .drawing
-                    .after
-                    .target_mention(item)
-                    .map(|mention| mention.span);
+                let span = self.drawing.after.target_mention(item).map(|mention| mention.span);
                 let twin = || self.drawing.after.twin(item);
                 let span = span.or_else(|| self.star_mention(twin()?));
                 (
@@ -248,25 +233,18 @@ impl Case<'_> {
                     _ => None,
                 })
                 .collect();
-            let arcs = cycle
-                .iter()
-                .any(|step| matches!(step, Step::Arc(arc) if arc.lies != Lies::Empty));
+            let arcs =
+                cycle.iter().any(|step| matches!(step, Step::Arc(arc) if arc.lies != Lies::Empty));
             let outside = arcs.then(|| "spokes outside of the drawing".to_string());
             join(drawn.into_iter().chain(outside))
         };
         let message = format!("{text} would split in two");
-        let span = self
-            .drawing
-            .after
-            .mention(vertex)
-            .unwrap_or(rule.after.span);
+        let span = self.drawing.after.mention(vertex).unwrap_or(rule.after.span);
         let place = |cycle: &[Step]| {
             cycle.iter().find_map(|&step| match step {
-                Step::Port(Port::Out(item)) => self
-                    .drawing
-                    .after
-                    .origin_mention(item)
-                    .map(|mention| mention.span),
+                Step::Port(Port::Out(item)) => {
+                    self.drawing.after.origin_mention(item).map(|mention| mention.span)
+                }
                 _ => None,
             })
         };
@@ -349,23 +327,14 @@ impl Case<'_> {
         let text = rule.quoted(vertex);
         let statement = format!("vertex {}: {ring}", rule.name(vertex).text);
         let message = format!("the vertex statement of {text} is not its ring of spokes");
-        let span = if self
-            .drawing
-            .after
-            .side()
-            .kept
-            .iter()
-            .any(|kept| kept.name == vertex)
-        {
+        let span = if self.drawing.after.side().kept.iter().any(|kept| kept.name == vertex) {
             self.drawing.after.mention(vertex).unwrap_or(star.span)
         } else {
             star.span
         };
         Some(
             Diagnostic::error("star-order", message, span)
-                .saying(format!(
-                    "counterclockwise, the loops and edges of `after` give: {ring}"
-                ))
+                .saying(format!("counterclockwise, the loops and edges of `after` give: {ring}"))
                 .fix(format!("write `{statement}`"), span, statement)
                 .into(),
         )

@@ -13,9 +13,7 @@ impl Stale {
     /// `next`, `vertex` and `face` of halfedges (and the `face` of paths) without a loop,
     /// and `twin` and `edge` of those that also lack an edge.
     pub fn of_loop(drawing: &Drawing, items: &[NameId]) -> Self {
-        let mut stale = Self {
-            pointers: Vec::new(),
-        };
+        let mut stale = Self { pointers: Vec::new() };
         for &item in items {
             let view = &drawing.before;
             if drawing.rule.kind(item) == crate::diagram::Kind::Halfedge {
@@ -33,9 +31,7 @@ impl Stale {
 
     /// `twin` and `edge` of halfedges without an edge.
     pub fn of_edge(drawing: &Drawing, halfedges: &[NameId]) -> Self {
-        let mut stale = Self {
-            pointers: Vec::new(),
-        };
+        let mut stale = Self { pointers: Vec::new() };
         for &half in halfedges {
             stale.add(drawing, half, "twin", drawing.before.twin(half));
             stale.add(drawing, half, "edge", drawing.before.edge(half));
@@ -52,8 +48,7 @@ impl Stale {
             format!("`{pointer}` along {}", name.text)
         };
         let erased = drawing.erased(value).is_some();
-        self.pointers
-            .push((pointer, drawing.rule.quoted(value), erased));
+        self.pointers.push((pointer, drawing.rule.quoted(value), erased));
     }
 
     /// The pointers to erased elements first, in words.

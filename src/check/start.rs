@@ -23,10 +23,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
         let message = format!("`{}` has no parameter from which matching starts", op.name);
         let problem = Diagnostic::error("unreachable-name", message, op.name_span)
             .note("matching follows pointers from an element that it is given, and never searches")
-            .note(format!(
-                "name one that `before` draws: `op {}(e: edge)`",
-                op.name
-            ));
+            .note(format!("name one that `before` draws: `op {}(e: edge)`", op.name));
         return vec![problem.into()];
     };
     let words = join(elements.iter().map(|param| format!("`{}`", param.name)));
@@ -49,10 +46,7 @@ pub(super) fn test(op: &Op, drawing: &Drawing) -> Vec<Problem> {
             let end = drawing.before.end_of_statements();
             problem.fixes.extend(end.map(|span| Fix {
                 title: format!("insert `{statement}`"),
-                edits: vec![Edit {
-                    span,
-                    text: format!("\n    {statement}"),
-                }],
+                edits: vec![Edit { span, text: format!("\n    {statement}") }],
             }));
         }
         (ty, _) => problem = problem.note(format!("draw {it}: `{}`", example(&first.name, ty))),
@@ -86,10 +80,7 @@ pub(super) fn example(word: &str, ty: Type) -> String {
 /// The keyword `before`.
 fn before_keyword(drawing: &Drawing) -> Span {
     let span = drawing.rule.before.span;
-    Span {
-        end: (span.start + "before".len() as u32).min(span.end),
-        ..span
-    }
+    Span { end: (span.start + "before".len() as u32).min(span.end), ..span }
 }
 
 /// The pairs of halfedges without an edge statement that run between the same vertices, in

@@ -113,13 +113,7 @@ fn ring_that_takes<'c>(case: &'c Case, erased: NameId) -> Option<(&'c [Step], Na
 
 /// `vertex v1: d h' *S b`: the drawn spokes of a vertex, and a fan for all others.
 fn statement(rule: &Rule, corner: &Corner, fan: NameId) -> Option<Star> {
-    let [
-        Chain {
-            ports,
-            closed: false,
-        },
-    ] = corner.chains.as_slice()
-    else {
+    let [Chain { ports, closed: false }] = corner.chains.as_slice() else {
         return None;
     };
     let span = rule.before.span;
@@ -133,12 +127,7 @@ fn statement(rule: &Rule, corner: &Corner, fan: NameId) -> Option<Star> {
         }
     }
     spokes.push(Spoke::Fan(Ref::plain(fan, span)));
-    Some(Star {
-        vertex: Ref::plain(corner.vertex, span),
-        spokes,
-        each: false,
-        span,
-    })
+    Some(Star { vertex: Ref::plain(corner.vertex, span), spokes, each: false, span })
 }
 
 /// A fan with a name that the rule does not have.

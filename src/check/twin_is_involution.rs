@@ -37,10 +37,7 @@ fn sides_are_pairings(drawing: &Drawing, side: &Side, word: &str, problems: &mut
                 let problem = Diagnostic::error("twin-twice", message, half.span)
                     .saying("here again")
                     .label(span, "here")
-                    .note(format!(
-                        "`{}.twin` can have one value",
-                        rule.name(half.name).text
-                    ));
+                    .note(format!("`{}.twin` can have one value", rule.name(half.name).text));
                 problems.push(problem.into());
             } else {
                 first[half.name.index()] = Some(half.span);

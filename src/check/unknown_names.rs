@@ -17,10 +17,7 @@ impl Unknown {
     /// Looks at every name of `after`.
     pub fn find(drawing: &Drawing) -> Self {
         let rule = drawing.rule;
-        let mut found = Self {
-            problems: Vec::new(),
-            meant: Vec::new(),
-        };
+        let mut found = Self { problems: Vec::new(), meant: Vec::new() };
         let mut created = Vec::new();
         for index in 0..rule.names.len() {
             let name = NameId(index as u32);
@@ -32,10 +29,7 @@ impl Unknown {
                 Some(meant) => {
                     let word = &rule.name(meant).text;
                     let problem = unknown(drawing, (name, span), &[])
-                        .label(
-                            rule.name(meant).span,
-                            format!("`{word}` has a similar name"),
-                        )
+                        .label(rule.name(meant).span, format!("`{word}` has a similar name"))
                         .fix(format!("write `{word}`"), span, word.clone());
                     found.problems.push(problem.into());
                     found.meant.push(meant);
@@ -69,12 +63,7 @@ impl Unknown {
                 drawing.before.mention(other).is_some() || drawing.created(other).is_some()
             })
             .filter(|&other| missing(other))
-            .map(|other| {
-                (
-                    strsim::damerau_levenshtein(word, &rule.name(other).text),
-                    other,
-                )
-            })
+            .map(|other| (strsim::damerau_levenshtein(word, &rule.name(other).text), other))
             .filter(|&(distance, _)| distance <= word.chars().count().max(3) / 3)
             .min()
             .map(|(_, other)| other)
@@ -84,10 +73,7 @@ impl Unknown {
 /// What is told of names that nothing introduces, each with a place where it stands.
 fn unknown(drawing: &Drawing, first: (NameId, Span), others: &[(NameId, Span)]) -> Diagnostic {
     let rule = drawing.rule;
-    let list: Vec<_> = std::iter::once(&first)
-        .chain(others)
-        .map(|(name, _)| *name)
-        .collect();
+    let list: Vec<_> = std::iter::once(&first).chain(others).map(|(name, _)| *name).collect();
     let stand = if list.len() == 1 { "stands" } else { "stand" };
     let message = format!(
         "{} {stand} in `after`, but neither in `before` nor in `new`",
@@ -120,10 +106,7 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
     let elements: Vec<_> = elements.collect();
     let mut remedies = Vec::new();
     if !elements.is_empty() {
-        let words: Vec<_> = elements
-            .iter()
-            .map(|&name| &*rule.name(name).text)
-            .collect();
+        let words: Vec<_> = elements.iter().map(|&name| &*rule.name(name).text).collect();
         let what = match names.len() {
             1 => format!("if {} is created here, list it", rule.quoted(elements[0])),
             _ => "if they are created here, list them".to_owned(),
@@ -131,8 +114,5 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
         diagnostic = diagnostic.note(format!("{what}: `new {}`", words.join(" ")));
         remedies.push(Remedy::Create(elements));
     }
-    Some(Problem {
-        diagnostic,
-        remedies,
-    })
+    Some(Problem { diagnostic, remedies })
 }

@@ -61,19 +61,13 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         counted.push((corner.clone(), (!unchanged).then_some(found.len())));
         ways.push(found);
     }
-    let product = ways
-        .iter()
-        .try_fold(1_usize, |product, found| product.checked_mul(found.len()));
+    let product = ways.iter().try_fold(1_usize, |product, found| product.checked_mul(found.len()));
     if product.is_none_or(|product| product > MOST) {
         let widest = corners.iter().max_by_key(|corner| corner.chains.len());
         let widest = widest.map(|corner| too_many(drawing, corner));
         return Err(widest.into_iter().collect::<Vec<_>>().into());
     }
-    let mut rings = Rings {
-        corners: counted,
-        cases: 0,
-        shown: Vec::new(),
-    };
+    let mut rings = Rings { corners: counted, cases: 0, shown: Vec::new() };
     let mut pick = vec![0; ways.len()];
     loop {
         let picked = pick.iter().zip(&ways).map(|(&at, found)| &found[at]);
@@ -82,11 +76,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             let problems = case.problems();
             if !problems.is_empty() {
                 let arcs = combination.iter().flat_map(|way| way.arcs.iter().copied());
-                return Err(Broken {
-                    problems,
-                    arcs: Some(arcs.collect()),
-                    outcome: None,
-                });
+                return Err(Broken { problems, arcs: Some(arcs.collect()), outcome: None });
             }
             rings.cases += 1;
             if rings.shown.len() < MOST_SHOWN {
@@ -131,9 +121,7 @@ pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<
         links && entry_free && chain.ports.iter().all(stays)
     };
     let chains = corner.chains.iter().enumerate();
-    chains
-        .filter_map(|(at, chain)| is_settled(chain).then_some(at))
-        .collect()
+    chains.filter_map(|(at, chain)| is_settled(chain).then_some(at)).collect()
 }
 
 /// Whether `after` draws something at a vertex that was not drawn there before.
@@ -151,14 +139,9 @@ pub(super) fn too_many(drawing: &Drawing, corner: &Corner) -> Problem {
     let text = drawing.rule.quoted(corner.vertex);
     let count = corner.chains.len();
     let message = format!("too many ways for the spokes of {text} to lie: the checker gives up");
-    let span = drawing
-        .before
-        .mention(corner.vertex)
-        .unwrap_or(drawing.rule.before.span);
+    let span = drawing.before.mention(corner.vertex).unwrap_or(drawing.rule.before.span);
     Diagnostic::error("too-many-cases", message, span)
-        .saying(format!(
-            "the drawing leaves {count} pieces of its star in any order"
-        ))
+        .saying(format!("the drawing leaves {count} pieces of its star in any order"))
         .note(format!(
             "a vertex statement fixes their order: `vertex {}: …`",
             drawing.rule.name(corner.vertex).text
@@ -174,9 +157,7 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
         );
         let diagnostic = Diagnostic::error("impossible-drawing", message, star.span)
             .saying("these spokes, counterclockwise")
-            .note(format!(
-                "counterclockwise around {text} the spoke after `h` is `h.prev.twin`"
-            ));
+            .note(format!("counterclockwise around {text} the spoke after `h` is `h.prev.twin`"));
         return match in_order(drawing, corner, star) {
             Some(statement) => {
                 let title = format!("write `{statement}`");
@@ -186,25 +167,15 @@ pub(super) fn impossible(drawing: &Drawing, corner: &Corner) -> Problem {
         };
     }
     let closed = corner.chains.iter().find(|chain| chain.closed);
-    let spokes = closed
-        .map(|chain| spokes_of(drawing, &chain.ports))
-        .unwrap_or_default();
-    let other = corner
-        .chains
-        .iter()
-        .find(|chain| !chain.closed || Some(*chain) != closed);
-    let item = other.map_or(corner.chains[0].entry().item(), |chain| {
-        chain.entry().item()
-    });
+    let spokes = closed.map(|chain| spokes_of(drawing, &chain.ports)).unwrap_or_default();
+    let other = corner.chains.iter().find(|chain| !chain.closed || Some(*chain) != closed);
+    let item = other.map_or(corner.chains[0].entry().item(), |chain| chain.entry().item());
     let message = format!(
         "no mesh matches: the spokes of {text} close around {}, and leave no room for {}",
         enumerate(drawing.rule, &spokes),
         drawing.rule.quoted(item)
     );
-    let span = drawing
-        .before
-        .mention(item)
-        .unwrap_or(drawing.rule.before.span);
+    let span = drawing.before.mention(item).unwrap_or(drawing.rule.before.span);
     Diagnostic::error("impossible-drawing", message, span).into()
 }
 

@@ -60,9 +60,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             all.push(ways(drawing, corner, &after)?);
         }
     }
-    let cases = all
-        .iter()
-        .try_fold(1_usize, |cases, ways| cases.checked_mul(ways.found.len()));
+    let cases = all.iter().try_fold(1_usize, |cases, ways| cases.checked_mul(ways.found.len()));
     let Some(cases) = cases.filter(|&cases| cases <= MOST) else {
         let widest = all.iter().max_by_key(|ways| ways.found.len());
         let told = widest.map(|ways| too_many(drawing, &ways.corner));
@@ -84,19 +82,12 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
         let problems = case.problems();
         if !problems.is_empty() {
             let arcs = uniform.iter().flat_map(|way| way.arcs.iter().copied());
-            return Err(Broken {
-                problems,
-                arcs: Some(arcs.collect()),
-                outcome: None,
-            });
+            return Err(Broken { problems, arcs: Some(arcs.collect()), outcome: None });
         }
         let walk = Walk {
             drawing,
             after: &after,
-            arcs: uniform
-                .iter()
-                .flat_map(|way| way.arcs.iter().copied())
-                .collect(),
+            arcs: uniform.iter().flat_map(|way| way.arcs.iter().copied()).collect(),
             ways: &all,
         };
         let problems = walk.problems();
@@ -104,19 +95,12 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
             return Err(problems.into());
         }
         if shown.len() < MOST_SHOWN {
-            shown.push(RingCase {
-                rings: at_index_0(rule, &case),
-            });
+            shown.push(RingCase { rings: at_index_0(rule, &case) });
         }
     }
-    let counted = all
-        .into_iter()
-        .map(|ways| (ways.corner, (!ways.unchanged).then_some(ways.found.len())));
-    Ok(Rings {
-        corners: counted.collect(),
-        cases,
-        shown,
-    })
+    let counted =
+        all.into_iter().map(|ways| (ways.corner, (!ways.unchanged).then_some(ways.found.len())));
+    Ok(Rings { corners: counted.collect(), cases, shown })
 }
 
 /// Of the rings of each family the one at index 0, and those of single vertices.
@@ -145,12 +129,7 @@ fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken
         && corner.chains.len() > 1
         && drawing.before.star(corner.vertex).is_none();
     if loose {
-        return Ok(Ways {
-            found: vec![in_any_order(&corner)],
-            corner,
-            unchanged,
-            loose,
-        });
+        return Ok(Ways { found: vec![in_any_order(&corner)], corner, unchanged, loose });
     }
     let Some(found) = arrangements(drawing, &corner, &still) else {
         return Err(vec![too_many(drawing, &corner)].into());
@@ -167,12 +146,7 @@ fn ways(drawing: &Drawing, corner: Corner, after: &Links) -> Result<Ways, Broken
             .note("list a spoke of each of them in its vertex statement");
         return Err(vec![problem.into()].into());
     }
-    Ok(Ways {
-        corner,
-        found,
-        unchanged,
-        loose,
-    })
+    Ok(Ways { corner, found, unchanged, loose })
 }
 
 /// An arrangement of chains of which nobody knows the order.
@@ -336,10 +310,7 @@ impl Walk<'_> {
             Port::Out(_) => Port::Out(first),
             Port::In(_) => Port::In(first),
         };
-        Some(Spot {
-            port,
-            at: spot.at + by,
-        })
+        Some(Spot { port, at: spot.at + by })
     }
 
     fn ways_of(&self, vertex: NameId) -> Option<&Ways> {

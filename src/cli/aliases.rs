@@ -24,11 +24,7 @@ pub(super) fn show(rule: &RuleAliases) -> String {
         };
         let why = [set.why.as_ref(), set.comes_to.as_ref()];
         let why: Vec<_> = why.into_iter().flatten().map(String::as_str).collect();
-        rows.push(vec![
-            format!("  {verdict}"),
-            names(set),
-            why.join("; carried out literally, "),
-        ]);
+        rows.push(vec![format!("  {verdict}"), names(set), why.join("; carried out literally, ")]);
     }
     let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
     for set in rule.sets.iter().filter(|set| set.verdict == "impossible") {

@@ -32,17 +32,12 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         obj.bring((*kind, name, *default));
     }
     let before = Counts::of(&obj.mesh);
-    let applied = run::apply(
-        &program.analysis.program,
-        op,
-        &program.analysis.plans,
-        &mut obj.mesh,
-        &values,
-    )
-    .map_err(|failure| {
-        complain_of(&[failure.diagnostic], &program.sources);
-        Failure::Silent(2.into())
-    })?;
+    let applied =
+        run::apply(&program.analysis.program, op, &program.analysis.plans, &mut obj.mesh, &values)
+            .map_err(|failure| {
+                complain_of(&[failure.diagnostic], &program.sources);
+                Failure::Silent(2.into())
+            })?;
     match applied {
         Applied::Done { result, created } => {
             meshes::write(&arguments.output, &mut obj)?;
@@ -82,14 +77,11 @@ fn values(
 ) -> Result<Vec<(String, Argument)>, Failure> {
     let params = &program.analysis.program.ops[op].params;
     let mut texts = settings(&arguments.set)?;
-    if let Some((name, _)) = texts.iter().find(|(name, _)| {
-        params
-            .iter()
-            .any(|param| param.name == *name && param.ty.is_element())
-    }) {
-        return Err(Failure::usage(format!(
-            "`{name}` is an element: give --at {name}=PLACE"
-        )));
+    if let Some((name, _)) = texts
+        .iter()
+        .find(|(name, _)| params.iter().any(|param| param.name == *name && param.ty.is_element()))
+    {
+        return Err(Failure::usage(format!("`{name}` is an element: give --at {name}=PLACE")));
     }
     for (param, place) in params.iter().zip(places(params, &arguments.at)?) {
         match place {
@@ -137,9 +129,9 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
         };
         let place = place::read(text).map_err(Failure::usage)?;
         let found = match name {
-            Some(name) => params
-                .iter()
-                .position(|param| param.name == name && param.ty.is_element()),
+            Some(name) => {
+                params.iter().position(|param| param.name == name && param.ty.is_element())
+            }
             None => {
                 let mut open = params.iter().zip(&places);
                 open.position(|(param, place)| param.ty.is_element() && place.is_none())
@@ -168,10 +160,7 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
             )));
         }
         if places[at].replace(place).is_some() {
-            return Err(Failure::usage(format!(
-                "`{}` is given twice",
-                params[at].name
-            )));
+            return Err(Failure::usage(format!("`{}` is given twice", params[at].name)));
         }
     }
     Ok(places)
@@ -213,15 +202,8 @@ impl Report {
         if !self.created.is_empty() {
             text.push_str(&format!("\ncreated  {}", self.created.join(" ")));
         }
-        let Counts {
-            vertices,
-            edges,
-            faces,
-            ..
-        } = self.after;
-        text.push_str(&format!(
-            "\nnow      {vertices} vertices, {edges} edges, {faces} faces"
-        ));
+        let Counts { vertices, edges, faces, .. } = self.after;
+        text.push_str(&format!("\nnow      {vertices} vertices, {edges} edges, {faces} faces"));
         text
     }
 }
@@ -233,18 +215,13 @@ fn element(mesh: &Mesh, numbers: &WrittenNumbers, kind: ElementKind, id: u32) ->
         return None;
     }
     let ends = |half: HalfedgeId| {
-        Some((
-            numbers.vertex(mesh.vertex(half))?,
-            numbers.vertex(mesh.target(half))?,
-        ))
+        Some((numbers.vertex(mesh.vertex(half))?, numbers.vertex(mesh.target(half))?))
     };
     match kind {
-        ElementKind::Vertex => numbers
-            .vertex(VertexId(id))
-            .map(|number| format!("vertex:{number}")),
-        ElementKind::Face => numbers
-            .face(FaceId(id))
-            .map(|number| format!("face:{number}")),
+        ElementKind::Vertex => {
+            numbers.vertex(VertexId(id)).map(|number| format!("vertex:{number}"))
+        }
+        ElementKind::Face => numbers.face(FaceId(id)).map(|number| format!("face:{number}")),
         ElementKind::Halfedge => {
             ends(HalfedgeId(id)).map(|(from, to)| format!("halfedge:{from}-{to}"))
         }

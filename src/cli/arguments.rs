@@ -120,12 +120,7 @@ pub(super) struct ApplyArguments {
     /// .halfedges, where edge:N is one too); edge:A-B#2 is the
     /// second edge between A and B; several in the order of the
     /// parameters, or by name: --at a=halfedge:1-2
-    #[arg(
-        long = "at",
-        value_name = "PLACE",
-        required = true,
-        verbatim_doc_comment
-    )]
+    #[arg(long = "at", value_name = "PLACE", required = true, verbatim_doc_comment)]
     pub at: Vec<String>,
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -148,12 +143,7 @@ pub(super) struct PlanArguments {
     pub shown: Shown,
     /// How C++ is spelled: fields (h->next), accessors (h->next()),
     /// or a pattern, such as erase_vertex=delete_vertex({of})
-    #[arg(
-        long = "style",
-        value_name = "STYLE",
-        allow_hyphen_values = true,
-        verbatim_doc_comment
-    )]
+    #[arg(long = "style", value_name = "STYLE", allow_hyphen_values = true, verbatim_doc_comment)]
     pub style: Vec<String>,
     /// Where to write it, if not to standard output
     #[arg(short, long, value_name = "FILE")]

@@ -76,10 +76,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
         }
     }
     if arguments.format == Format::Json {
-        say_json(&Report {
-            proved: sound && unreadable.is_none(),
-            files,
-        })?;
+        say_json(&Report { proved: sound && unreadable.is_none(), files })?;
     }
     match unreadable {
         Some(failure) => Err(Failure::Silent(failure.exit_code())),
@@ -103,9 +100,7 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
         }
         for rule in &verdict.rules {
             let label = rule.rule.as_ref();
-            let name = label.map_or(verdict.op.clone(), |label| {
-                format!("{} {label}", verdict.op)
-            });
+            let name = label.map_or(verdict.op.clone(), |label| format!("{} {label}", verdict.op));
             let mut row = vec!["  proved".into(), name];
             row.extend(show_rule(rule));
             rows.push(row);
@@ -118,18 +113,13 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     let rows = table(&rows, &[]);
     let lines = rows.lines().map(String::from).zip(below);
     let lines = lines.flat_map(|(line, below)| std::iter::once(line).chain(below));
-    std::iter::once(file.to_string())
-        .chain(lines)
-        .collect::<Vec<_>>()
-        .join("\n")
+    std::iter::once(file.to_string()).chain(lines).collect::<Vec<_>>().join("\n")
 }
 
 /// What a rule keeps, and how degrees and sizes change, on lines of their own.
 fn details(rule: &RuleVerdict) -> Vec<String> {
     let changes = |changes: &BTreeMap<String, String>| {
-        let changes = changes
-            .iter()
-            .map(|(element, change)| format!("{element} {change}"));
+        let changes = changes.iter().map(|(element, change)| format!("{element} {change}"));
         changes.collect::<Vec<_>>().join(", ")
     };
     let lines = [
@@ -171,11 +161,7 @@ fn explained(argument: &RuleArgument) -> String {
 }
 
 fn cases(rule: &RuleVerdict) -> String {
-    if rule.cases == 1 {
-        "1 case".into()
-    } else {
-        format!("{} cases", rule.cases)
-    }
+    if rule.cases == 1 { "1 case".into() } else { format!("{} cases", rule.cases) }
 }
 
 fn change(rule: &RuleVerdict) -> String {
@@ -268,12 +254,7 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);
         let (end_line, end_column) = source.line_column(span.end as usize);
-        Place {
-            line,
-            column,
-            end_line,
-            end_column,
-        }
+        Place { line, column, end_line, end_column }
     };
     DiagnosticReport {
         severity: match diagnostic.severity {
@@ -285,10 +266,7 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
         labels: diagnostic
             .labels
             .iter()
-            .map(|label| LabelReport {
-                place: place(label.span),
-                text: label.text.clone(),
-            })
+            .map(|label| LabelReport { place: place(label.span), text: label.text.clone() })
             .collect(),
         notes: diagnostic.notes.clone(),
         fixes: diagnostic
@@ -299,10 +277,7 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
                 edits: fix
                     .edits
                     .iter()
-                    .map(|edit| EditReport {
-                        place: place(edit.span),
-                        text: edit.text.clone(),
-                    })
+                    .map(|edit| EditReport { place: place(edit.span), text: edit.text.clone() })
                     .collect(),
             })
             .collect(),

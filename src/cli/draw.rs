@@ -154,9 +154,7 @@ fn unproved_steps(analysis: &Analysis, op: usize) -> Vec<String> {
     let called = calls.get(&op).into_iter().flatten();
     let unproved = called.filter(|&&other| other != op && analysis.plans[other].is_none());
     let names = unproved.map(|&other| &analysis.program.ops[other].name);
-    names
-        .map(|name| format!("it calls `{name}`, which is not proved"))
-        .collect()
+    names.map(|name| format!("it calls `{name}`, which is not proved")).collect()
 }
 
 fn show_verdict(verdict: &Verdict) -> String {

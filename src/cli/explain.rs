@@ -9,9 +9,7 @@ use crate::diagnostic::{explain as explanation, explained};
 /// Says what a diagnostic means, and what mends it; or what a word of the language means.
 pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
     let Some(asked) = arguments.word.as_deref() else {
-        let rows: Vec<_> = explained()
-            .map(|(code, law)| vec![code.into(), law.into()])
-            .collect();
+        let rows: Vec<_> = explained().map(|(code, law)| vec![code.into(), law.into()]).collect();
         say(&table(&rows, &[]));
         return Ok(());
     };
@@ -20,9 +18,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         list_functions();
         return Ok(());
     }
-    let text = explanation(asked)
-        .map(str::to_owned)
-        .or_else(|| word(asked).map(described));
+    let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
     let text = text.ok_or_else(|| {
         Failure::usage(format!(
             "there is no diagnostic and no word `{asked}`; `hedgerow explain` lists the \

@@ -11,10 +11,8 @@ use crate::mesh::{ObjReason, replace_file};
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     expect_place(path)?;
     expect_waiting(path);
-    replace_file(path, |output| {
-        output.write_all(bytes).map_err(ObjReason::Io)
-    })
-    .map_err(|reason| Failure::usage(format!("{}: {reason}", path.display())))
+    replace_file(path, |output| output.write_all(bytes).map_err(ObjReason::Io))
+        .map_err(|reason| Failure::usage(format!("{}: {reason}", path.display())))
 }
 
 /// Said before a place is opened: if it is a pipe, it may wait until somebody reads.

@@ -98,12 +98,9 @@ fn replace(path: &Path, text: &str) -> std::io::Result<()> {
     // Behind a link the file is replaced, not the link.
     let target = fs::canonicalize(path)?;
     let folder = target.parent().unwrap_or(Path::new("."));
-    let mut file = tempfile::Builder::new()
-        .prefix(".hedgerow-")
-        .tempfile_in(folder)?;
+    let mut file = tempfile::Builder::new().prefix(".hedgerow-").tempfile_in(folder)?;
     file.write_all(text.as_bytes())?;
-    file.as_file()
-        .set_permissions(fs::metadata(&target)?.permissions())?;
+    file.as_file().set_permissions(fs::metadata(&target)?.permissions())?;
     file.persist(&target)?;
     Ok(())
 }

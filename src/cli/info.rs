@@ -92,16 +92,12 @@ struct DumpReport<'a> {
 
 /// Whether a mesh is of a level.
 fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<(), Failure> {
-    let below = validate_level(mesh, level)
-        .err()
-        .map(|below| below.to_string());
+    let below = validate_level(mesh, level).err().map(|below| below.to_string());
     let file = arguments.mesh.display();
     match (arguments.format, &below) {
-        (Format::Json, _) => say_json(&LevelReport {
-            level,
-            holds: below.is_none(),
-            reason: below.as_deref(),
-        })?,
+        (Format::Json, _) => {
+            say_json(&LevelReport { level, holds: below.is_none(), reason: below.as_deref() })?
+        }
         (Format::Human, None) => say(&format!("{file}: of level {level}")),
         (Format::Human, Some(reason)) => say(&format!("{file}: not of level {level}: {reason}")),
     }
@@ -156,21 +152,13 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
     ];
     rows.extend(histogram("degrees", &measures.degrees));
     rows.extend(histogram("face sizes", &measures.face_sizes));
-    if let Some(Lengths {
-        min,
-        mean,
-        max,
-        spread,
-        ..
-    }) = measures.edge_lengths
-    {
+    if let Some(Lengths { min, mean, max, spread, .. }) = measures.edge_lengths {
         rows.push(row(
             "edge lengths",
             match spread.is_finite() {
-                true => format!(
-                    "{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %",
-                    100.0 * spread
-                ),
+                true => {
+                    format!("{min:.6} to {max:.6}, mean {mean:.6}, spread {:.1} %", 100.0 * spread)
+                }
                 false => TOO_FAR.to_owned(),
             },
         ));
@@ -191,11 +179,8 @@ fn row(name: &str, value: impl ToString) -> Vec<String> {
 
 /// `3: 12  4: 120  5: 9`, size by size.
 fn histogram(name: &str, bins: &[Bin]) -> Vec<Vec<String>> {
-    let mut bars: Vec<_> = bins
-        .iter()
-        .take(MOST_BARS)
-        .map(|bin| format!("{}: {}", bin.size, bin.count))
-        .collect();
+    let mut bars: Vec<_> =
+        bins.iter().take(MOST_BARS).map(|bin| format!("{}: {}", bin.size, bin.count)).collect();
     if bins.len() > MOST_BARS {
         let more: usize = bins[MOST_BARS..].iter().map(|bin| bin.count).sum();
         bars.push(format!("more: {more}"));
@@ -204,7 +189,5 @@ fn histogram(name: &str, bins: &[Bin]) -> Vec<Vec<String>> {
         bars.push("none".into());
     }
     let lines = bars.chunks(BARS_IN_A_LINE).enumerate();
-    lines
-        .map(|(at, bars)| row(if at == 0 { name } else { "" }, bars.join("  ")))
-        .collect()
+    lines.map(|(at, bars)| row(if at == 0 { name } else { "" }, bars.join("  "))).collect()
 }

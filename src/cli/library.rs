@@ -33,9 +33,7 @@ pub(super) fn std(arguments: &StdArguments) -> Result<(), Failure> {
 
 fn find(name: &str) -> Result<LibraryFile, Failure> {
     library::file(name).ok_or_else(|| {
-        let names: Vec<_> = library::files()
-            .map(|file| format!("`{}`", file.name))
-            .collect();
+        let names: Vec<_> = library::files().map(|file| format!("`{}`", file.name)).collect();
         let names = names.join(", ");
         Failure::usage(format!("the library has no `{name}`; it has {names}"))
     })
@@ -77,11 +75,7 @@ fn copy(files: &[LibraryFile], to: &Path, single: bool) -> Result<(), Failure> {
     let is_file = single && to.extension().is_some_and(|end| end == "hedge");
     for file in files {
         let short = file.name.rsplit('/').next().unwrap_or(file.name);
-        let place = if is_file {
-            to.to_owned()
-        } else {
-            to.join(short)
-        };
+        let place = if is_file { to.to_owned() } else { to.join(short) };
         let failed = |error: std::io::Error| {
             let shown = place.display();
             Failure::usage(match error.kind() {

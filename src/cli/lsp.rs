@@ -9,8 +9,8 @@ pub(super) fn lsp(_arguments: &LspArguments) -> Result<(), Failure> {
     match serve() {
         Ok(0) => Ok(()),
         Ok(code) => Err(Failure::Silent(code.into())),
-        Err(error) => Err(Failure::usage(format!(
-            "the conversation with the client broke off: {error}"
-        ))),
+        Err(error) => {
+            Err(Failure::usage(format!("the conversation with the client broke off: {error}")))
+        }
     }
 }

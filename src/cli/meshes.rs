@@ -78,10 +78,7 @@ pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
         return Ok(());
     }
     obj.bring_all();
-    let tables = Dump {
-        meshes: vec![("mesh".into(), obj.mesh.clone())],
-        ..Dump::default()
-    };
+    let tables = Dump { meshes: vec![("mesh".into(), obj.mesh.clone())], ..Dump::default() };
     files::write(path, write_dump(&tables).as_bytes())?;
     if obj.has_groups() {
         let shown = path.display();
@@ -101,14 +98,10 @@ fn below_simple(mesh: &Mesh) -> String {
 /// Says which attributes an OBJ file has no place for.
 fn tell_unheld(path: &Path, obj: &Obj) {
     let unheld = obj.unheld().into_iter();
-    let told: Vec<_> = unheld
-        .map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})"))
-        .collect();
+    let told: Vec<_> = unheld.map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})")).collect();
     if !told.is_empty() {
         let (shown, told) = (path.display(), told.join(", "));
-        complain(&format!(
-            "warning: {shown} cannot hold {told}; a .halfedges file can"
-        ));
+        complain(&format!("warning: {shown} cannot hold {told}; a .halfedges file can"));
     }
 }
 
@@ -119,11 +112,7 @@ fn tell_bare(path: &Path, obj: &Obj) {
     let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
     for ((count, kind), attribute) in obj.bare_faces().into_iter().zip(kinds).zip(attributes) {
         if count > 0 {
-            let (faces, have) = if count == 1 {
-                ("face", "has")
-            } else {
-                ("faces", "have")
-            };
+            let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
             complain(&format!(
                 "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more; a \
                  program can keep them in an attribute {attribute}"

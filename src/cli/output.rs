@@ -31,9 +31,7 @@ pub(super) fn say(text: &str) {
 pub(super) fn all_said() -> Result<(), Failure> {
     let lost = LOST.lock().ok().and_then(|mut lost| lost.take());
     lost.map_or(Ok(()), |error| {
-        Err(Failure::usage(format!(
-            "cannot write to standard output: {error}"
-        )))
+        Err(Failure::usage(format!("cannot write to standard output: {error}")))
     })
 }
 
@@ -53,14 +51,7 @@ pub(super) fn complain(text: &str) {
 pub(super) fn complain_of(diagnostics: &[Diagnostic], sources: &Sources) {
     let colour =
         stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    let text = render(
-        diagnostics,
-        sources,
-        Rendering {
-            colour,
-            most: MOST_DIAGNOSTICS,
-        },
-    );
+    let text = render(diagnostics, sources, Rendering { colour, most: MOST_DIAGNOSTICS });
     let _ = write!(stderr().lock(), "{text}");
 }
 
@@ -84,12 +75,7 @@ pub(super) fn table(rows: &[Vec<String>], right: &[bool]) -> String {
                 format!("{cell}{gap}")
             }
         };
-        let line = row
-            .iter()
-            .enumerate()
-            .map(cell)
-            .collect::<Vec<_>>()
-            .join("  ");
+        let line = row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
         line.trim_end().to_string()
     };
     rows.iter().map(line).collect::<Vec<_>>().join("\n")

@@ -56,11 +56,7 @@ pub(super) fn read(text: &str) -> Result<Place, String> {
             None => (numbers, None),
         };
         let (from, to) = numbers.split_once('-').ok_or_else(wrong)?;
-        Ok::<_, String>(Ends {
-            from: number(from)?,
-            to: number(to)?,
-            which,
-        })
+        Ok::<_, String>(Ends { from: number(from)?, to: number(to)?, which })
     };
     match kind {
         "edge" if numbers.contains('-') => ends(numbers).map(Place::Edge),
@@ -178,8 +174,7 @@ impl Ends {
 }
 
 fn vertex(obj: &Obj, number: u32) -> Result<VertexId, String> {
-    obj.vertex_by_number(number)
-        .ok_or_else(|| none_of(obj, "vertex", number))
+    obj.vertex_by_number(number).ok_or_else(|| none_of(obj, "vertex", number))
 }
 
 fn none_of(obj: &Obj, kind: &str, number: u32) -> String {
@@ -206,11 +201,7 @@ mod tests {
 
     #[test]
     fn places_are_read() {
-        let ends = |which| Ends {
-            from: 3,
-            to: 7,
-            which,
-        };
+        let ends = |which| Ends { from: 3, to: 7, which };
         assert_eq!(read("edge:3-7"), Ok(Place::Edge(ends(None))));
         assert_eq!(read("halfedge:3-7#2"), Ok(Place::Halfedge(ends(Some(2)))));
         assert_eq!(read("edge:3"), Ok(Place::EdgeOfId(3)));

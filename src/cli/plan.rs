@@ -123,9 +123,7 @@ fn leave_out(
     ops.retain(|&op| match refused.next().flatten() {
         Some(NotEmitted { what, .. }) => {
             let name = &program.analysis.program.ops[op].name;
-            complain(&format!(
-                "left out: `{name}`, since {what} cannot be emitted"
-            ));
+            complain(&format!("left out: `{name}`, since {what} cannot be emitted"));
             false
         }
         None => true,
@@ -144,10 +142,8 @@ fn emitted(program: &Program, text: Result<String, NotEmitted>) -> Result<String
 fn data(program: &Program, ops: &[usize], plans: &[&Plan]) -> Result<String, Failure> {
     let plans = ops.iter().zip(plans).map(|(&op, plan)| {
         let op = &program.analysis.program.ops[op];
-        let params = op.params.iter().map(|param| ParamData {
-            name: &param.name,
-            kind: param.ty.word(),
-        });
+        let params =
+            op.params.iter().map(|param| ParamData { name: &param.name, kind: param.ty.word() });
         PlanData {
             op: &plan.name,
             params: params.collect(),
@@ -170,12 +166,8 @@ fn data(program: &Program, ops: &[usize], plans: &[&Plan]) -> Result<String, Fai
                 .collect(),
         }
     });
-    let plans = Plans {
-        plans: plans.collect(),
-    };
-    serde_json::to_string_pretty(&plans)
-        .map(|text| text + "\n")
-        .map_err(Failure::usage)
+    let plans = Plans { plans: plans.collect() };
+    serde_json::to_string_pretty(&plans).map(|text| text + "\n").map_err(Failure::usage)
 }
 
 #[derive(Serialize)]
@@ -256,16 +248,9 @@ impl<'a> From<&'a Stage> for RuleData<'a> {
 
 /// The four phases of every rule.
 pub(super) fn show(plan: &Plan) -> String {
-    let stages = plan
-        .stages
-        .iter()
-        .map(|stage| show_stage(&plan.name, stage));
+    let stages = plan.stages.iter().map(|stage| show_stage(&plan.name, stage));
     let mut text = stages.collect::<Vec<_>>().join("\n\n");
-    if plan
-        .stages
-        .iter()
-        .any(|stage| stage.reassign.iter().any(|row| !row.executed))
-    {
+    if plan.stages.iter().any(|stage| stage.reassign.iter().any(|row| !row.executed)) {
         text.push_str("\n\n· provably unchanged: not executed");
     }
     text
@@ -300,10 +285,9 @@ fn cells(row: &Row) -> Vec<String> {
     let mark = if row.executed { "   " } else { " · " };
     match &row.cell {
         Cell::Set { target, value } => vec![format!("{mark}{target}"), format!("= {value}")],
-        Cell::Test { claim, reason } => vec![
-            format!("{mark}test {claim}"),
-            format!("else refuse: {reason}"),
-        ],
+        Cell::Test { claim, reason } => {
+            vec![format!("{mark}test {claim}"), format!("else refuse: {reason}")]
+        }
         Cell::Note(note) => vec![format!("{mark}{note}")],
     }
 }

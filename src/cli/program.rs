@@ -196,18 +196,14 @@ fn find(
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("it has {}", listed(&mut names())),
     };
-    Err(Failure::usage(format!(
-        "the file has no {what} `{name}`; {advice}"
-    )))
+    Err(Failure::usage(format!("the file has no {what} `{name}`; {advice}")))
 }
 
 /// Parts every `NAME=VALUE` of `--set`.
 pub(super) fn settings(texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let part = |text: &String| match text.split_once('=') {
         Some((name, value)) => Ok((name.to_string(), value.to_string())),
-        None => Err(Failure::usage(format!(
-            "`{text}` is no setting: write NAME=VALUE"
-        ))),
+        None => Err(Failure::usage(format!("`{text}` is no setting: write NAME=VALUE"))),
     };
     texts.iter().map(part).collect()
 }

@@ -38,10 +38,7 @@ impl Progress {
         }
         bar.set_message(script.to_string());
         bar.enable_steady_tick(Duration::from_millis(250));
-        Self {
-            bar,
-            lines_to_stderr,
-        }
+        Self { bar, lines_to_stderr }
     }
 
     /// Takes the bar away.
@@ -67,12 +64,6 @@ impl Watch for Progress {
 
     fn print(&mut self, line: &str) {
         let lines_to_stderr = self.lines_to_stderr;
-        self.bar.suspend(|| {
-            if lines_to_stderr {
-                complain(line)
-            } else {
-                say(line)
-            }
-        });
+        self.bar.suspend(|| if lines_to_stderr { complain(line) } else { say(line) });
     }
 }

@@ -29,9 +29,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     };
     let prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
         .map_err(|errors| failed(&errors, 1))?;
-    let values = prepared
-        .arguments(&settings(&arguments.set)?)
-        .map_err(|errors| failed(&errors, 2))?;
+    let values =
+        prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
     if let Some(output) = &arguments.output {
         meshes::expect_mesh(output)?;
@@ -71,10 +70,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         meshes::write(output, &mut obj)?;
     }
     if let Some(picture) = &arguments.picture {
-        let view = View {
-            attribute: shown,
-            ..View::default()
-        };
+        let view = View { attribute: shown, ..View::default() };
         write_picture(&draw_mesh(&obj.mesh, &view), picture, 1.0)?;
     }
     let save = started.elapsed().as_secs_f64();
@@ -84,12 +80,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         ops: report.ops.into_iter().map(Op::from).collect(),
         before,
         after: Counts::of(&obj.mesh),
-        seconds: Seconds {
-            load,
-            compile,
-            run,
-            save,
-        },
+        seconds: Seconds { load, compile, run, save },
     };
     match arguments.format {
         Format::Json => say_json(&report),
@@ -137,16 +128,8 @@ struct Seconds {
 impl From<OpReport> for Op {
     fn from(report: OpReport) -> Self {
         let refused = report.refused.iter().map(|(_, times)| times).sum();
-        let reasons = report
-            .refused
-            .into_iter()
-            .map(|(reason, times)| Reason { reason, times });
-        Self {
-            op: report.name,
-            applied: report.applied,
-            refused,
-            reasons: reasons.collect(),
-        }
+        let reasons = report.refused.into_iter().map(|(reason, times)| Reason { reason, times });
+        Self { op: report.name, applied: report.applied, refused, reasons: reasons.collect() }
     }
 }
 
@@ -157,12 +140,7 @@ impl Report {
             parts.push(self.show_ops());
         }
         parts.push(self.show_counts());
-        let Seconds {
-            load,
-            compile,
-            run,
-            save,
-        } = self.seconds;
+        let Seconds { load, compile, run, save } = self.seconds;
         parts.push(format!(
             "seconds: load {load:.3}, compile {compile:.3}, run {run:.3}, save {save:.3}"
         ));
@@ -172,11 +150,7 @@ impl Report {
     fn show_ops(&self) -> String {
         let mut rows = vec![["op", "applied", "refused", ""].map(String::from).to_vec()];
         for op in &self.ops {
-            rows.push(vec![
-                op.op.clone(),
-                op.applied.to_string(),
-                op.refused.to_string(),
-            ]);
+            rows.push(vec![op.op.clone(), op.applied.to_string(), op.refused.to_string()]);
             for reason in &op.reasons {
                 rows.push(vec![
                     String::new(),
@@ -192,11 +166,7 @@ impl Report {
     fn show_counts(&self) -> String {
         let mut rows = vec![["", "before", "after"].map(String::from).to_vec()];
         for ((name, before), (_, after)) in self.before.rows().into_iter().zip(self.after.rows()) {
-            rows.push(vec![
-                name.to_string(),
-                before.to_string(),
-                after.to_string(),
-            ]);
+            rows.push(vec![name.to_string(), before.to_string(), after.to_string()]);
         }
         table(&rows, &[false, true, true])
     }

@@ -38,11 +38,7 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
     let passed = all().count() - failed;
     let sound = files.iter().all(|file| file.sound);
     match arguments.format {
-        Format::Json => say_json(&Summary {
-            passed,
-            failed,
-            files,
-        })?,
+        Format::Json => say_json(&Summary { passed, failed, files })?,
         Format::Human => {
             let mut told = format!("{passed} passed, {failed} failed");
             let broken: usize = files.iter().map(|file| file.broken.len()).sum();
@@ -85,10 +81,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
             let word = if failed.is_some() { "FAILED" } else { "ok" };
             say(&format!("  {word:6}  {name}"));
             if let Some(failed) = &failed {
-                printed
-                    .0
-                    .iter()
-                    .for_each(|line| say(&format!("          {line}")));
+                printed.0.iter().for_each(|line| say(&format!("          {line}")));
                 complain_of(std::slice::from_ref(failed), &program.sources);
             }
         }
@@ -105,18 +98,14 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
     let own = unread.filter(|(name, span)| span.file == analysis.file && arguments.wants(name));
     let broken: Vec<_> = own.map(|(name, _)| name.clone()).collect();
     if is_human {
-        broken
-            .iter()
-            .for_each(|name| say(&format!("  broken  {name}")));
+        broken.iter().for_each(|name| say(&format!("  broken  {name}")));
     }
     let told = analysis.diagnostics.iter();
     FileReport {
         file: shown,
         broken,
         sound: analysis.is_sound(),
-        diagnostics: told
-            .map(|told: &Diagnostic| report(told, &program.sources))
-            .collect(),
+        diagnostics: told.map(|told: &Diagnostic| report(told, &program.sources)).collect(),
         tests,
     }
 }

@@ -46,9 +46,7 @@ pub(super) fn attribute(mesh: &Mesh, wanted: &str) -> Result<ColumnId, Failure> 
                 all if all.is_empty() => "it has none".to_string(),
                 all => format!("it has {}", listed(all)),
             };
-            Err(Failure::usage(format!(
-                "the mesh has no attribute `{wanted}`: {all}"
-            )))
+            Err(Failure::usage(format!("the mesh has no attribute `{wanted}`: {all}")))
         }
         several => {
             let names = several.iter().map(|(_, name)| name.clone()).collect();
@@ -61,10 +59,7 @@ pub(super) fn attribute(mesh: &Mesh, wanted: &str) -> Result<ColumnId, Failure> 
 }
 
 fn direction(text: &str) -> Result<DVec3, Failure> {
-    let parts: Option<Vec<f64>> = text
-        .split(',')
-        .map(|part| part.trim().parse().ok())
-        .collect();
+    let parts: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
     let direction = match parts.as_deref() {
         Some(&[x, y, z]) => DVec3::new(x, y, z),
         _ => DVec3::ZERO,
@@ -72,8 +67,6 @@ fn direction(text: &str) -> Result<DVec3, Failure> {
     if direction.is_finite() && direction != DVec3::ZERO {
         Ok(direction)
     } else {
-        Err(Failure::usage(format!(
-            "`{text}` is no direction: write x,y,z"
-        )))
+        Err(Failure::usage(format!("`{text}` is no direction: write x,y,z")))
     }
 }

@@ -18,9 +18,8 @@ impl Reassign<'_, '_, '_, '_> {
             return;
         }
         let turns = self.registers.begin_turns(&mut self.output.asm);
-        let ends: Vec<_> = (0..=period)
-            .map(|at| (self.head(&items, at), self.tail(&items, at)))
-            .collect();
+        let ends: Vec<_> =
+            (0..=period).map(|at| (self.head(&items, at), self.tail(&items, at))).collect();
         for at in 0..period {
             self.item(orbit, at, ends[at].1, ends[at + 1].0);
         }
@@ -44,10 +43,7 @@ impl Reassign<'_, '_, '_, '_> {
             let asm = &mut self.output.asm;
             let skip = asm.label();
             if let Some(condition) = self.registers.is_empty(asm, path) {
-                asm.emit(Inst::JumpIf {
-                    condition,
-                    to: skip,
-                });
+                asm.emit(Inst::JumpIf { condition, to: skip });
             }
             for (buffer, bound) in [(heads, Bound::First(path)), (tails, Bound::Last(path))] {
                 let from = self.registers.bound(asm, bound);
@@ -94,10 +90,7 @@ impl Reassign<'_, '_, '_, '_> {
         let from = self.registers.bound(asm, Bound::First(path));
         let skip = asm.label();
         if let Some(condition) = self.registers.is_empty(asm, path) {
-            asm.emit(Inst::JumpIf {
-                condition,
-                to: skip,
-            });
+            asm.emit(Inst::JumpIf { condition, to: skip });
         }
         asm.emit(Inst::Copy { to, from });
         asm.bind(skip);

@@ -39,17 +39,10 @@ impl Reassign<'_, '_, '_, '_> {
         let Some((value, text)) = self.spoke_of(vertex) else {
             return;
         };
-        let store = Inst::StoreHalfedge {
-            of: ElementField::Vertex,
-            element: self.element(vertex),
-            value,
-        };
+        let store =
+            Inst::StoreHalfedge { of: ElementField::Vertex, element: self.element(vertex), value };
         let keeps = self.drawing.keeps_its_spokes(vertex);
-        self.set(
-            format!("{}.halfedge", self.word(vertex)),
-            text,
-            (!keeps).then_some(store),
-        );
+        self.set(format!("{}.halfedge", self.word(vertex)), text, (!keeps).then_some(store));
     }
 
     /// A halfedge that starts at the vertex after: a named spoke; else the first of a path

@@ -18,25 +18,17 @@ impl Reassign<'_, '_, '_, '_> {
             let word = rule.attribute(assignment.attribute);
             let text = self.output.words(assignment.value.span);
             self.rows.push(Row {
-                cell: Cell::Set {
-                    target: format!("{}.{word}", self.word(target)),
-                    value: text,
-                },
+                cell: Cell::Set { target: format!("{}.{word}", self.word(target)), value: text },
                 executed: true,
             });
             self.for_each(target, |this| {
                 let value = this.value(home, width(assignment.value.ty));
                 let element = this.element(target);
                 let store = match assignment.attribute {
-                    Access::Position => Inst::StorePosition {
-                        vertex: element,
-                        value,
-                    },
-                    Access::Declared(number) => Inst::StoreAttribute {
-                        attribute: attribute(number),
-                        element,
-                        value,
-                    },
+                    Access::Position => Inst::StorePosition { vertex: element, value },
+                    Access::Declared(number) => {
+                        Inst::StoreAttribute { attribute: attribute(number), element, value }
+                    }
                 };
                 this.output.asm.emit(store);
             });
@@ -50,12 +42,7 @@ impl Reassign<'_, '_, '_, '_> {
             (Home::Member { buffer, .. }, index) => {
                 let index = index.unwrap_or_else(|| self.output.asm.constant_int(0));
                 let to = self.output.asm.block(width);
-                self.output.asm.emit(Inst::BufferGetWide {
-                    buffer,
-                    index,
-                    width,
-                    to,
-                });
+                self.output.asm.emit(Inst::BufferGetWide { buffer, index, width, to });
                 to
             }
         }

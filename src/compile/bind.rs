@@ -15,11 +15,7 @@ impl Collect<'_, '_, '_, '_> {
                 let text = &self.drawing.rule.name(*name).text;
                 self.row(Cell::Note(format!("{text} is given")));
             }
-            Step::Attempt {
-                element,
-                halfedge,
-                tries,
-            } => self.attempt(*element, *halfedge, *tries),
+            Step::Attempt { element, halfedge, tries } => self.attempt(*element, *halfedge, *tries),
             Step::Walk { orbit, halfedges } => self.walk(*orbit, halfedges),
             Step::Bind { name, source } => {
                 match self.registers.home_of(*name) {
@@ -31,21 +27,14 @@ impl Collect<'_, '_, '_, '_> {
                     }),
                 }
                 let target = reason::bound(self.drawing, *name);
-                self.row(Cell::Set {
-                    target,
-                    value: reason::source(self.drawing, *source),
-                });
+                self.row(Cell::Set { target, value: reason::source(self.drawing, *source) });
             }
             Step::Test(_) => {}
         }
     }
 
     fn load_field(&mut self, field: HalfedgeField, to: Reg, halfedge: Reg) {
-        self.output.asm.emit(Inst::Load {
-            field,
-            to,
-            halfedge,
-        });
+        self.output.asm.emit(Inst::Load { field, to, halfedge });
     }
 
     /// Follows a pointer.
@@ -80,11 +69,7 @@ impl Collect<'_, '_, '_, '_> {
         use HalfedgeField::{Next, Prev, Twin};
         let text = self.drawing.rule.name(element).text.clone();
         let (of, around, each): (_, &[HalfedgeField], _) = match self.drawing.rule.kind(element) {
-            Kind::Edge => (
-                ElementField::Edge,
-                &[Twin],
-                format!("{text}.halfedge, or its twin"),
-            ),
+            Kind::Edge => (ElementField::Edge, &[Twin], format!("{text}.halfedge, or its twin")),
             Kind::Vertex => (
                 ElementField::Vertex,
                 &[Prev, Twin],
@@ -103,22 +88,13 @@ impl Collect<'_, '_, '_, '_> {
         let start = self.output.asm.reg();
         let element = self.element(element);
         let (begin, again) = (self.output.asm.label(), self.output.asm.label());
-        self.output.asm.emit(Inst::LoadHalfedge {
-            of,
-            to: start,
-            element,
-        });
+        self.output.asm.emit(Inst::LoadHalfedge { of, to: start, element });
         if of == ElementField::Vertex {
             let reason = format!("`{text}` is isolated: no halfedge starts there");
             let refusal = self.output.refusal(reason, Phase::Match);
             let right = self.output.asm.none();
             let otherwise = self.fail;
-            self.output.asm.emit(Inst::ExpectDistinct {
-                left: start,
-                right,
-                refusal,
-                otherwise,
-            });
+            self.output.asm.emit(Inst::ExpectDistinct { left: start, right, refusal, otherwise });
         }
         self.output.asm.emit(Inst::Copy { to, from: start });
         // One try needs no counting: where it fails, all have failed.
@@ -138,42 +114,23 @@ impl Collect<'_, '_, '_, '_> {
         self.output.asm.bind(again);
         if let (Some(tries), Some(tried)) = (tries, tried) {
             let all = self.output.asm.constant_int(i64::from(tries));
-            self.output.asm.emit(Inst::JumpEqual {
-                left: tried,
-                right: all,
-                to: self.fail,
-            });
+            self.output.asm.emit(Inst::JumpEqual { left: tried, right: all, to: self.fail });
             let one = self.output.asm.constant_int(1);
-            self.output.asm.emit(Inst::AddInt {
-                to: tried,
-                left: tried,
-                right: one,
-            });
+            self.output.asm.emit(Inst::AddInt { to: tried, left: tried, right: one });
         }
         for &field in around {
             self.load_field(field, to, to);
         }
-        self.output.asm.emit(Inst::JumpEqual {
-            left: to,
-            right: start,
-            to: self.fail,
-        });
+        self.output.asm.emit(Inst::JumpEqual { left: to, right: start, to: self.fail });
         self.output.asm.bind(begin);
         self.fail = again;
         let target = self.drawing.rule.name(halfedge).text.clone();
-        self.row(Cell::Set {
-            target,
-            value: each,
-        });
+        self.row(Cell::Set { target, value: each });
     }
 
     /// Whether a path is empty: then what follows it is what it begins with.
     pub(super) fn is_empty(&mut self, path: NameId, home: Home) {
-        let next = self
-            .drawing
-            .before
-            .item_after(path)
-            .expect("a path of `before` lies in a loop");
+        let next = self.drawing.before.item_after(path).expect("a path of `before` lies in a loop");
         let compare = |this: &mut Self, to: Reg| {
             let [left, right] = [path, next].map(|name| this.element(name));
             this.output.asm.emit(Inst::Equal { to, left, right });

@@ -76,10 +76,7 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     pub(super) fn row(&mut self, cell: Cell) {
-        self.rows.push(Row {
-            cell,
-            executed: true,
-        });
+        self.rows.push(Row { cell, executed: true });
     }
 
     /// The register of an element.
@@ -103,10 +100,7 @@ impl Collect<'_, '_, '_, '_> {
         let reason = reason::refusal(self.drawing, claim);
         let refusal = self.output.refusal(reason.clone(), Phase::Match);
         let otherwise = self.fail;
-        self.row(Cell::Test {
-            claim: reason::claim(self.drawing, claim),
-            reason,
-        });
+        self.row(Cell::Test { claim: reason::claim(self.drawing, claim), reason });
         let mark = self.output.asm.mark();
         let repeated = claim.is_repeated(self.drawing.rule);
         let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
@@ -123,12 +117,7 @@ impl Collect<'_, '_, '_, '_> {
             }
             Claim::Distinct(left, right) => {
                 let [left, right] = [*left, *right].map(|name| self.element(name));
-                Inst::ExpectDistinct {
-                    left,
-                    right,
-                    refusal,
-                    otherwise,
-                }
+                Inst::ExpectDistinct { left, right, refusal, otherwise }
             }
             Claim::Kind(face, kind) => {
                 let hole = self.output.asm.reg();
@@ -138,39 +127,18 @@ impl Collect<'_, '_, '_, '_> {
                     LoopKind::Hole => hole,
                     LoopKind::Face | LoopKind::Any => self.not(hole),
                 };
-                Inst::Expect {
-                    condition,
-                    refusal,
-                    otherwise,
-                }
+                Inst::Expect { condition, refusal, otherwise }
             }
-            Claim::InOrder {
-                along_loop,
-                halfedges,
-            } => {
+            Claim::InOrder { along_loop, halfedges } => {
                 let condition = self.output.asm.reg();
                 let [from, goal, stop] = halfedges.map(|name| self.element(name));
                 let walk = if *along_loop { Walk::Loop } else { Walk::Star };
-                self.output.asm.emit(Inst::Meets {
-                    walk,
-                    to: condition,
-                    from,
-                    goal,
-                    stop,
-                });
-                Inst::Expect {
-                    condition,
-                    refusal,
-                    otherwise,
-                }
+                self.output.asm.emit(Inst::Meets { walk, to: condition, from, goal, stop });
+                Inst::Expect { condition, refusal, otherwise }
             }
             Claim::NotAllEmpty(paths) => {
                 let all_empty = self.are_empty(paths);
-                Inst::Expect {
-                    condition: self.not(all_empty),
-                    refusal,
-                    otherwise,
-                }
+                Inst::Expect { condition: self.not(all_empty), refusal, otherwise }
             }
             claim => {
                 let condition = match self.around(claim) {
@@ -185,11 +153,7 @@ impl Collect<'_, '_, '_, '_> {
                     }
                     Around::Holds(condition) => condition,
                 };
-                Inst::Expect {
-                    condition,
-                    refusal,
-                    otherwise,
-                }
+                Inst::Expect { condition, refusal, otherwise }
             }
         };
         self.output.asm.emit(inst);
@@ -241,20 +205,13 @@ impl Collect<'_, '_, '_, '_> {
             let condition = self.expression(&require.condition);
             let refusal = self.output.refusal(require.reason.clone(), Phase::Require);
             let otherwise = self.fail;
-            self.output.asm.emit(Inst::Expect {
-                condition,
-                refusal,
-                otherwise,
-            });
+            self.output.asm.emit(Inst::Expect { condition, refusal, otherwise });
             if let Some(turns) = turns {
                 self.registers.end_turns(&mut self.output.asm, turns);
             }
             self.output.asm.release(mark);
             let claim = self.output.words(require.condition.span);
-            self.row(Cell::Test {
-                claim,
-                reason: require.reason.clone(),
-            });
+            self.row(Cell::Test { claim, reason: require.reason.clone() });
         }
     }
 
@@ -346,11 +303,7 @@ impl Collect<'_, '_, '_, '_> {
         let reason = format!("the new position of `{text}` is not finite");
         let refusal = self.output.refusal(reason, Phase::Evaluate);
         let otherwise = self.fail;
-        self.output.asm.emit(Inst::ExpectFinite {
-            vector: to,
-            refusal,
-            otherwise,
-        });
+        self.output.asm.emit(Inst::ExpectFinite { vector: to, refusal, otherwise });
     }
 
     fn room(&mut self) {
@@ -358,10 +311,8 @@ impl Collect<'_, '_, '_, '_> {
         if rule.created.is_empty() {
             return;
         }
-        let refusal = self.output.refusal(
-            "the mesh has no room for more elements".into(),
-            Phase::Evaluate,
-        );
+        let refusal =
+            self.output.refusal("the mesh has no room for more elements".into(), Phase::Evaluate);
         let count = |kind: Kind, members: bool| {
             let created = rule.created.iter().map(|created| created.name);
             let of_kind = created.filter(|&name| {
@@ -369,11 +320,7 @@ impl Collect<'_, '_, '_, '_> {
             });
             u16::try_from(of_kind.count()).unwrap_or(u16::MAX)
         };
-        if rule
-            .created
-            .iter()
-            .any(|created| rule.is_member(created.name))
-        {
+        if rule.created.iter().any(|created| rule.is_member(created.name)) {
             for kind in [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face] {
                 let counts = [count(kind, false), count(kind, true)];
                 self.room_around(kind, counts, refusal);
@@ -386,11 +333,7 @@ impl Collect<'_, '_, '_, '_> {
             edges: count(Kind::Edge, false),
             faces: count(Kind::Face, false),
         };
-        self.output.asm.emit(Inst::ExpectRoom {
-            room,
-            refusal,
-            otherwise: self.fail,
-        });
+        self.output.asm.emit(Inst::ExpectRoom { room, refusal, otherwise: self.fail });
     }
 
     /// A buffer that is empty here: an attempt that failed may have filled it.

@@ -64,30 +64,17 @@ impl Collect<'_, '_, '_, '_> {
                     Some(run) => run,
                     None => self.collect_path(*path),
                 };
-                Inst::ForeseeAlong {
-                    condition,
-                    to,
-                    buffer,
-                }
+                Inst::ForeseeAlong { condition, to, buffer }
             }
             statement => {
                 let (condition, element, at) = self.question(statement);
-                Inst::Foresee {
-                    condition,
-                    to,
-                    element,
-                    at,
-                }
+                Inst::Foresee { condition, to, element, at }
             }
         };
         self.output.asm.emit(inst);
         let reason = statement.refusal(rule);
         let refusal = self.output.refusal(reason.clone(), Phase::Guard);
-        self.output.asm.emit(Inst::Expect {
-            condition: to,
-            refusal,
-            otherwise: self.fail,
-        });
+        self.output.asm.emit(Inst::Expect { condition: to, refusal, otherwise: self.fail });
         if let Some(turns) = turns {
             self.registers.end_turns(&mut self.output.asm, turns);
         }

@@ -32,10 +32,7 @@ pub fn compile(
     let texts = functions.last().map(|last| last.code.texts.as_slice());
     let mut output = Output::new(sources, texts.unwrap_or_default());
     let widths: Vec<_> = op.params.iter().map(|param| width(param.ty)).collect();
-    let params: Vec<_> = widths
-        .iter()
-        .map(|&width| output.asm.block(width))
-        .collect();
+    let params: Vec<_> = widths.iter().map(|&width| output.asm.block(width)).collect();
     let mut stages = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let next_rule = output.asm.label();
@@ -56,10 +53,7 @@ pub fn compile(
         result: op.result.and_then(element_kind),
         level: level(op),
         keeps: kept_levels(proved),
-        code: Code {
-            functions: Arc::clone(functions),
-            ..output.asm.finish()?
-        },
+        code: Code { functions: Arc::clone(functions), ..output.asm.finish()? },
         places: output.places,
         refusals: output.refusals,
         stages,
@@ -80,10 +74,7 @@ fn kept_levels(proved: &Proved) -> Vec<Level> {
         let mut proofs = proved.proofs().iter();
         proofs.all(|proof| proof.facts().keeps.contains(&property))
     };
-    [Level::Surface, Level::Simple]
-        .into_iter()
-        .filter(keeps)
-        .collect()
+    [Level::Surface, Level::Simple].into_iter().filter(keeps).collect()
 }
 
 fn alternative(
@@ -95,24 +86,11 @@ fn alternative(
 ) -> Stage {
     let drawing = Drawing::new(rule);
     let registers = Registers::new(&mut output.asm, &drawing, params);
-    let mut stage = Stage {
-        rule: rule.label.clone(),
-        ..Stage::default()
-    };
-    let mut collected = Collect {
-        output,
-        drawing: &drawing,
-        registers,
-        fail,
-        rows: &mut stage.collect,
-    }
-    .emit(proof.matching(), proof.guard());
-    allocate(
-        output,
-        &drawing,
-        &mut collected.registers,
-        &mut stage.allocate,
-    );
+    let mut stage = Stage { rule: rule.label.clone(), ..Stage::default() };
+    let mut collected =
+        Collect { output, drawing: &drawing, registers, fail, rows: &mut stage.collect }
+            .emit(proof.matching(), proof.guard());
+    allocate(output, &drawing, &mut collected.registers, &mut stage.allocate);
     Reassign {
         output,
         drawing: &drawing,
@@ -123,9 +101,8 @@ fn alternative(
     }
     .emit();
     erase(output, &drawing, &mut collected.registers, &mut stage.erase);
-    let result = rule
-        .result
-        .map(|result| collected.registers.element(&mut output.asm, result.name));
+    let result =
+        rule.result.map(|result| collected.registers.element(&mut output.asm, result.name));
     output.asm.emit(Inst::Return { result });
     stage
 }
@@ -178,10 +155,7 @@ fn erase(output: &mut Output, drawing: &Drawing, registers: &mut Registers, rows
             registers.end_turns(asm, turns);
         }
         let word = &rule.name(name).text;
-        rows.push(Row {
-            cell: Cell::Note(format!("erase {word}")),
-            executed: true,
-        });
+        rows.push(Row { cell: Cell::Note(format!("erase {word}")), executed: true });
     }
 }
 
@@ -236,20 +210,13 @@ impl<'a> Output<'a> {
 
     /// The words of a place in the source, on one line.
     pub fn words(&self, span: Span) -> String {
-        self.sources
-            .slice(span)
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
+        self.sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ")
     }
 }
 
 impl Row {
     /// `target = value`
     pub(super) fn set(target: String, value: String, executed: bool) -> Self {
-        Self {
-            cell: Cell::Set { target, value },
-            executed,
-        }
+        Self { cell: Cell::Set { target, value }, executed }
     }
 }

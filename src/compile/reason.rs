@@ -50,11 +50,7 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
             format!("all {} are different", names.join(", "))
         }
         Claim::AroundInOrder { halfedges, .. } => {
-            let names = halfedges
-                .iter()
-                .map(|&half| word(half))
-                .collect::<Vec<_>>()
-                .join(", ");
+            let names = halfedges.iter().map(|&half| word(half)).collect::<Vec<_>>().join(", ");
             format!("{names} follow each other, index by index")
         }
         Claim::NotAllEmptyAround(paths) => {
@@ -82,31 +78,21 @@ pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
             }
             let element = bound(drawing, *to);
             match *from {
-                Source::Origin(half) => format!(
-                    "{} does not start at {}",
-                    tick(bound(drawing, half)),
-                    tick(element)
-                ),
-                Source::Target(half) => format!(
-                    "{} does not end at {}",
-                    tick(bound(drawing, half)),
-                    tick(element)
-                ),
-                Source::Face(half) => format!(
-                    "{} does not lie in {}",
-                    tick(bound(drawing, half)),
-                    tick(element)
-                ),
+                Source::Origin(half) => {
+                    format!("{} does not start at {}", tick(bound(drawing, half)), tick(element))
+                }
+                Source::Target(half) => {
+                    format!("{} does not end at {}", tick(bound(drawing, half)), tick(element))
+                }
+                Source::Face(half) => {
+                    format!("{} does not lie in {}", tick(bound(drawing, half)), tick(element))
+                }
                 _ => format!("{} is not {}", tick(source(drawing, *from)), tick(element)),
             }
         }
         Claim::Distinct(left, right) => {
             let kind = rule.kind(*left).word();
-            format!(
-                "{} and {} are one {kind}",
-                rule.quoted(*left),
-                rule.quoted(*right)
-            )
+            format!("{} and {} are one {kind}", rule.quoted(*left), rule.quoted(*right))
         }
         Claim::Kind(face, LoopKind::Hole) => format!("{} is not a hole", rule.quoted(*face)),
         Claim::Kind(face, _) => format!("{} is a hole", rule.quoted(*face)),
@@ -121,9 +107,7 @@ pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
         }
         Claim::Begins(name) => format!("{} does not begin there", rule.quoted(*name)),
         Claim::AllDistinct(names) => {
-            let kind = names
-                .first()
-                .map_or("element", |&name| rule.kind(name).word());
+            let kind = names.first().map_or("element", |&name| rule.kind(name).word());
             let quoted: Vec<_> = names.iter().map(|&name| rule.quoted(name)).collect();
             format!("two of {} are one {kind}", quoted.join(", "))
         }
@@ -142,8 +126,6 @@ pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
 /// The number of corners of a halfedge's loop, if all of it is drawn.
 fn corners_of_full_loop(drawing: &Drawing, half: NameId) -> Option<usize> {
     let items = &drawing.before.loop_of_item(half)?.items;
-    let full = items
-        .iter()
-        .all(|item| drawing.rule.kind(item.item.name) == Kind::Halfedge);
+    let full = items.iter().all(|item| drawing.rule.kind(item.item.name) == Kind::Halfedge);
     full.then_some(items.len())
 }

@@ -84,15 +84,7 @@ impl Reassign<'_, '_, '_, '_> {
         let target = format!("{}.{pointer}", self.word(halfedge));
         let text = self.word(value).to_string();
         let (halfedge, value) = (self.element(halfedge), self.element(value));
-        self.set(
-            target,
-            text,
-            changed.then_some(Inst::Store {
-                field,
-                halfedge,
-                value,
-            }),
-        );
+        self.set(target, text, changed.then_some(Inst::Store { field, halfedge, value }));
     }
 
     /// The register of the first halfedge from the item at `at` on: its own, or if it is
@@ -132,12 +124,7 @@ impl Reassign<'_, '_, '_, '_> {
         while let Some((then, empty)) = ends.pop() {
             let condition = empty.expect("only paths that may be empty lead on");
             let to = self.output.asm.reg();
-            self.output.asm.emit(Inst::Select {
-                to,
-                condition,
-                then: reg,
-                otherwise: then,
-            });
+            self.output.asm.emit(Inst::Select { to, condition, then: reg, otherwise: then });
             reg = to;
         }
         reg
@@ -146,9 +133,8 @@ impl Reassign<'_, '_, '_, '_> {
     fn orbit(&mut self, orbit: &Loop) {
         let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
         let count = items.len();
-        let ends: Vec<_> = (0..count)
-            .map(|at| (self.head(&items, at), self.tail(&items, at)))
-            .collect();
+        let ends: Vec<_> =
+            (0..count).map(|at| (self.head(&items, at), self.tail(&items, at))).collect();
         for at in 0..count {
             self.item(orbit, at, ends[at].1, ends[(at + 1) % count].0);
         }
@@ -183,12 +169,7 @@ impl Reassign<'_, '_, '_, '_> {
             origin,
             drawing.before.loop_origin(name) != Some(origin),
         );
-        self.pointer(
-            HalfedgeField::Face,
-            name,
-            face,
-            drawing.before.face(name) != Some(face),
-        );
+        self.pointer(HalfedgeField::Face, name, face, drawing.before.face(name) != Some(face));
     }
 
     /// `next` of what ends one item, `prev` of what begins the next.
@@ -204,17 +185,9 @@ impl Reassign<'_, '_, '_, '_> {
             self.word(next).into()
         };
         let (field, other) = (HalfedgeField::Next, HalfedgeField::Prev);
-        let store = changed.then_some(Inst::Store {
-            field,
-            halfedge: tail,
-            value: head,
-        });
+        let store = changed.then_some(Inst::Store { field, halfedge: tail, value: head });
         self.set(format!("{last}.next"), first.clone(), store);
-        let store = changed.then_some(Inst::Store {
-            field: other,
-            halfedge: head,
-            value: tail,
-        });
+        let store = changed.then_some(Inst::Store { field: other, halfedge: head, value: tail });
         self.set(format!("{first}.prev"), last, store);
     }
 
@@ -237,19 +210,11 @@ impl Reassign<'_, '_, '_, '_> {
         Some(match (ends, self.registers.index()) {
             (Some(ends), Some(index)) => Inst::StoreSpan {
                 field,
-                span: Span {
-                    buffer,
-                    ends,
-                    shift: i16::try_from(rule.offset(run)).unwrap_or(0),
-                },
+                span: Span { buffer, ends, shift: i16::try_from(rule.offset(run)).unwrap_or(0) },
                 index,
                 value,
             },
-            _ => Inst::StoreAll {
-                field,
-                buffer,
-                value,
-            },
+            _ => Inst::StoreAll { field, buffer, value },
         })
     }
 
@@ -258,10 +223,7 @@ impl Reassign<'_, '_, '_, '_> {
         let drawing = self.drawing;
         let face = orbit.face.name;
         let keeps = drawing.before.loop_of_face(face).is_some_and(|before| {
-            before
-                .items
-                .iter()
-                .all(|item| drawing.after.face(item.item.name) == Some(face))
+            before.items.iter().all(|item| drawing.after.face(item.item.name) == Some(face))
         });
         let first = orbit.items[0].item.name;
         let value = if self.is_path(first) {
@@ -274,33 +236,18 @@ impl Reassign<'_, '_, '_, '_> {
             element: self.element(face),
             value: head,
         };
-        self.set(
-            format!("{}.halfedge", self.word(face)),
-            value,
-            (!keeps).then_some(store),
-        );
+        self.set(format!("{}.halfedge", self.word(face)), value, (!keeps).then_some(store));
     }
 
     pub(super) fn face_kind(&mut self, orbit: &Loop) {
         let face = orbit.face.name;
-        let before = self
-            .drawing
-            .before
-            .loop_of_face(face)
-            .map(|before| before.kind);
+        let before = self.drawing.before.loop_of_face(face).map(|before| before.kind);
         if orbit.kind == LoopKind::Any || before == Some(orbit.kind) {
             return;
         }
         let hole = orbit.kind == LoopKind::Hole;
-        let store = Inst::StoreHole {
-            face: self.element(face),
-            hole,
-        };
-        self.set(
-            format!("{}.hole", self.word(face)),
-            hole.to_string(),
-            Some(store),
-        );
+        let store = Inst::StoreHole { face: self.element(face), hole };
+        self.set(format!("{}.hole", self.word(face)), hole.to_string(), Some(store));
     }
 
     fn edge(&mut self, statement: &Edge) {
@@ -308,31 +255,14 @@ impl Reassign<'_, '_, '_, '_> {
         let edge = statement.edge.name;
         let [left, right] = statement.halfedges.map(|half| half.name);
         for (half, twin) in [(left, right), (right, left)] {
-            self.pointer(
-                HalfedgeField::Twin,
-                half,
-                twin,
-                drawing.before.twin(half) != Some(twin),
-            );
-            self.pointer(
-                HalfedgeField::Edge,
-                half,
-                edge,
-                drawing.before.edge(half) != Some(edge),
-            );
+            self.pointer(HalfedgeField::Twin, half, twin, drawing.before.twin(half) != Some(twin));
+            self.pointer(HalfedgeField::Edge, half, edge, drawing.before.edge(half) != Some(edge));
         }
         let keeps = drawing.before.edge_statement(edge).is_some_and(|before| {
-            before
-                .halfedges
-                .iter()
-                .all(|half| half.name == left || half.name == right)
+            before.halfedges.iter().all(|half| half.name == left || half.name == right)
         });
         let (element, value) = (self.element(edge), self.element(left));
-        let store = Inst::StoreHalfedge {
-            of: ElementField::Edge,
-            element,
-            value,
-        };
+        let store = Inst::StoreHalfedge { of: ElementField::Edge, element, value };
         let target = format!("{}.halfedge", self.word(edge));
         self.set(target, self.word(left).into(), (!keeps).then_some(store));
     }
@@ -345,9 +275,7 @@ impl Reassign<'_, '_, '_, '_> {
             if !drawing.is_outer(half) || !here {
                 continue;
             }
-            let origin = drawing
-                .origin_after(half)
-                .expect("a halfedge has an origin");
+            let origin = drawing.origin_after(half).expect("a halfedge has an origin");
             let changed = drawing.origin_before(half) != Some(origin);
             self.for_each(half, |this| {
                 this.pointer(HalfedgeField::Vertex, half, origin, changed);

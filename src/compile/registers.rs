@@ -95,10 +95,7 @@ impl Registers {
         let shift = i16::try_from(rule.offset(name)).unwrap_or(0);
         let (at, of) = (name.index(), first.index());
         if name == first {
-            let mut home = || Home::Member {
-                buffer: asm.buffer(),
-                shift: 0,
-            };
+            let mut home = || Home::Member { buffer: asm.buffer(), shift: 0 };
             self.elements[at] = home();
             if rule.kind(name) == Kind::Path {
                 self.lasts[at] = home();
@@ -141,12 +138,7 @@ impl Registers {
             Home::Member { buffer, shift } => {
                 let index = self.index.unwrap_or_else(|| asm.constant_int(0));
                 let to = asm.reg();
-                asm.emit(Inst::Member {
-                    buffer,
-                    index,
-                    shift,
-                    to,
-                });
+                asm.emit(Inst::Member { buffer, index, shift, to });
                 to
             }
         }
@@ -222,11 +214,7 @@ impl Scope for Registers {
     }
 
     fn local(&self, variable: u32) -> Reg {
-        let fold = self
-            .folds
-            .iter()
-            .rev()
-            .find(|(number, _)| *number == variable);
+        let fold = self.folds.iter().rev().find(|(number, _)| *number == variable);
         fold.map_or_else(|| self.params[variable as usize], |&(_, reg)| reg)
     }
 

@@ -52,53 +52,26 @@ impl Collect<'_, '_, '_, '_> {
         one(self, run, buffer);
         let to = self.output.asm.reg();
         self.output.asm.emit(Inst::BufferLength { buffer, to });
-        self.output.asm.emit(Inst::BufferPush {
-            buffer: ends,
-            from: to,
-        });
+        self.output.asm.emit(Inst::BufferPush { buffer: ends, from: to });
         self.registers.end_turns(&mut self.output.asm, turns);
-        Run {
-            buffer,
-            ends: Some(ends),
-        }
+        Run { buffer, ends: Some(ends) }
     }
 
     fn collect_one_path(&mut self, path: NameId, buffer: u16) {
         let from = self.element(path);
-        let next = self
-            .drawing
-            .before
-            .item_after(path)
-            .expect("a path of `before` lies in a loop");
+        let next = self.drawing.before.item_after(path).expect("a path of `before` lies in a loop");
         let until = self.element(next);
         let whole = next == path;
-        self.output.asm.emit(Inst::Collect {
-            walk: Walk::Loop,
-            buffer,
-            from,
-            until,
-            whole,
-        });
+        self.output.asm.emit(Inst::Collect { walk: Walk::Loop, buffer, from, until, whole });
     }
 
     fn collect_fan(&mut self, fan: NameId, buffer: u16) {
-        let vertex = self
-            .drawing
-            .before
-            .star_of_spoke(fan)
-            .expect("a fan of `before` lies in a star");
-        let star = self
-            .drawing
-            .before
-            .star(vertex)
-            .expect("its vertex has a statement");
+        let vertex =
+            self.drawing.before.star_of_spoke(fan).expect("a fan of `before` lies in a star");
+        let star = self.drawing.before.star(vertex).expect("its vertex has a statement");
         let count = star.spokes.len();
         let is_fan = |spoke: &Spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan);
-        let at = star
-            .spokes
-            .iter()
-            .position(is_fan)
-            .expect("the statement lists the fan");
+        let at = star.spokes.iter().position(is_fan).expect("the statement lists the fan");
         let half = |spoke: &Spoke| match spoke {
             Spoke::Halfedge(half) => Some(half.name),
             Spoke::Fan(_) | Spoke::Rest(_) => None,
@@ -110,13 +83,7 @@ impl Collect<'_, '_, '_, '_> {
         let inst = match (before, after) {
             (Some(before), Some(after)) => {
                 self.load(Source::Counterclockwise(Bound::Element(before)), from);
-                Inst::Collect {
-                    walk,
-                    buffer,
-                    from,
-                    until: self.element(after),
-                    whole: false,
-                }
+                Inst::Collect { walk, buffer, from, until: self.element(after), whole: false }
             }
             // The fan is the whole star.
             _ => {
@@ -126,13 +93,7 @@ impl Collect<'_, '_, '_, '_> {
                     to: from,
                     element,
                 });
-                Inst::Collect {
-                    walk,
-                    buffer,
-                    from,
-                    until: from,
-                    whole: true,
-                }
+                Inst::Collect { walk, buffer, from, until: from, whole: true }
             }
         };
         self.output.asm.emit(inst);

@@ -14,24 +14,13 @@ pub(super) struct Turns {
 impl Registers {
     /// Begins what is done for each index. The registers taken inside are given back.
     pub fn begin_turns(&mut self, asm: &mut Assembler) -> Turns {
-        let turns = Turns {
-            begin: asm.label(),
-            end: asm.label(),
-            mark: asm.mark(),
-            outer: self.index(),
-        };
+        let turns =
+            Turns { begin: asm.label(), end: asm.label(), mark: asm.mark(), outer: self.index() };
         let index = asm.reg();
-        asm.emit(Inst::Const {
-            to: index,
-            bits: -1_i64 as u64,
-        });
+        asm.emit(Inst::Const { to: index, bits: -1_i64 as u64 });
         asm.bind(turns.begin);
         let buffer = self.cycle.unwrap_or_default();
-        asm.emit(Inst::NextIndex {
-            buffer,
-            index,
-            otherwise: turns.end,
-        });
+        asm.emit(Inst::NextIndex { buffer, index, otherwise: turns.end });
         self.set_index(Some(index));
         turns
     }

@@ -24,23 +24,14 @@ impl Collect<'_, '_, '_, '_> {
             _ => (Walk::Loop, "along"),
         };
         let text = rule.name(orbit).text.clone();
-        let words: Vec<_> = halfedges
-            .iter()
-            .map(|&half| rule.name(half).text.as_str())
-            .collect();
+        let words: Vec<_> = halfedges.iter().map(|&half| rule.name(half).text.as_str()).collect();
         self.row(Cell::Note(format!(
             "walk once {around} {text}: {} at each index",
             words.join(", ")
         )));
         let from = self.registers.begin(&mut self.output.asm, halfedges[0]);
         let buffer = self.buffer();
-        self.output.asm.emit(Inst::Collect {
-            walk,
-            buffer,
-            from,
-            until: from,
-            whole: true,
-        });
+        self.output.asm.emit(Inst::Collect { walk, buffer, from, until: from, whole: true });
         let period = u16::try_from(halfedges.len()).unwrap_or(u16::MAX);
         if period > 1 {
             self.test_period(buffer, period, &text, walk);
@@ -69,16 +60,10 @@ impl Collect<'_, '_, '_, '_> {
     fn test_period(&mut self, buffer: u16, period: u16, text: &str, walk: Walk) {
         let mark = self.output.asm.mark();
         let length = self.output.asm.reg();
-        self.output
-            .asm
-            .emit(Inst::BufferLength { buffer, to: length });
+        self.output.asm.emit(Inst::BufferLength { buffer, to: length });
         let right = self.output.asm.constant_int(i64::from(period));
         let to = self.output.asm.reg();
-        self.output.asm.emit(Inst::ModInt {
-            to,
-            left: length,
-            right,
-        });
+        self.output.asm.emit(Inst::ModInt { to, left: length, right });
         let what = match walk {
             Walk::Loop => "sides",
             Walk::Star => "spokes",
@@ -103,10 +88,7 @@ impl Collect<'_, '_, '_, '_> {
         });
         let orbit = self.drawing.rule.quoted(orbit);
         let reason = format!("{orbit} is longer, or shorter, than the families before");
-        self.row(Cell::Test {
-            claim: "as many as before".into(),
-            reason: reason.clone(),
-        });
+        self.row(Cell::Test { claim: "as many as before".into(), reason: reason.clone() });
         self.expect_equal(lengths, reason);
         self.output.asm.release(mark);
     }
@@ -114,12 +96,7 @@ impl Collect<'_, '_, '_, '_> {
     fn expect_equal(&mut self, [left, right]: [Reg; 2], reason: String) {
         let refusal = self.output.refusal(reason, Phase::Match);
         let otherwise = self.fail;
-        self.output.asm.emit(Inst::ExpectEqual {
-            left,
-            right,
-            refusal,
-            otherwise,
-        });
+        self.output.asm.emit(Inst::ExpectEqual { left, right, refusal, otherwise });
     }
 
     /// The code for a claim about families as a whole.
@@ -133,10 +110,7 @@ impl Collect<'_, '_, '_, '_> {
                 Around::Holds(to)
             }
             Claim::AllDistinct(names) => Around::Distinct(self.all_of(names)),
-            Claim::AroundInOrder {
-                along_loop,
-                halfedges,
-            } => {
+            Claim::AroundInOrder { along_loop, halfedges } => {
                 let buffer = self.buffer();
                 let turns = self.registers.begin_turns(&mut self.output.asm);
                 for &half in halfedges {
@@ -154,11 +128,7 @@ impl Collect<'_, '_, '_, '_> {
                 self.output.asm.emit(Inst::Const { to: all, bits: 1 });
                 let turns = self.registers.begin_turns(&mut self.output.asm);
                 let here = self.are_empty(paths);
-                self.output.asm.emit(Inst::And {
-                    to: all,
-                    left: all,
-                    right: here,
-                });
+                self.output.asm.emit(Inst::And { to: all, left: all, right: here });
                 self.registers.end_turns(&mut self.output.asm, turns);
                 Around::Holds(self.not(all))
             }
@@ -192,28 +162,12 @@ impl Collect<'_, '_, '_, '_> {
         let asm = &mut self.output.asm;
         let mark = asm.mark();
         let count = asm.reg();
-        asm.emit(Inst::BufferLength {
-            buffer: cycle,
-            to: count,
-        });
+        asm.emit(Inst::BufferLength { buffer: cycle, to: count });
         let right = asm.constant_int(i64::from(each));
-        asm.emit(Inst::MulInt {
-            to: count,
-            left: count,
-            right,
-        });
+        asm.emit(Inst::MulInt { to: count, left: count, right });
         let right = asm.constant_int(i64::from(once));
-        asm.emit(Inst::AddInt {
-            to: count,
-            left: count,
-            right,
-        });
-        asm.emit(Inst::ExpectRoomFor {
-            kind,
-            count,
-            refusal,
-            otherwise: self.fail,
-        });
+        asm.emit(Inst::AddInt { to: count, left: count, right });
+        asm.emit(Inst::ExpectRoomFor { kind, count, refusal, otherwise: self.fail });
         asm.release(mark);
     }
 }

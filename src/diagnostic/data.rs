@@ -67,18 +67,8 @@ impl Diagnostic {
     }
 
     fn new(severity: Severity, code: &'static str, message: String, span: Span) -> Self {
-        let labels = vec![Label {
-            span,
-            text: String::new(),
-        }];
-        Self {
-            severity,
-            code,
-            message,
-            labels,
-            notes: Vec::new(),
-            fixes: Vec::new(),
-        }
+        let labels = vec![Label { span, text: String::new() }];
+        Self { severity, code, message, labels, notes: Vec::new(), fixes: Vec::new() }
     }
 
     /// Says something at the primary place.
@@ -89,10 +79,7 @@ impl Diagnostic {
 
     /// Points at one more place.
     pub fn label(mut self, span: Span, text: impl Into<String>) -> Self {
-        self.labels.push(Label {
-            span,
-            text: text.into(),
-        });
+        self.labels.push(Label { span, text: text.into() });
         self
     }
 
@@ -104,14 +91,8 @@ impl Diagnostic {
 
     /// Offers a fix of one edit.
     pub fn fix(mut self, title: impl Into<String>, span: Span, text: impl Into<String>) -> Self {
-        let edits = vec![Edit {
-            span,
-            text: text.into(),
-        }];
-        self.fixes.push(Fix {
-            title: title.into(),
-            edits,
-        });
+        let edits = vec![Edit { span, text: text.into() }];
+        self.fixes.push(Fix { title: title.into(), edits });
         self
     }
 

@@ -5,9 +5,7 @@ const TEXT: &str = include_str!("explained.md");
 
 /// What a code means: the law, why it matters, a program that breaks it, what mends it.
 pub fn explain(code: &str) -> Option<&'static str> {
-    sections()
-        .find(|(known, _)| *known == code)
-        .map(|(_, text)| text)
+    sections().find(|(known, _)| *known == code).map(|(_, text)| text)
 }
 
 /// All codes that are explained, with the law of each, in the order of the text.

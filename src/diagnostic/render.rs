@@ -29,10 +29,7 @@ pub struct Rendering {
 /// Prints diagnostics as text.
 pub fn render(diagnostics: &[Diagnostic], sources: &Sources, how: Rendering) -> String {
     let mut page = Page {
-        texts: Texts {
-            sources,
-            read: BTreeMap::new(),
-        },
+        texts: Texts { sources, read: BTreeMap::new() },
         colour: how.colour,
         out: String::new(),
     };
@@ -127,16 +124,8 @@ impl Page<'_> {
                 continue;
             };
             let is_primary = std::ptr::eq(label, primary);
-            let (colour, priority) = if is_primary {
-                (colour, 1)
-            } else {
-                (Color::Blue, 0)
-            };
-            let text = if label.text.is_empty() {
-                "here"
-            } else {
-                &label.text
-            };
+            let (colour, priority) = if is_primary { (colour, 1) } else { (Color::Blue, 0) };
+            let text = if label.text.is_empty() { "here" } else { &label.text };
             let order = i32::try_from(at).unwrap_or(i32::MAX);
             let label = Label::new(place).with_message(text).with_color(colour);
             report = report.with_label(label.with_priority(priority).with_order(order));
@@ -146,12 +135,7 @@ impl Page<'_> {
         written.ok()?;
         let drawn = String::from_utf8_lossy(&drawn);
         let (_, below_head) = drawn.split_once('\n')?;
-        Some(
-            below_head
-                .lines()
-                .map(|line| format!("{}\n", line.trim_end()))
-                .collect(),
-        )
+        Some(below_head.lines().map(|line| format!("{}\n", line.trim_end())).collect())
     }
 
     fn remark(&mut self, word: &str, text: &str) {
@@ -160,11 +144,7 @@ impl Page<'_> {
     }
 
     fn painted(&self, text: &str, colour: Color) -> String {
-        if self.colour {
-            text.fg(colour).to_string()
-        } else {
-            text.to_owned()
-        }
+        if self.colour { text.fg(colour).to_string() } else { text.to_owned() }
     }
 
     fn line(&mut self, line: &str) {
@@ -267,10 +247,7 @@ impl Cache<FileId> for &mut Texts<'_> {
 mod tests {
     use super::*;
 
-    const PLAIN: Rendering = Rendering {
-        colour: false,
-        most: 2,
-    };
+    const PLAIN: Rendering = Rendering { colour: false, most: 2 };
 
     #[test]
     fn any_span_in_any_text_is_rendered() {
@@ -341,9 +318,6 @@ error[missing-thing]: `f` is missing
         let warning = Diagnostic::warning("w", "m", span);
         let all = [&error, &error, &error, &warning, &warning].map(Clone::clone);
         let text = render(&all, &sources, PLAIN);
-        assert!(
-            text.ends_with("… and 1 more error and 2 more warnings\n"),
-            "{text}"
-        );
+        assert!(text.ends_with("… and 1 more error and 2 more warnings\n"), "{text}");
     }
 }

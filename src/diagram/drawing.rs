@@ -76,8 +76,7 @@ impl<'a> Drawing<'a> {
     /// The vertex a halfedge or path ends at before.
     pub fn target_before(&self, item: NameId) -> Option<NameId> {
         let view = &self.before;
-        view.loop_target(item)
-            .or_else(|| self.origin_before(view.twin(item)?))
+        view.loop_target(item).or_else(|| self.origin_before(view.twin(item)?))
     }
 
     /// The vertex a halfedge or path starts at after.
@@ -95,8 +94,7 @@ impl<'a> Drawing<'a> {
     /// The vertex a halfedge or path ends at after.
     pub fn target_after(&self, item: NameId) -> Option<NameId> {
         let view = &self.after;
-        view.loop_target(item)
-            .or_else(|| self.origin_after(view.twin(item)?))
+        view.loop_target(item).or_else(|| self.origin_after(view.twin(item)?))
     }
 
     /// The paths that start after at a vertex which an `alias` lets be one with this one. Where
@@ -112,10 +110,7 @@ impl<'a> Drawing<'a> {
     /// Whether a path may have no halfedge: its ends before are one vertex, and it is
     /// not the whole of its loop.
     pub fn may_be_empty(&self, path: NameId) -> bool {
-        let alone = self
-            .before
-            .loop_of_item(path)
-            .is_some_and(|l| l.items.len() == 1);
+        let alone = self.before.loop_of_item(path).is_some_and(|l| l.items.len() == 1);
         !alone && self.before.loop_origin(path) == self.before.loop_target(path)
     }
 
@@ -130,9 +125,7 @@ impl<'a> Drawing<'a> {
         // With `each`, a period of one item is the whole loop where the cycle is shortest.
         let items = orbit.map(|orbit| orbit.items.len() / if orbit.each { size } else { 1 });
         let [from, to] = [view.loop_origin(path), view.loop_target(path)];
-        let one = from
-            .zip(to)
-            .is_some_and(|(from, to)| rule.may_be_one(from, to));
+        let one = from.zip(to).is_some_and(|(from, to)| rule.may_be_one(from, to));
         items != Some(1) && (one || from.map(first) == to.map(first))
     }
 }
@@ -265,12 +258,7 @@ impl<'a> View<'a> {
     pub fn target_mention(&self, item: NameId) -> Option<Ref> {
         let (orbit, position) = self.place[item.index()]?;
         let orbit = &self.side.loops[orbit];
-        Some(
-            orbit
-                .items
-                .get(position + 1)
-                .map_or(orbit.end, |next| next.from),
-        )
+        Some(orbit.items.get(position + 1).map_or(orbit.end, |next| next.from))
     }
 
     /// The vertex from which a halfedge or path leaves in its loop.
@@ -313,11 +301,6 @@ impl<'a> View<'a> {
         let edges = self.side.edges.iter().map(|edge| edge.span);
         let stars = self.side.stars.iter().map(|star| star.span);
         let kept = self.side.kept.iter().map(|kept| kept.span);
-        loops
-            .chain(edges)
-            .chain(stars)
-            .chain(kept)
-            .max_by_key(|span| span.end)
-            .map(Span::after)
+        loops.chain(edges).chain(stars).chain(kept).max_by_key(|span| span.end).map(Span::after)
     }
 }

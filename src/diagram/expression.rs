@@ -84,10 +84,7 @@ impl Type {
 
     /// Whether values of this type are elements of the mesh.
     pub fn is_element(self) -> bool {
-        matches!(
-            self,
-            Type::Vertex | Type::Halfedge | Type::Edge | Type::Face
-        )
+        matches!(self, Type::Vertex | Type::Halfedge | Type::Edge | Type::Face)
     }
 }
 

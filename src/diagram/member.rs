@@ -8,9 +8,7 @@ use super::{NameId, Ref, Role, Rule, Side, Spoke};
 impl Rule {
     /// Whether it has families that are not unrolled.
     pub fn has_families(&self) -> bool {
-        self.cycle
-            .as_ref()
-            .is_some_and(|cycle| cycle.size.is_none())
+        self.cycle.as_ref().is_some_and(|cycle| cycle.size.is_none())
     }
 
     /// The size that it was unrolled to, if it was.
@@ -78,10 +76,7 @@ fn mentions(side: &Side) -> impl Iterator<Item = &Ref> {
         let items = orbit.items.iter().flat_map(|item| [&item.from, &item.item]);
         items.chain([&orbit.face, &orbit.end])
     });
-    let edges = side
-        .edges
-        .iter()
-        .flat_map(|edge| edge.halfedges.iter().chain([&edge.edge]));
+    let edges = side.edges.iter().flat_map(|edge| edge.halfedges.iter().chain([&edge.edge]));
     let stars = side.stars.iter().flat_map(|star| {
         let spokes = star.spokes.iter().filter_map(|spoke| match spoke {
             Spoke::Halfedge(mention) | Spoke::Fan(mention) => Some(mention),

@@ -93,11 +93,7 @@ pub enum Role {
 impl Name {
     /// The name in backticks, or the description.
     pub fn quoted(&self) -> String {
-        if self.named {
-            format!("`{}`", self.text)
-        } else {
-            self.text.clone()
-        }
+        if self.named { format!("`{}`", self.text) } else { self.text.clone() }
     }
 }
 
@@ -115,11 +111,7 @@ pub struct Ref {
 impl Ref {
     /// A mention without a subscript.
     pub fn plain(name: NameId, span: Span) -> Self {
-        Self {
-            name,
-            shift: 0,
-            span,
-        }
+        Self { name, shift: 0, span }
     }
 }
 
@@ -273,9 +265,7 @@ impl Rule {
 
     /// All names of one kind.
     pub fn names_of(&self, kind: Kind) -> impl Iterator<Item = NameId> + '_ {
-        (0..self.names.len() as u32)
-            .map(NameId)
-            .filter(move |&id| self.kind(id) == kind)
+        (0..self.names.len() as u32).map(NameId).filter(move |&id| self.kind(id) == kind)
     }
 }
 

@@ -9,15 +9,12 @@ impl Drawing<'_> {
         let rule = self.rule;
         let stays =
             |item: NameId| self.erased(item).is_none() && self.origin_after(item) == Some(vertex);
-        let mut items = rule
-            .names_of(Kind::Halfedge)
-            .chain(rule.names_of(Kind::Path))
-            .filter(|&item| {
+        let mut items =
+            rule.names_of(Kind::Halfedge).chain(rule.names_of(Kind::Path)).filter(|&item| {
                 self.before.mention(item).is_some() && self.origin_before(item) == Some(vertex)
             });
-        let mut fans = rule
-            .names_of(Kind::Fan)
-            .filter(|&fan| self.before.star_of_spoke(fan) == Some(vertex));
+        let mut fans =
+            rule.names_of(Kind::Fan).filter(|&fan| self.before.star_of_spoke(fan) == Some(vertex));
         self.survives(vertex)
             && items.all(stays)
             && fans.all(|fan| self.after.star_of_spoke(fan) == Some(vertex))
@@ -40,9 +37,7 @@ impl Drawing<'_> {
     /// those that start there where names are one.
     pub fn paths_after(&self, vertex: NameId) -> Vec<NameId> {
         let paths = self.rule.names_of(Kind::Path);
-        let mut paths: Vec<_> = paths
-            .filter(|&path| self.starts_after(path, vertex))
-            .collect();
+        let mut paths: Vec<_> = paths.filter(|&path| self.starts_after(path, vertex)).collect();
         paths.sort_by_key(|&path| self.is_empty_somewhere(path));
         if !paths.is_empty() {
             paths.extend(self.paths_where_one(vertex));

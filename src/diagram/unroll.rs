@@ -53,32 +53,18 @@ impl Unrolled {
             }
             for index in 0..size {
                 let mut member = name.clone();
-                member.role = Role::Member {
-                    family: NameId(at as u32),
-                    index,
-                };
+                member.role = Role::Member { family: NameId(at as u32), index };
                 let letter = rule.cycle.as_ref().map_or("i", |cycle| &cycle.letter);
                 member.text = called(name, subscript(index, size, naming, letter));
                 names.push(member);
             }
         }
-        let cycle = rule.cycle.as_ref().map(|cycle| Cycle {
-            letter: cycle.letter.clone(),
-            size: Some(size),
-        });
-        let mut unrolled = Self {
-            rule: Rule {
-                names,
-                cycle,
-                ..rule.clone()
-            },
-            first,
-            size,
-        };
-        let whole = Writer {
-            source: rule,
-            unrolled: &unrolled,
-        };
+        let cycle = rule
+            .cycle
+            .as_ref()
+            .map(|cycle| Cycle { letter: cycle.letter.clone(), size: Some(size) });
+        let mut unrolled = Self { rule: Rule { names, cycle, ..rule.clone() }, first, size };
+        let whole = Writer { source: rule, unrolled: &unrolled };
         let written = whole.rule();
         unrolled.rule = written;
         unrolled
@@ -160,9 +146,7 @@ impl Writer<'_> {
         let requires = source.requires.iter().flat_map(|r| self.require(r));
         let assignments = source.assignments.iter().flat_map(|a| self.assignment(a));
         Rule {
-            params: params
-                .map(|param| param.map(|name| self.unrolled.member(name, 0)))
-                .collect(),
+            params: params.map(|param| param.map(|name| self.unrolled.member(name, 0))).collect(),
             result: source.result.map(|result| self.at(result, 0)),
             before: self.side(&source.before),
             requires: requires.collect(),
@@ -188,16 +172,11 @@ impl Writer<'_> {
 
     fn at(&self, mention: Ref, index: u32) -> Ref {
         let index = i64::from(index) + i64::from(mention.shift);
-        Ref {
-            name: self.unrolled.member(mention.name, index),
-            shift: 0,
-            span: mention.span,
-        }
+        Ref { name: self.unrolled.member(mention.name, index), shift: 0, span: mention.span }
     }
 
     fn turns(&self, mention: Ref) -> impl Iterator<Item = Ref> + '_ {
-        self.indices(mention)
-            .map(move |index| self.at(mention, index))
+        self.indices(mention).map(move |index| self.at(mention, index))
     }
 
     fn side(&self, side: &Side) -> Side {
@@ -221,11 +200,7 @@ impl Writer<'_> {
             loops: loops.collect(),
             edges: edges.collect(),
             stars: stars.collect(),
-            kept: side
-                .kept
-                .iter()
-                .flat_map(|kept| self.turns(*kept))
-                .collect(),
+            kept: side.kept.iter().flat_map(|kept| self.turns(*kept)).collect(),
             span: side.span,
         }
     }

@@ -26,9 +26,7 @@ impl Expr {
                 right.visit_mut(change);
             }
             ExprKind::Call(_, arguments) | ExprKind::Invoke(_, arguments) => {
-                arguments
-                    .iter_mut()
-                    .for_each(|argument| argument.visit_mut(change));
+                arguments.iter_mut().for_each(|argument| argument.visit_mut(change));
             }
             ExprKind::If(condition, then, otherwise) => {
                 condition.visit_mut(change);

@@ -90,10 +90,7 @@ fn placed(
     mut places: Vec<Option<DVec2>>,
 ) -> Vec<Option<DVec2>> {
     for (name, at) in assigned(figure, before) {
-        let is_taken = places
-            .iter()
-            .flatten()
-            .any(|other| (*other - at).length() < NEAR);
+        let is_taken = places.iter().flatten().any(|other| (*other - at).length() < NEAR);
         if let Some(node) = figure.vertex(name)
             && places[node].is_none()
             && !is_taken

@@ -39,11 +39,7 @@ pub(super) fn bend_paths(figure: &Figure, before: &[Option<DVec2>], places: &mut
         let (Some(points), Some(a), Some(b)) = (points, places[from], places[to]) else {
             continue;
         };
-        let scene = Scene {
-            side: &figure.after,
-            places,
-            center,
-        };
+        let scene = Scene { side: &figure.after, places, center };
         let best = match from == to {
             true => scene.petal(at, a, &points),
             false => scene.arc(at, [a, b], &points),
@@ -125,10 +121,7 @@ impl Scene<'_> {
         let mut angles = Vec::new();
         for (at, other) in self.side.strands.iter().enumerate() {
             let nodes = &other.nodes;
-            let pairs = [
-                [nodes[0], nodes[1]],
-                [nodes[nodes.len() - 1], nodes[nodes.len() - 2]],
-            ];
+            let pairs = [[nodes[0], nodes[1]], [nodes[nodes.len() - 1], nodes[nodes.len() - 2]]];
             for [end, next] in pairs {
                 if let (Some(from), Some(to)) = (self.places[end], self.places[next])
                     && end == root
@@ -197,11 +190,7 @@ pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
     let side = &figure.after;
     let is_new = |node: &usize| {
         figure.nodes[*node] == Node::Bend
-            && !figure
-                .before
-                .strands
-                .iter()
-                .any(|strand| strand.nodes.contains(node))
+            && !figure.before.strands.iter().any(|strand| strand.nodes.contains(node))
     };
     let loops = side.loop_of();
     let mut seen: Vec<([usize; 2], usize)> = Vec::new();
@@ -219,9 +208,7 @@ pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
         let before = seen.iter().filter(|(other, _)| *other == ends).count();
         seen.push((ends, at));
         if from == to {
-            let away = a
-                .normalize_or(DVec2::X)
-                .rotate(DVec2::from_angle(before as f64 * 1.2));
+            let away = a.normalize_or(DVec2::X).rotate(DVec2::from_angle(before as f64 * 1.2));
             for (&bend, angle) in bends.iter().zip([0.5, -0.5]) {
                 places[bend] = Some(a + away.rotate(DVec2::from_angle(angle)) * 0.6);
             }
@@ -234,11 +221,7 @@ pub(super) fn bend_beside(figure: &Figure, places: &mut [Option<DVec2>]) {
                 (_, turn) if turn.is_multiple_of(2) => 1.0,
                 _ => -1.0,
             };
-            let sign = if from < to || drawn[0] != drawn[1] {
-                sign
-            } else {
-                -sign
-            };
+            let sign = if from < to || drawn[0] != drawn[1] { sign } else { -sign };
             let away = left(b - a) * (sign * (0.22 + 0.22 * (before / 2) as f64));
             for (place, &bend) in bends.iter().enumerate() {
                 let t = (place + 1) as f64 / (bends.len() + 1) as f64;

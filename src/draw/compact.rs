@@ -13,11 +13,7 @@ use super::words::Words;
 
 /// How many steps a unit has.
 const STEPS: f64 = 5.0;
-const GRAIN: Grain = Grain {
-    parts: STEPS,
-    measure: 1.0,
-    slack: 2,
-};
+const GRAIN: Grain = Grain { parts: STEPS, measure: 1.0, slack: 2 };
 /// How wide it is shown, in units: hovers are small, and more than that they cut.
 const WIDEST: f64 = 460.0;
 /// How many the size of a letter has.
@@ -104,10 +100,7 @@ fn write_shape(text: &mut String, shape: &Shape, words: &Words) {
     }
     let (id, [x, y]) = words.used(&shape.glyphs);
     let turn = words.turned(shape.turn);
-    let _ = write!(
-        text,
-        "<use class=\"{class}\" href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>"
-    );
+    let _ = write!(text, "<use class=\"{class}\" href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>");
 }
 
 fn write_stroke(more: &mut String, stroke: Stroke) {

@@ -36,16 +36,9 @@ impl Curve {
         for at in 0..count - 1 {
             let (from, to) = (points[at], points[at + 1]);
             // At the ends it goes on as the parabola through the last three points.
-            let before = if at == 0 {
-                (from - to) * 3.0 + points[2]
-            } else {
-                points[at - 1]
-            };
-            let behind = if at + 2 < count {
-                points[at + 2]
-            } else {
-                (to - from) * 3.0 + points[at - 1]
-            };
+            let before = if at == 0 { (from - to) * 3.0 + points[2] } else { points[at - 1] };
+            let behind =
+                if at + 2 < count { points[at + 2] } else { (to - from) * 3.0 + points[at - 1] };
             let steps = ((to - from).length() / STEP).clamp(2.0, 80.0) as usize;
             for step in 1..=steps {
                 let t = step as f64 / steps as f64;
@@ -137,11 +130,7 @@ impl Curve {
         let count = self.points.len();
         let piece = |at: usize| (self.points[at + 1] - self.points[at]).normalize_or_zero();
         Self::through((0..count).map(|at| {
-            let behind = if at + 1 < count {
-                piece(at)
-            } else {
-                DVec2::ZERO
-            };
+            let behind = if at + 1 < count { piece(at) } else { DVec2::ZERO };
             let before = if at > 0 { piece(at - 1) } else { DVec2::ZERO };
             self.points[at] + left((before + behind).normalize_or_zero()) * distance
         }))
@@ -166,11 +155,7 @@ pub(super) fn angle(direction: DVec2) -> f64 {
 /// How far to turn counterclockwise from one angle to another: over 0, up to a full turn.
 pub(super) fn turn(from: f64, to: f64) -> f64 {
     let turn = (to - from).rem_euclid(std::f64::consts::TAU);
-    if turn < 1e-9 {
-        std::f64::consts::TAU
-    } else {
-        turn
-    }
+    if turn < 1e-9 { std::f64::consts::TAU } else { turn }
 }
 
 /// How far a point is from a segment.
@@ -222,10 +207,7 @@ mod tests {
     fn cuts_and_offsets() {
         let line = Curve::through([DVec2::ZERO, DVec2::new(10.0, 0.0)]);
         let part = line.cut(2.0, 7.0).offset(3.0);
-        assert_eq!(
-            part.points(),
-            [DVec2::new(2.0, -3.0), DVec2::new(7.0, -3.0)]
-        );
+        assert_eq!(part.points(), [DVec2::new(2.0, -3.0), DVec2::new(7.0, -3.0)]);
         assert_eq!(Curve::through([]).length(), 0.0);
     }
 }

@@ -59,11 +59,7 @@ impl Panel<'_> {
                 true => hatch(&outline, &islands),
                 false => ticks(&outline),
             };
-            self.hatched.push(Hatched {
-                group,
-                outline: outline.clone(),
-                is_around: !is_inside,
-            });
+            self.hatched.push(Hatched { group, outline: outline.clone(), is_around: !is_inside });
             for line in lines {
                 let stroke = Stroke::solid(Ink::Muted, 0.9);
                 self.groups[group].stroke(Path::along(&line), stroke);
@@ -76,10 +72,7 @@ impl Panel<'_> {
                 return (label, inner_spots(&outline, &islands));
             }
             let below = DVec2::new(middle.x, low.max(middle.y) + 40.0 + label.half.y);
-            let spot = |step: f64| Spot {
-                at: below + DVec2::X * (step * 14.0),
-                cost: step.abs(),
-            };
+            let spot = |step: f64| Spot { at: below + DVec2::X * (step * 14.0), cost: step.abs() };
             (label, (-8..=8).map(f64::from).map(spot).collect())
         });
     }

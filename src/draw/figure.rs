@@ -34,10 +34,7 @@ impl Dart {
 
     /// The dart of a number.
     pub fn of(index: usize) -> Self {
-        Self {
-            strand: index / 2,
-            forward: index.is_multiple_of(2),
-        }
+        Self { strand: index / 2, forward: index.is_multiple_of(2) }
     }
 }
 
@@ -179,11 +176,7 @@ impl<'a> Figure<'a> {
     fn read(&mut self, earlier: Option<&Side>) -> Side {
         let drawing = self.drawing.clone();
         let is_after = earlier.is_some();
-        let view = if is_after {
-            &drawing.after
-        } else {
-            &drawing.before
-        };
+        let view = if is_after { &drawing.after } else { &drawing.before };
         let origin = |item| match is_after {
             true => drawing.origin_after(item),
             false => drawing.origin_before(item),
@@ -192,28 +185,17 @@ impl<'a> Figure<'a> {
             true => drawing.target_after(item),
             false => drawing.target_before(item),
         };
-        let mut side = Side {
-            darts: vec![None; drawing.rule.names.len()],
-            ..Side::default()
-        };
+        let mut side = Side { darts: vec![None; drawing.rule.names.len()], ..Side::default() };
         for edge in &view.side().edges {
             let Edge { halfedges, .. } = edge;
             let [along, back] = halfedges.map(|halfedge| halfedge.name);
-            if along == back
-                || [along, back]
-                    .iter()
-                    .any(|item| side.darts[item.index()].is_some())
+            if along == back || [along, back].iter().any(|item| side.darts[item.index()].is_some())
             {
                 continue;
             }
             let from = self.node(origin(along).or_else(|| target(back)));
             let to = self.node(origin(back).or_else(|| target(along)));
-            self.put(
-                &mut side,
-                Some(edge.edge.name),
-                [Some(along), Some(back)],
-                [from, to],
-            );
+            self.put(&mut side, Some(edge.edge.name), [Some(along), Some(back)], [from, to]);
         }
         for item in view.side().loops.iter().flat_map(|orbit| &orbit.items) {
             let item = item.item.name;
@@ -229,9 +211,7 @@ impl<'a> Figure<'a> {
             side.loops.push(Orbit {
                 face: orbit.face.name,
                 kind: orbit.kind,
-                darts: darts
-                    .filter_map(|item| side.darts[item.item.name.index()])
-                    .collect(),
+                darts: darts.filter_map(|item| side.darts[item.item.name.index()]).collect(),
             });
         }
         for name in drawing.rule.names_of(Kind::Vertex) {

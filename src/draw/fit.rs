@@ -53,9 +53,7 @@ fn bend(points: &[DVec2]) -> Option<DVec2> {
         return None;
     }
     let at = |t: f64| first.lerp(by, t).lerp(by.lerp(last, t), t);
-    let pieces: Vec<_> = (0..=PIECES)
-        .map(|piece| at(piece as f64 / PIECES as f64))
-        .collect();
+    let pieces: Vec<_> = (0..=PIECES).map(|piece| at(piece as f64 / PIECES as f64)).collect();
     let lies_on = |point: &DVec2| {
         let mut pairs = pieces.windows(2);
         pairs.any(|pair| distance(*point, [pair[0], pair[1]]) < UNSEEN)
@@ -75,21 +73,11 @@ mod tests {
         let arc = Curve::arc(DVec2::ZERO, 128.0, 0.0, 3.0);
         follow(&mut path, arc.points());
         assert!(path.steps.len() < 9, "{:?}", path.steps);
-        assert!(
-            path.steps
-                .iter()
-                .all(|step| matches!(step, Step::Curve(..)))
-        );
+        assert!(path.steps.iter().all(|step| matches!(step, Step::Curve(..))));
 
         let mut path = Path::default();
         let corner = [DVec2::ZERO, DVec2::new(4.0, 0.0), DVec2::new(4.0, 3.0)];
         follow(&mut path, &corner);
-        assert_eq!(
-            path.steps,
-            corner[1..]
-                .iter()
-                .map(|&to| Step::Line(to))
-                .collect::<Vec<_>>()
-        );
+        assert_eq!(path.steps, corner[1..].iter().map(|&to| Step::Line(to)).collect::<Vec<_>>());
     }
 }

@@ -14,9 +14,8 @@ pub(super) fn hatch(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Curve> {
     let slant = DVec2::new(1.0, -1.0).normalize();
     let across = DVec2::new(1.0, 1.0).normalize();
     let heights = outline.iter().map(|at| at.dot(across));
-    let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), at| {
-        (low.min(at), high.max(at))
-    });
+    let (low, high) =
+        heights.fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at), high.max(at)));
     let mut lines = Vec::new();
     if !(high - low).is_finite() {
         return lines;
@@ -66,11 +65,7 @@ pub(super) fn ticks(outline: &[DVec2]) -> Vec<Curve> {
     };
     // In a corner of the hole there is room for those of one side only.
     let is_free = |ends: &[DVec2; 2]| {
-        let far = |end: DVec2| {
-            around
-                .segments()
-                .all(|side| distance(end, side) > 0.85 * ASIDE)
-        };
+        let far = |end: DVec2| around.segments().all(|side| distance(end, side) > 0.85 * ASIDE);
         ends.iter().all(|&end| far(end))
     };
     let ticks = (0..count).map(tick).filter(is_free);

@@ -54,15 +54,8 @@ fn outline(text: &str) -> Vec<(char, Vec<f64>)> {
             None => {}
         }
     }
-    let numbers = |text: &str| {
-        text.split(' ')
-            .filter_map(|part| part.parse().ok())
-            .collect()
-    };
-    steps
-        .into_iter()
-        .map(|(step, text)| (step, numbers(&text)))
-        .collect()
+    let numbers = |text: &str| text.split(' ').filter_map(|part| part.parse().ok()).collect();
+    steps.into_iter().map(|(step, text)| (step, numbers(&text))).collect()
 }
 
 /// A letter that has been set: which, where its line begins, and how large it is.
@@ -133,10 +126,7 @@ impl Label {
 
 /// The same letters elsewhere.
 pub(super) fn moved(glyphs: &[Glyph], by: DVec2) -> Vec<Glyph> {
-    let glyphs = glyphs.iter().map(|&glyph| Glyph {
-        at: glyph.at + by,
-        ..glyph
-    });
+    let glyphs = glyphs.iter().map(|&glyph| Glyph { at: glyph.at + by, ..glyph });
     glyphs.collect()
 }
 
@@ -203,12 +193,7 @@ impl Setting {
         let scale = size / 1000.0;
         for code in text.chars() {
             let x = self.x;
-            self.glyphs.push(Glyph {
-                style,
-                code,
-                at: DVec2::new(x, drop),
-                size,
-            });
+            self.glyphs.push(Glyph { style, code, at: DVec2::new(x, drop), size });
             let place = |p: &[f64]| DVec2::new(x + p[0] * scale, drop - p[1] * scale);
             let Some(letter) = letters.iter().find(|letter| letter.code == code) else {
                 let corners = [[60., 0.], [60., 600.], [440., 600.], [440., 0.]];

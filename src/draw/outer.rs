@@ -15,10 +15,7 @@ pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
         let first = darts.first();
         first.is_some_and(|&dart| among(side.nodes(dart)[0]))
     };
-    let walks: Vec<_> = walks(side)
-        .into_iter()
-        .filter(|walk| counts(walk))
-        .collect();
+    let walks: Vec<_> = walks(side).into_iter().filter(|walk| counts(walk)).collect();
     // A hole around pieces that it holds together is seen from the pieces.
     let is_around = |orbit: &Orbit| orbit.kind == LoopKind::Hole && walks.len() > 1;
     if let [orbit] = &side.loops[..]
@@ -32,11 +29,7 @@ pub(super) fn outside(side: &Side, among: &dyn Fn(usize) -> bool) -> Vec<Dart> {
     let loops = |holes: bool| {
         let wanted = side.loops.iter();
         let wanted = wanted.filter(move |orbit| (orbit.kind == LoopKind::Hole) == holes);
-        longest(
-            wanted
-                .map(|orbit| orbit.darts.clone())
-                .filter(|darts| counts(darts)),
-        )
+        longest(wanted.map(|orbit| orbit.darts.clone()).filter(|darts| counts(darts)))
     };
     loops(true).or_else(|| loops(false)).unwrap_or_default()
 }

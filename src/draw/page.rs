@@ -54,10 +54,8 @@ pub fn page(title: &str, sections: &[Section]) -> String {
         }
         if let Some(plan) = &section.plan {
             let plan = escaped(plan);
-            let _ = writeln!(
-                text,
-                "<details><summary>plan</summary>\n<pre>{plan}</pre>\n</details>"
-            );
+            let _ =
+                writeln!(text, "<details><summary>plan</summary>\n<pre>{plan}</pre>\n</details>");
         }
         text.push_str("</section>\n");
     }

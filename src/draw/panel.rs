@@ -81,11 +81,7 @@ impl<'a> Panel<'a> {
         prefix: &str,
     ) -> Self {
         let is_after = earlier.is_some();
-        let side = if is_after {
-            &figure.after
-        } else {
-            &figure.before
-        };
+        let side = if is_after { &figure.after } else { &figure.before };
         let curve = |strand: &Strand| {
             let points: Vec<_> = strand.nodes.iter().map(|&node| places[node]).collect();
             Curve::smooth(&points)
@@ -229,11 +225,8 @@ impl<'a> Panel<'a> {
     pub fn group(&mut self, name: NameId) -> usize {
         let of = self.figure.drawing.rule.name(name);
         let status = self.status(name).word();
-        let id = if of.named {
-            format!("{}-{}", self.prefix, id_word(&of.text))
-        } else {
-            String::new()
-        };
+        let id =
+            if of.named { format!("{}-{}", self.prefix, id_word(&of.text)) } else { String::new() };
         let title = format!("{} {}, {status}", of.kind.word(), of.text);
         let mut group = Group::named(id, title);
         group.is_faded = !self.stands_out(name);
@@ -272,11 +265,7 @@ impl<'a> Panel<'a> {
     /// The curve of a dart.
     pub fn along(&self, dart: Dart) -> Curve {
         let curve = &self.curves[dart.strand];
-        if dart.forward {
-            curve.clone()
-        } else {
-            curve.reversed()
-        }
+        if dart.forward { curve.clone() } else { curve.reversed() }
     }
 
     /// Dots of ends that have no name.

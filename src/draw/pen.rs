@@ -51,8 +51,5 @@ pub(super) fn double_arrow(group: &mut Group, curve: &Curve, status: Status) {
     let head = [1.0, -1.0].map(|sign| tip - way * 7.5 + left(way) * (5.5 * sign));
     let mut stroke = stroke(status, 1.5);
     stroke.dash = None;
-    group.stroke(
-        Path::along(&Curve::through([head[0], tip, head[1]])),
-        stroke,
-    );
+    group.stroke(Path::along(&Curve::through([head[0], tip, head[1]])), stroke);
 }

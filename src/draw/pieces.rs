@@ -59,14 +59,7 @@ pub(super) fn blocks(side: &Side, part: &[usize]) -> Vec<(Side, Vec<usize>)> {
         let at = blocks.iter().position(|(other, ..)| *other == of);
         let at = at.unwrap_or_else(|| {
             let loops = Vec::new();
-            blocks.push((
-                of,
-                Side {
-                    loops,
-                    ..side.clone()
-                },
-                Vec::new(),
-            ));
+            blocks.push((of, Side { loops, ..side.clone() }, Vec::new()));
             blocks.len() - 1
         });
         let (_, here, nodes) = &mut blocks[at];

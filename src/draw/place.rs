@@ -48,13 +48,8 @@ fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
     let mut x = 0.0;
     for part in parts {
         place_blocks(figure, &part, &mut places);
-        let xs = part
-            .iter()
-            .filter_map(|&node| places[node])
-            .map(|at: DVec2| at.x);
-        let (low, high) = xs.fold((f64::MAX, f64::MIN), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
+        let xs = part.iter().filter_map(|&node| places[node]).map(|at: DVec2| at.x);
+        let (low, high) = xs.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         for &node in &part {
             places[node] = places[node].map(|at| at + DVec2::X * (x - low));
         }
@@ -110,10 +105,9 @@ fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
         }
         (count > 0.0).then(|| sum / count)
     };
-    let [Some(center), Some(there)] = [
-        middle(&|_| true),
-        middle(&|name: NameId| strong[name.index()]),
-    ] else {
+    let [Some(center), Some(there)] =
+        [middle(&|_| true), middle(&|name: NameId| strong[name.index()])]
+    else {
         return;
     };
     let way = there - center;
@@ -181,10 +175,7 @@ fn place_part(
     let outside: Vec<Dart> = walk
         .iter()
         .rev()
-        .map(|dart| Dart {
-            strand: dart.strand,
-            forward: !dart.forward,
-        })
+        .map(|dart| Dart { strand: dart.strand, forward: !dart.forward })
         .collect();
     let ring = side.around(&outside);
     let mut pulls = pulls(side);
@@ -230,13 +221,9 @@ fn place_part(
 /// The node that all strands of a part begin or end at, if there are several.
 fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
     let strands = side.strands.iter();
-    let strands: Vec<_> = strands
-        .filter(|strand| part.contains(&strand.nodes[0]))
-        .collect();
+    let strands: Vec<_> = strands.filter(|strand| part.contains(&strand.nodes[0])).collect();
     let is_center = |node: &&usize| strands.iter().all(|strand| strand.ends().contains(node));
-    (part.len() > 2 && !strands.is_empty())
-        .then(|| part.iter().find(is_center).copied())
-        .flatten()
+    (part.len() > 2 && !strands.is_empty()).then(|| part.iter().find(is_center).copied()).flatten()
 }
 
 /// Makes spurs, and edges from a vertex to itself, so long that they can be read.
@@ -333,10 +320,7 @@ fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec
 
 /// The pairs of nodes that pull at each other along strands.
 pub(super) fn pulls(side: &Side) -> Vec<(usize, usize)> {
-    let pairs = side
-        .strands
-        .iter()
-        .flat_map(|strand| strand.nodes.windows(2));
+    let pairs = side.strands.iter().flat_map(|strand| strand.nodes.windows(2));
     pairs.map(|pair| (pair[0], pair[1])).collect()
 }
 
@@ -346,11 +330,7 @@ pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usi
     for orbit in &side.loops {
         let center = places.len();
         places.push(None);
-        pulls.extend(
-            side.around(&orbit.darts)
-                .into_iter()
-                .map(|node| (node, center)),
-        );
+        pulls.extend(side.around(&orbit.darts).into_iter().map(|node| (node, center)));
     }
     let mut neighbors = vec![Vec::new(); places.len()];
     for (a, b) in pulls {
@@ -365,9 +345,8 @@ pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usi
     for _ in 0..SWEEPS {
         for &node in &free {
             let near = neighbors[node].iter().filter_map(|&other| places[other]);
-            let (sum, count) = near.fold((DVec2::ZERO, 0.0), |(sum, count), at| {
-                (sum + at, count + 1.0)
-            });
+            let (sum, count) =
+                near.fold((DVec2::ZERO, 0.0), |(sum, count), at| (sum + at, count + 1.0));
             if count > 0.0 {
                 places[node] = Some(sum / count);
             }

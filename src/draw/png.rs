@@ -22,11 +22,7 @@ pub struct TooLarge {
 
 impl Display for TooLarge {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "an image of {} by {} pixels is too large",
-            self.width, self.height
-        )
+        write!(f, "an image of {} by {} pixels is too large", self.width, self.height)
     }
 }
 
@@ -35,13 +31,9 @@ impl std::error::Error for TooLarge {}
 impl Picture {
     /// The picture as PNG, with `scale` pixels to a unit.
     pub fn png(&self, scale: f64) -> Result<Vec<u8>, TooLarge> {
-        let [width, height] = self
-            .size()
-            .map(|side| (side * scale).ceil().clamp(1.0, MOST_PIXELS + 1.0));
-        let too_large = TooLarge {
-            width: width as u32,
-            height: height as u32,
-        };
+        let [width, height] =
+            self.size().map(|side| (side * scale).ceil().clamp(1.0, MOST_PIXELS + 1.0));
+        let too_large = TooLarge { width: width as u32, height: height as u32 };
         if width > MOST_PIXELS || height > MOST_PIXELS {
             return Err(too_large);
         }
@@ -52,10 +44,7 @@ impl Picture {
         if let Some(image) = &self.image {
             let pixels = image.pixmap().ok_or_else(|| too_large.clone())?;
             let part = (image.size * scale) as f32 / image.side as f32;
-            let smooth = PixmapPaint {
-                quality: FilterQuality::Bilinear,
-                ..PixmapPaint::default()
-            };
+            let smooth = PixmapPaint { quality: FilterQuality::Bilinear, ..PixmapPaint::default() };
             let place = Transform::from_scale(part, part);
             pixmap.draw_pixmap(0, 0, pixels.as_ref(), &smooth, place, None);
         }
@@ -73,9 +62,7 @@ impl Picture {
                     pixmap.fill_path(&path, &paint, FillRule::Winding, transform, None);
                 }
                 Paint::Stroke(stroke) => {
-                    let dash = stroke
-                        .dash
-                        .map(|dash| dash.map(|part| part as f32).to_vec());
+                    let dash = stroke.dash.map(|dash| dash.map(|part| part as f32).to_vec());
                     let lines = tiny_skia::Stroke {
                         width: stroke.width as f32,
                         line_cap: LineCap::Round,

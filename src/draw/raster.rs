@@ -36,11 +36,7 @@ impl Raster {
     /// A square that nothing is drawn on, for an image half as large.
     pub fn new(image: u32) -> Self {
         let side = 2 * image as usize;
-        Self {
-            side,
-            near: vec![f32::NEG_INFINITY; side * side],
-            pixels: vec![[0; 4]; side * side],
-        }
+        Self { side, near: vec![f32::NEG_INFINITY; side * side], pixels: vec![[0; 4]; side * side] }
     }
 
     /// How many pixels wide it is.
@@ -91,11 +87,7 @@ impl Raster {
                 (sum / 4) as u8
             })
         };
-        Image {
-            side: side as u32,
-            size,
-            pixels: (0..side * side).map(mean).collect(),
-        }
+        Image { side: side as u32, size, pixels: (0..side * side).map(mean).collect() }
     }
 }
 

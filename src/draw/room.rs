@@ -34,16 +34,13 @@ pub(super) struct Room {
 impl Room {
     /// Keeps texts away from a curve, by its half width.
     pub fn draw(&mut self, curve: &Curve, half_width: f64) {
-        self.lines
-            .extend(curve.segments().map(|segment| (segment, half_width)));
+        self.lines.extend(curve.segments().map(|segment| (segment, half_width)));
     }
 
     /// What it costs to put a text somewhere.
     pub fn cost(&self, at: DVec2, label: &Label) -> f64 {
         let boxes = label.boxes().into_iter();
-        boxes
-            .map(|(by, half)| self.cost_of_box(at + by, half))
-            .sum()
+        boxes.map(|(by, half)| self.cost_of_box(at + by, half)).sum()
     }
 
     fn cost_of_box(&self, at: DVec2, half: DVec2) -> f64 {
@@ -56,19 +53,14 @@ impl Room {
         };
         let boxes: f64 = self.boxes.iter().map(near).sum();
         let half = half + AIR;
-        let lines = self
-            .lines
-            .iter()
-            .filter(|(segment, width)| touches(*segment, at, half + *width));
+        let lines =
+            self.lines.iter().filter(|(segment, width)| touches(*segment, at, half + *width));
         boxes + ON_LINE * (lines.count().min(6) as f64)
     }
 
     /// The best of some spots.
     pub fn best(&self, label: &Label, spots: &[Spot]) -> Spot {
-        let mut best = Spot {
-            at: DVec2::ZERO,
-            cost: f64::MAX,
-        };
+        let mut best = Spot { at: DVec2::ZERO, cost: f64::MAX };
         for spot in spots {
             let cost = spot.cost + self.cost(spot.at, label);
             if cost < best.cost - 1e-9 {
@@ -137,10 +129,7 @@ mod tests {
     fn a_box_on_a_line_costs() {
         let mut room = Room::default();
         let label = words("a", Style::Upright, 4.0);
-        room.draw(
-            &Curve::through([DVec2::new(-9.0, 0.0), DVec2::new(9.0, 0.0)]),
-            1.0,
-        );
+        room.draw(&Curve::through([DVec2::new(-9.0, 0.0), DVec2::new(9.0, 0.0)]), 1.0);
         assert!(room.cost(DVec2::ZERO, &label) > 0.0);
         assert_eq!(room.cost(DVec2::new(0.0, 9.0), &label), 0.0);
     }

@@ -22,11 +22,7 @@ pub(super) fn sector(rule: &Rule) -> Vec<bool> {
 
 /// Shows every name that the statements of index 0 mention.
 fn mentions(rule: &Rule, side: &Side, size: usize, see: &mut dyn FnMut(NameId)) {
-    for orbit in side
-        .loops
-        .iter()
-        .filter(|orbit| rule.is_first(orbit.face.name))
-    {
+    for orbit in side.loops.iter().filter(|orbit| rule.is_first(orbit.face.name)) {
         let count = match orbit.each {
             true => orbit.items.len() / size.max(1),
             false => orbit.items.len(),
@@ -38,11 +34,7 @@ fn mentions(rule: &Rule, side: &Side, size: usize, see: &mut dyn FnMut(NameId)) 
         // Where the last of them ends.
         see(orbit.items[count % orbit.items.len().max(1)].from.name);
     }
-    for edge in side
-        .edges
-        .iter()
-        .filter(|edge| rule.is_first(edge.edge.name))
-    {
+    for edge in side.edges.iter().filter(|edge| rule.is_first(edge.edge.name)) {
         edge.halfedges.iter().for_each(|half| see(half.name));
     }
     let stars = side.stars.iter().filter(|star| !star.each);

@@ -147,9 +147,7 @@ impl Path {
             Step::Curve(bend, to) => Step::Curve(place(bend), place(to)),
             Step::Close => Step::Close,
         });
-        Self {
-            steps: steps.collect(),
-        }
+        Self { steps: steps.collect() }
     }
 }
 
@@ -235,12 +233,7 @@ pub(super) struct Stroke {
 impl Stroke {
     /// A line without dashes.
     pub fn solid(ink: Ink, width: f64) -> Self {
-        Self {
-            ink,
-            width,
-            dash: None,
-            opacity: 1.0,
-        }
+        Self { ink, width, dash: None, opacity: 1.0 }
     }
 }
 
@@ -270,11 +263,7 @@ pub(super) struct Group {
 impl Group {
     /// A group for an element.
     pub fn named(id: String, title: String) -> Self {
-        Self {
-            id,
-            title,
-            ..Self::default()
-        }
+        Self { id, title, ..Self::default() }
     }
 
     /// An area; areas that are filled alike, one after the other, are one path.
@@ -306,12 +295,7 @@ impl Group {
     }
 
     fn push(&mut self, path: Path, paint: Paint) {
-        self.shapes.push(Shape {
-            path,
-            paint,
-            glyphs: Vec::new(),
-            turn: None,
-        });
+        self.shapes.push(Shape { path, paint, glyphs: Vec::new(), turn: None });
     }
 
     /// The same group elsewhere.

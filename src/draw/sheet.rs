@@ -66,9 +66,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
     let mut sheet = Sheet::new(&op.name);
     for (below, _) in &rows {
         let above = words(&op.name, Style::Italic, LETTERS).half.x;
-        let below = below
-            .iter()
-            .map(|line| words(line, Style::Upright, CAPTION).half.x);
+        let below = below.iter().map(|line| words(line, Style::Upright, CAPTION).half.x);
         let widest = below.fold(above, f64::max);
         sheet.between = sheet.between.max((2.0 * widest + 30.0).min(MOST_BETWEEN));
     }
@@ -91,10 +89,7 @@ fn drawn(op: &Op, columns: usize) -> Picture {
             let top = sheet.y + (height - (row.high - row.low)) / 2.0;
             if column > 0 {
                 let x = left - GUTTER / 2.0;
-                sheet.divide(
-                    DVec2::new(x, sheet.y),
-                    DVec2::new(x, sheet.y + height + 24.0),
-                );
+                sheet.divide(DVec2::new(x, sheet.y), DVec2::new(x, sheet.y + height + 24.0));
             }
             sheet.row(&op.name, &below, row, DVec2::new(left, top));
         }
@@ -153,9 +148,7 @@ impl Row {
         let labels = vertex_labels(figure, &panels);
         let rule = figure.drawing.rule;
         let mentioned = (0..rule.names.len() as u32).map(NameId);
-        let statuses = mentioned
-            .map(|name| Status::of(&figure.drawing, name))
-            .collect();
+        let statuses = mentioned.map(|name| Status::of(&figure.drawing, name)).collect();
         let mut is_tidy = true;
         let sides = panels.map(|panel| {
             let loose = panel.loose();
@@ -169,12 +162,7 @@ impl Row {
             }
             is_tidy &= room.is_tidy();
             let (low, high) = bounds(&groups, &room).unwrap_or_default();
-            Half {
-                groups,
-                texts: room.texts,
-                low,
-                high,
-            }
+            Half { groups, texts: room.texts, low, high }
         });
         // A side with nothing on it has no height of its own.
         let seen = sides.iter().filter(|side| side.low != side.high);
@@ -204,10 +192,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
         if shown == [false, false] || !is_named {
             continue;
         }
-        let directions: Vec<_> = panels
-            .iter()
-            .flat_map(|panel| panel.directions(node))
-            .collect();
+        let directions: Vec<_> = panels.iter().flat_map(|panel| panel.directions(node)).collect();
         let wanted = widest_gap(&directions);
         let word = &rule.name(vertex).text;
         let label = name(word, LETTERS);
@@ -273,11 +258,7 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
                 let points = curve.points();
                 // A few places along a curve tell its shape.
                 let step = (points.len() / 6).max(1);
-                points[..points.len() - 1]
-                    .iter()
-                    .copied()
-                    .step_by(step)
-                    .collect::<Vec<_>>()
+                points[..points.len() - 1].iter().copied().step_by(step).collect::<Vec<_>>()
             });
             let mut strands = orbit.darts.iter().map(|dart| &side.strands[dart.strand]);
             let wide = match strands.any(|strand| strand.is_path) {
@@ -297,19 +278,13 @@ fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
 
 /// The corners of the box around all that is drawn.
 fn bounds(groups: &[Group], room: &Room) -> Option<(DVec2, DVec2)> {
-    let steps = groups
-        .iter()
-        .flat_map(|group| &group.shapes)
-        .flat_map(|shape| &shape.path.steps);
+    let steps = groups.iter().flat_map(|group| &group.shapes).flat_map(|shape| &shape.path.steps);
     let points = steps.flat_map(|step| match *step {
         Step::Move(to) | Step::Line(to) => [to, to],
         Step::Curve(by, to) => [by, to],
         Step::Close => [DVec2::NAN; 2],
     });
-    let boxes = room
-        .texts
-        .iter()
-        .flat_map(|text| [text.from.into(), text.to.into()]);
+    let boxes = room.texts.iter().flat_map(|text| [text.from.into(), text.to.into()]);
     let known = points.chain(boxes).filter(|at: &DVec2| !at.is_nan());
     known.fold(None, |all, at| {
         let (low, high) = all.unwrap_or((at, at));
@@ -330,10 +305,7 @@ struct Sheet {
 impl Sheet {
     fn new(title: &str) -> Self {
         Self {
-            picture: Picture {
-                title: title.to_string(),
-                ..Picture::default()
-            },
+            picture: Picture { title: title.to_string(), ..Picture::default() },
             widths: [0.0; 2],
             between: BETWEEN,
             columns: 1,
@@ -362,9 +334,7 @@ impl Sheet {
             let caption_at = DVec2::new(center, at.y + height + 24.0);
             self.words(caption, Style::Upright, CAPTION, Ink::Muted, caption_at);
             let by = DVec2::new(center - half.low.midpoint(half.high).x, at.y - row.low);
-            self.picture
-                .groups
-                .extend(half.groups.into_iter().map(|group| group.moved(by)));
+            self.picture.groups.extend(half.groups.into_iter().map(|group| group.moved(by)));
             let moved = |text: TextBox| TextBox {
                 from: (DVec2::from(text.from) + by).to_array(),
                 to: (DVec2::from(text.to) + by).to_array(),
@@ -426,10 +396,7 @@ impl Sheet {
             group.stroke(Path::along(&line), Stroke::solid(ink, 1.6));
         }
         let back = [-1.0, 1.0].map(|sign| to + DVec2::new(-9.0, 8.0 * sign));
-        group.stroke(
-            Path::along(&Curve::through([back[0], to, back[1]])),
-            Stroke::solid(ink, 1.6),
-        );
+        group.stroke(Path::along(&Curve::through([back[0], to, back[1]])), Stroke::solid(ink, 1.6));
         self.picture.groups.push(group);
     }
 
@@ -437,17 +404,13 @@ impl Sheet {
     fn finish(mut self) -> Picture {
         let columns = self.columns as f64;
         let width = columns * self.column() + (columns - 1.0) * GUTTER;
-        let statuses: Vec<_> = Status::ALL
-            .into_iter()
-            .filter(|status| self.statuses.contains(status))
-            .collect();
+        let statuses: Vec<_> =
+            Status::ALL.into_iter().filter(|status| self.statuses.contains(status)).collect();
         let labels: Vec<_> = statuses
             .into_iter()
             .map(|status| (status, words(status.word(), Style::Upright, CAPTION)))
             .collect();
-        let widths = labels
-            .iter()
-            .map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
+        let widths = labels.iter().map(|(_, label)| 2.0 * label.half.x + 38.0 + 30.0);
         let mut x = MARGIN + (width - widths.sum::<f64>() + 30.0) / 2.0;
         for (status, label) in labels {
             let at = DVec2::new(x, self.y);

@@ -17,9 +17,8 @@ const GRID: u32 = 24;
 pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
     let length = arrow.length();
     let mut spots = Vec::new();
-    for (place, part) in [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82]
-        .into_iter()
-        .enumerate()
+    for (place, part) in
+        [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82].into_iter().enumerate()
     {
         let (at, way) = arrow.at(length * part);
         let aside = left(way);
@@ -38,10 +37,11 @@ pub(super) fn beside(arrow: &Curve, label: &Label) -> Vec<Spot> {
 
 /// Points inside a polygon but in none of the islands in it, and how far each is from the sides.
 fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> {
-    let (low, high) = outline.iter().fold(
-        (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)),
-        |(low, high), &at| (low.min(at), high.max(at)),
-    );
+    let (low, high) = outline
+        .iter()
+        .fold((DVec2::splat(f64::MAX), DVec2::splat(f64::MIN)), |(low, high), &at| {
+            (low.min(at), high.max(at))
+        });
     let outlines = islands.iter().map(Vec::as_slice).chain([outline]);
     let sides = outlines.flat_map(|outline| {
         let next = outline.iter().cycle().skip(1);
@@ -54,9 +54,7 @@ fn inner_points(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<(DVec2, f64)> 
         far.fold(f64::MAX, f64::min)
     };
     let steps = 1..GRID;
-    let points = steps
-        .clone()
-        .flat_map(|row| steps.clone().map(move |column| (column, row)));
+    let points = steps.clone().flat_map(|row| steps.clone().map(move |column| (column, row)));
     points
         .map(|(column, row)| {
             low + (high - low) * DVec2::new(column.into(), row.into()) / f64::from(GRID)
@@ -82,10 +80,7 @@ pub(super) fn inner_spots(outline: &[DVec2], islands: &[Vec<DVec2>]) -> Vec<Spot
     let mut all = Vec::new();
     // Of a ring the middle is no part.
     if islands.is_empty() {
-        all.push(Spot {
-            at: center,
-            cost: 0.0,
-        });
+        all.push(Spot { at: center, cost: 0.0 });
     }
     all.extend(points.into_iter().map(|(at, room)| Spot {
         at,

@@ -16,11 +16,8 @@ use crate::diagram::NameId;
 impl Panel<'_> {
     /// Where the fans spread; one that has been drawn before, as near to there as may be.
     pub(super) fn spread(&self) -> Vec<(usize, NameId, [f64; 2])> {
-        let view = if self.is_after {
-            &self.figure.drawing.after
-        } else {
-            &self.figure.drawing.before
-        };
+        let view =
+            if self.is_after { &self.figure.drawing.after } else { &self.figure.drawing.before };
         let mut all = Vec::new();
         for star in &view.side().stars {
             let Some(node) = self.figure.vertex(star.vertex.name) else {
@@ -35,10 +32,7 @@ impl Panel<'_> {
                 let (_, _, [from, to]) = earlier.find(|(_, name, _)| *name == fan)?;
                 Some((from + to) / 2.0)
             };
-            let around = Around {
-                drawn: self.directions(node),
-                corners: self.corners(node),
-            };
+            let around = Around { drawn: self.directions(node), corners: self.corners(node) };
             let fans = fans(star, &around, spoke, wish);
             all.extend(fans.into_iter().map(|(fan, sector)| (node, fan, sector)));
         }

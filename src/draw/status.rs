@@ -17,12 +17,7 @@ pub(super) enum Status {
 
 impl Status {
     /// All, in the order of a legend.
-    pub const ALL: [Status; 4] = [
-        Status::Kept,
-        Status::Reassigned,
-        Status::New,
-        Status::Erased,
-    ];
+    pub const ALL: [Status; 4] = [Status::Kept, Status::Reassigned, Status::New, Status::Erased];
 
     /// The word for it.
     pub fn word(self) -> &'static str {
@@ -63,11 +58,7 @@ impl Status {
                 set.any(|assignment| assignment.target.name == name)
             }
         };
-        if changed {
-            Status::Reassigned
-        } else {
-            Status::Kept
-        }
+        if changed { Status::Reassigned } else { Status::Kept }
     }
 }
 
@@ -75,9 +66,7 @@ impl Status {
 fn edge_moves(drawing: &Drawing, edge: NameId) -> bool {
     let ends = |view: &crate::diagram::View, origin: &dyn Fn(NameId) -> Option<NameId>| {
         let statement = view.edge_statement(edge)?;
-        let mut ends = statement
-            .halfedges
-            .map(|halfedge| (halfedge.name, origin(halfedge.name)));
+        let mut ends = statement.halfedges.map(|halfedge| (halfedge.name, origin(halfedge.name)));
         ends.sort();
         Some(ends)
     };

@@ -19,10 +19,7 @@ pub(super) struct Grain {
 /// The steps of a path, each but the first relative to the one before. The places are rounded,
 /// not the steps, so that nothing adds up.
 pub(super) fn data(path: &Path, grain: Grain) -> String {
-    let mut data = Steps {
-        grain,
-        ..Steps::default()
-    };
+    let mut data = Steps { grain, ..Steps::default() };
     for step in &path.steps {
         match *step {
             Step::Move(to) => data.to('m', &[to]),
@@ -98,8 +95,7 @@ impl Steps {
         let number = (way as f64 / self.grain.measure).to_string();
         // The zero before a point says nothing.
         let is_part = (way.abs() as f64) < self.grain.measure;
-        self.text
-            .push_str(&number.replacen("0.", ".", usize::from(is_part)));
+        self.text.push_str(&number.replacen("0.", ".", usize::from(is_part)));
     }
 
     fn close(&mut self) {
@@ -124,11 +120,7 @@ mod tests {
         // Smooth from here: the last bend mirrored at where it ends.
         path.curve_to(DVec2::new(1.0, 2.0), DVec2::new(2.0, 2.0));
         let written = |measure| {
-            let grain = Grain {
-                parts: 10.0,
-                measure,
-                slack: 0,
-            };
+            let grain = Grain { parts: 10.0, measure, slack: 0 };
             data(&path, grain)
         };
         assert_eq!(written(1.0), "m10 20l20-5 0 10zm-10-20q10 0 10 10t10 10");

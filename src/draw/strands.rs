@@ -39,25 +39,18 @@ impl Panel<'_> {
                 status => status,
             },
         };
-        let line = if strand.is_path {
-            Path::waved(&curve, 2.4, 17.0)
-        } else {
-            Path::along(&curve)
-        };
+        let line =
+            if strand.is_path { Path::waved(&curve, 2.4, 17.0) } else { Path::along(&curve) };
         let group = match strand.edge {
             Some(edge) => self.group(edge),
             None => {
-                self.groups.push(Group {
-                    is_faded: !self.stands_out(of),
-                    ..Group::default()
-                });
+                self.groups.push(Group { is_faded: !self.stands_out(of), ..Group::default() });
                 self.groups.len() - 1
             }
         };
         let width = if strand.is_path { 1.2 } else { 1.7 };
         draw(&mut self.groups[group], line, status, width);
-        self.room
-            .draw(&curve, if strand.is_path { 4.0 } else { 1.5 });
+        self.room.draw(&curve, if strand.is_path { 4.0 } else { 1.5 });
         if let Some(edge) = strand.edge {
             let length = curve.length();
             let is_straight = strand.nodes.len() == 2;
@@ -88,10 +81,7 @@ impl Panel<'_> {
         let pairs: Vec<_> = strand.items.into_iter().zip([true, false]).collect();
         for (item, forward) in pairs {
             let Some(item) = item else { continue };
-            let dart = Dart {
-                strand: at,
-                forward,
-            };
+            let dart = Dart { strand: at, forward };
             let curve = self.along(dart);
             let [start, end] = self.trims(dart);
             let length = curve.length();
@@ -135,20 +125,14 @@ impl Panel<'_> {
         let before = before.cut(middle, end);
         let behind = behind.cut(0.0, behind.length() / 2.0);
         let aside = here.offset(ASIDE);
-        [
-            clear(&aside, &before, ASIDE),
-            clear(&aside.reversed(), &behind, ASIDE),
-        ]
+        [clear(&aside, &before, ASIDE), clear(&aside.reversed(), &behind, ASIDE)]
     }
 
     /// The same for a halfedge outside of all loops: up to the next spoke on its left.
     fn outer_trims(&self, dart: Dart) -> [f64; 2] {
         let curve = self.along(dart);
         let nodes = self.side.nodes(dart);
-        let (start, end) = (
-            angle(curve.start_direction()),
-            angle(-curve.end_direction()),
-        );
+        let (start, end) = (angle(curve.start_direction()), angle(-curve.end_direction()));
         let aside = curve.offset(ASIDE);
         let trim = |node: usize, aside: &Curve, side: f64, open: &dyn Fn(f64) -> f64| {
             let spokes = self.spokes(node).into_iter();

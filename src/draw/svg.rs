@@ -86,22 +86,14 @@ fn write_fill(text: &mut String, shape: &Shape, ink: Ink, words: &Words) {
     }
     let (id, [x, y]) = words.used(&shape.glyphs);
     let turn = words.turned(shape.turn);
-    let _ = writeln!(
-        text,
-        "<use {fill} xlink:href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>"
-    );
+    let _ = writeln!(text, "<use {fill} xlink:href=\"#{id}\" x=\"{x}\" y=\"{y}\"{turn}/>");
 }
 
 fn write_stroke(text: &mut String, path: &Path, stroke: Stroke) {
     let ([light, _], class) = (stroke.ink.colours(), stroke.ink.class());
     let mut more = String::new();
     if let Some([dash, gap]) = stroke.dash {
-        let _ = write!(
-            more,
-            " stroke-dasharray=\"{} {}\"",
-            number(dash),
-            number(gap)
-        );
+        let _ = write!(more, " stroke-dasharray=\"{} {}\"", number(dash), number(gap));
     }
     if stroke.opacity < 1.0 {
         let _ = write!(more, " stroke-opacity=\"{}\"", stroke.opacity);
@@ -116,27 +108,16 @@ fn write_stroke(text: &mut String, path: &Path, stroke: Stroke) {
 }
 
 /// Coordinates of pictures are rounded to tenths.
-const TENTHS: Grain = Grain {
-    parts: 10.0,
-    measure: 10.0,
-    slack: 1,
-};
+const TENTHS: Grain = Grain { parts: 10.0, measure: 10.0, slack: 1 };
 
 /// A number with at most one digit behind the point; what is no number is 0.
 fn number(value: f64) -> f64 {
     let rounded = (value * 10.0).round() / 10.0;
     // Adding zero makes an end of `-0`.
-    if rounded.is_finite() {
-        rounded + 0.0
-    } else {
-        0.0
-    }
+    if rounded.is_finite() { rounded + 0.0 } else { 0.0 }
 }
 
 /// A text inside XML.
 pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -52,19 +52,14 @@ fn text_rule(rule: &Rule) -> String {
     let figure = Figure::new(Drawing::new(&rule));
     let unit = places(&figure);
     let none = (DVec2::splat(f64::MAX), DVec2::splat(f64::MIN));
-    let (low, high) = unit
-        .iter()
-        .flatten()
-        .fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
+    let (low, high) =
+        unit.iter().flatten().fold(none, |(low, high), at| (low.min(*at), high.max(*at)));
     let size = (high - low).max(DVec2::splat(0.01));
     // A whole number of rows, so that slanted lines are even.
     let rows = (WIDTH / size.x * SLIM.y).clamp(UNIT[0] * SLIM.y, UNIT[1] * SLIM.y);
     let scale = SLIM * (rows.floor() / SLIM.y);
     let scale = scale.min(MOST / size);
-    let grid = Grid {
-        scale: scale / RADIUS,
-        by: DVec2::new(3.0, 2.0) - low * scale,
-    };
+    let grid = Grid { scale: scale / RADIUS, by: DVec2::new(3.0, 2.0) - low * scale };
     let size = (size * scale + DVec2::new(8.0, 5.0)).min(MOST + 8.0);
     let places = unit.map(|unit| unit.iter().map(|&at| at * RADIUS).collect::<Vec<_>>());
     let before = Panel::new(&figure, None, &places[0], "");
@@ -79,20 +74,12 @@ fn text_rule(rule: &Rule) -> String {
     let rows = (0..before.len()).find(is_used).unwrap_or(0)
         ..(0..before.len()).rfind(is_used).map_or(0, |last| last + 1);
     let [before, after] = [&before[rows.clone()], &after[rows]];
-    let width = before
-        .iter()
-        .map(|line| line.chars().count())
-        .max()
-        .unwrap_or(0);
+    let width = before.iter().map(|line| line.chars().count()).max().unwrap_or(0);
     let middle = before.len() / 2;
     let mut text = String::new();
     for (row, (before, after)) in before.iter().zip(after).enumerate() {
         let gap = " ".repeat(width - before.chars().count());
-        let between = if row == middle {
-            BETWEEN.to_string()
-        } else {
-            " ".repeat(BETWEEN.len())
-        };
+        let between = if row == middle { BETWEEN.to_string() } else { " ".repeat(BETWEEN.len()) };
         let line = format!("{before}{gap}{between}{after}");
         text.push_str(line.trim_end());
         text.push('\n');
@@ -116,14 +103,9 @@ fn told(figure: &Figure, status: Status) -> String {
     let rule = figure.drawing.rule;
     let of = (0..rule.names.len() as u32).map(NameId);
     let of = of.filter(|&name| rule.is_first(name));
-    let of: Vec<_> = of
-        .filter(|&name| Status::of(&figure.drawing, name) == status)
-        .collect();
+    let of: Vec<_> = of.filter(|&name| Status::of(&figure.drawing, name) == status).collect();
     let named = of.iter().map(|&name| rule.name(name));
-    let names: Vec<_> = named
-        .filter(|name| name.named)
-        .map(|name| name.text.as_str())
-        .collect();
+    let names: Vec<_> = named.filter(|name| name.named).map(|name| name.text.as_str()).collect();
     let mut parts = match names.is_empty() {
         true => Vec::new(),
         false => vec![names.join(" ")],
@@ -168,12 +150,7 @@ impl Canvas {
     fn new(size: DVec2) -> Self {
         let (width, height) = (size.x.ceil() as i64 + 6, size.y.ceil() as i64);
         let count = (width * height).max(0) as usize;
-        Self {
-            width,
-            height,
-            cells: vec![' '; count],
-            taken: vec![false; count],
-        }
+        Self { width, height, cells: vec![' '; count], taken: vec![false; count] }
     }
 
     fn side(&mut self, panel: &Panel, grid: &Grid) {
@@ -208,11 +185,7 @@ impl Canvas {
                 let Some(item) = item.filter(is_written) else {
                     continue;
                 };
-                let along = if forward {
-                    curve.clone()
-                } else {
-                    curve.reversed()
-                };
+                let along = if forward { curve.clone() } else { curve.reversed() };
                 let (middle, way) = along.at(along.length() / 2.0);
                 let aside = left(way);
                 let by = DVec2::new(aside.x * 3.0, aside.y * 1.1);
@@ -298,17 +271,13 @@ impl Canvas {
         for dy in -steps / 2..=steps / 2 {
             for dx in -steps..=steps {
                 let cost = dx.abs() + 3 * dy.abs();
-                let cells: Option<Vec<_>> = (-1..=length)
-                    .map(|step| self.index(x + dx + step, y + dy))
-                    .collect();
+                let cells: Option<Vec<_>> =
+                    (-1..=length).map(|step| self.index(x + dx + step, y + dy)).collect();
                 let Some(cells) = cells else { continue };
                 if cells.iter().any(|&cell| self.taken[cell]) {
                     continue;
                 }
-                let lines = cells
-                    .iter()
-                    .filter(|&&cell| self.cells[cell] != ' ')
-                    .count() as i64;
+                let lines = cells.iter().filter(|&&cell| self.cells[cell] != ' ').count() as i64;
                 let cost = cost + if steps > 3 { 8 * lines } else { 0 };
                 if best.as_ref().is_none_or(|(other, _)| cost < *other) {
                     best = Some((cost, cells));
@@ -336,8 +305,7 @@ impl Canvas {
 
     fn lines(&self) -> Vec<String> {
         let rows = self.cells.chunks(self.width.max(1) as usize);
-        rows.map(|row| row.iter().collect::<String>().trim_end().to_string())
-            .collect()
+        rows.map(|row| row.iter().collect::<String>().trim_end().to_string()).collect()
     }
 }
 

@@ -93,10 +93,7 @@ fn put(side: &mut Side, end: usize, node: usize) {
 fn items(side: &Side, end: usize) -> impl Iterator<Item = (NameId, bool)> {
     let [along, back] = side.strands[end / 2].items;
     let is_start = end.is_multiple_of(2);
-    let items = [
-        along.map(|item| (item, is_start)),
-        back.map(|item| (item, !is_start)),
-    ];
+    let items = [along.map(|item| (item, is_start)), back.map(|item| (item, !is_start))];
     items.into_iter().flatten()
 }
 

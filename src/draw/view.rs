@@ -27,11 +27,7 @@ pub struct View {
 
 impl Default for View {
     fn default() -> Self {
-        Self {
-            from: DVec3::new(0.5, 0.4, 1.0),
-            size: 800.0,
-            attribute: None,
-        }
+        Self { from: DVec3::new(0.5, 0.4, 1.0), size: 800.0, attribute: None }
     }
 }
 
@@ -53,11 +49,8 @@ const ON_BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
 
 /// Draws a mesh.
 pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
-    let size = if view.size.is_finite() {
-        view.size.clamp(16.0, 16_384.0)
-    } else {
-        View::default().size
-    };
+    let size =
+        if view.size.is_finite() { view.size.clamp(16.0, 16_384.0) } else { View::default().size };
     let colours = view.attribute.and_then(|column| Colours::new(mesh, column));
     let legend = colours.as_ref().map_or(0.0, |_| LEGEND);
     let mut picture = Picture {
@@ -89,9 +82,7 @@ pub fn draw_mesh(mesh: &Mesh, view: &View) -> Picture {
     }
     if let Some(colours) = colours {
         let at = DVec2::new(size + LEGEND / 2.0, picture.size.y / 2.0);
-        picture
-            .groups
-            .push(colours.range.legend(&colours.title, at));
+        picture.groups.push(colours.range.legend(&colours.title, at));
     }
     picture
 }
@@ -108,9 +99,7 @@ impl Colours {
     fn new(mesh: &Mesh, column: ColumnId) -> Option<Self> {
         let kind = column.kind;
         let slots = 0..mesh.capacity(kind) as u32;
-        let numbers = slots
-            .filter_map(|slot| mesh.value(column, slot))
-            .map(number);
+        let numbers = slots.filter_map(|slot| mesh.value(column, slot)).map(number);
         Some(Self {
             column,
             kind,
@@ -160,11 +149,7 @@ impl Pen {
         }
         let mean = lengths.0 / f64::max(lengths.1, 1.0);
         // Of very small faces there would be nothing but lines.
-        let edge = if mean < 2.0 * unit {
-            0.0
-        } else {
-            (mean * 0.06).min(EDGE * unit)
-        };
+        let edge = if mean < 2.0 * unit { 0.0 } else { (mean * 0.06).min(EDGE * unit) };
         Self {
             edge: edge / 2.0,
             coloured: (mean * 0.07).clamp(0.5 * unit, 1.4 * unit),
@@ -187,19 +172,10 @@ impl Eye {
             Some(near) if near.is_finite() => near,
             _ => View::default().from.normalize(),
         };
-        let up = if near.y.abs() > 0.999 {
-            DVec3::NEG_Z
-        } else {
-            DVec3::Y
-        };
+        let up = if near.y.abs() > 0.999 { DVec3::NEG_Z } else { DVec3::Y };
         let right = up.cross(near).normalize_or(DVec3::X);
         let down = right.cross(near);
-        Self {
-            right,
-            down,
-            near,
-            light: (near - right * 0.5 - down * 0.8).normalize_or(near),
-        }
+        Self { right, down, near, light: (near - right * 0.5 - down * 0.8).normalize_or(near) }
     }
 }
 
@@ -230,11 +206,7 @@ impl Seen {
             if !at.is_finite() {
                 return None;
             }
-            corners.push(DVec3::new(
-                at.dot(eye.right),
-                at.dot(eye.down),
-                at.dot(eye.near),
-            ));
+            corners.push(DVec3::new(at.dot(eye.right), at.dot(eye.down), at.dot(eye.near)));
         }
         let normal = mesh.normal(face);
         // The inside of a mesh with a boundary is darker.
@@ -243,12 +215,7 @@ impl Seen {
             false => (normal, 1.0),
         };
         let bright = (0.42 + 0.58 * normal.dot(eye.light).max(0.0)) * most;
-        Some(Self {
-            face,
-            halfedges,
-            corners,
-            bright,
-        })
+        Some(Self { face, halfedges, corners, bright })
     }
 
     fn draw(&self, mesh: &Mesh, colours: Option<&Colours>, pen: &Pen, raster: &mut Raster) {
@@ -261,9 +228,7 @@ impl Seen {
         let of_vertices = colours.filter(|colours| colours.kind == ElementKind::Vertex);
         let numbers: Option<Vec<_>> = of_vertices.map(|colours| {
             let vertices = self.halfedges.iter().map(|&half| mesh.vertex(half));
-            vertices
-                .map(|vertex| colours.number(mesh, vertex.0))
-                .collect()
+            vertices.map(|vertex| colours.number(mesh, vertex.0)).collect()
         });
         let ground = match colours {
             None => self.shaded(FACE, 1.0),

@@ -10,9 +10,8 @@ use super::shape::{Group, Ink, Path};
 use super::status::Status;
 
 /// At even distances.
-const COLOURS: [u32; 9] = [
-    0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
-];
+const COLOURS: [u32; 9] =
+    [0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725];
 /// How many stripes a legend has, how large it is, and how large its letters.
 const STRIPES: usize = 48;
 const BAR: DVec2 = DVec2::new(16.0, 240.0);
@@ -43,25 +42,15 @@ impl Range {
     pub fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
         let finite = numbers.filter(|number| number.is_finite());
         finite.fold(None, |range, number| {
-            let Self { low, high } = range.unwrap_or(Self {
-                low: number,
-                high: number,
-            });
-            Some(Self {
-                low: low.min(number),
-                high: high.max(number),
-            })
+            let Self { low, high } = range.unwrap_or(Self { low: number, high: number });
+            Some(Self { low: low.min(number), high: high.max(number) })
         })
     }
 
     /// The colour of a number.
     pub fn colour(self, number: f64) -> [u8; 3] {
         let wide = self.high - self.low;
-        viridis(if wide > 0.0 {
-            (number - self.low) / wide
-        } else {
-            0.5
-        })
+        viridis(if wide > 0.0 { (number - self.low) / wide } else { 0.5 })
     }
 
     /// A bar of the colours around a place, with a title above and the numbers at its ends; of
@@ -89,12 +78,7 @@ impl Range {
             let [from, to] = [stripe, stripe + 1].map(|at| top.y + at as f64 * high);
             let mut path = Path::default();
             // A little more, so that there is no seam.
-            let corners = [
-                (0.0, from),
-                (BAR.x, from),
-                (BAR.x, to + 0.5),
-                (0.0, to + 0.5),
-            ];
+            let corners = [(0.0, from), (BAR.x, from), (BAR.x, to + 0.5), (0.0, to + 0.5)];
             path.polygon(corners.map(|(x, y)| DVec2::new(top.x + x, y)));
             let part = 1.0 - (stripe as f64 + 0.5) / STRIPES as f64;
             group.fill(path, Ink::Colour(viridis(part)));

@@ -38,29 +38,18 @@ impl<'a> Words<'a> {
                 numbers.entry(set(&shape.glyphs)).or_insert(number);
             }
         }
-        Self {
-            prefix,
-            steps,
-            em,
-            numbers,
-        }
+        Self { prefix, steps, em, numbers }
     }
 
     /// The definitions of letters and words; `link` is the attribute that names an original.
     pub fn definitions(&self, link: &str) -> String {
-        let Self {
-            prefix, steps, em, ..
-        } = self;
+        let Self { prefix, steps, em, .. } = self;
         let letters = self.numbers.keys().flatten();
         let letters: BTreeSet<_> = letters.map(|&(style, code, _)| (style, code)).collect();
         // Without a colour: they take that of the place where they are used.
         let mut text = String::from("<defs>\n");
         for (style, code) in letters {
-            let grain = Grain {
-                parts: em / 1000.0,
-                measure: 1.0,
-                slack: 1,
-            };
+            let grain = Grain { parts: em / 1000.0, measure: 1.0, slack: 1 };
             let outline = data(&outline(style, code), grain);
             let id = letter_id(style, code);
             let _ = writeln!(text, "<path id=\"{prefix}{id}\" d=\"{outline}\"/>");
@@ -109,8 +98,7 @@ impl<'a> Words<'a> {
     /// A place in steps: tenths of a unit, as everything.
     fn place(&self, at: DVec2) -> [f64; 2] {
         // Adding zero makes an end of `-0`.
-        at.to_array()
-            .map(|length| (length * 10.0).round() * self.steps / 10.0 + 0.0)
+        at.to_array().map(|length| (length * 10.0).round() * self.steps / 10.0 + 0.0)
     }
 }
 

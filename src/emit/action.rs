@@ -34,29 +34,13 @@ pub(super) enum Action {
     /// Calls an operation, which may refuse.
     May { call: Call },
     /// Calls an operation, and goes on as it applied or refused.
-    Apply {
-        call: Call,
-        place: Option<Parameter>,
-        then: Vec<Statement>,
-        otherwise: Vec<Statement>,
-    },
+    Apply { call: Call, place: Option<Parameter>, then: Vec<Statement>, otherwise: Vec<Statement> },
     /// Goes on as a condition holds or does not.
-    Choose {
-        condition: Term,
-        then: Vec<Statement>,
-        otherwise: Vec<Statement>,
-    },
+    Choose { condition: Term, then: Vec<Statement>, otherwise: Vec<Statement> },
     /// So many times.
-    Repeat {
-        index: String,
-        count: Term,
-        body: Vec<Statement>,
-    },
+    Repeat { index: String, count: Term, body: Vec<Statement> },
     /// As long as a condition holds.
-    While {
-        condition: Term,
-        body: Vec<Statement>,
-    },
+    While { condition: Term, body: Vec<Statement> },
     /// For the elements around one that are there when the loop begins.
     For {
         variable: Parameter,
@@ -70,11 +54,7 @@ pub(super) enum Action {
     /// A loop whose writes are put off to its end.
     Update { visit: Box<Action>, held: Vec<Held> },
     /// Puts a write off.
-    Hold {
-        list: String,
-        element: Term,
-        value: Term,
-    },
+    Hold { list: String, element: Term, value: Term },
     /// `break`
     Break,
     /// `continue`
@@ -154,12 +134,9 @@ impl Action {
     /// The statements inside of it.
     pub fn bodies(&self) -> Vec<&[Statement]> {
         match self {
-            Self::Apply {
-                then, otherwise, ..
+            Self::Apply { then, otherwise, .. } | Self::Choose { then, otherwise, .. } => {
+                vec![then, otherwise]
             }
-            | Self::Choose {
-                then, otherwise, ..
-            } => vec![then, otherwise],
             Self::Repeat { body, .. } | Self::While { body, .. } | Self::For { body, .. } => {
                 vec![body]
             }
@@ -171,15 +148,10 @@ impl Action {
     /// Tells the types of the variables that begin with it.
     pub fn types(&self, see: &mut dyn FnMut(Type)) {
         match self {
-            Self::Variable { place, .. }
-            | Self::Must {
-                place: Some(place), ..
-            } => see(place.ty),
-            Self::Apply {
-                place: Some(variable),
-                ..
+            Self::Variable { place, .. } | Self::Must { place: Some(place), .. } => see(place.ty),
+            Self::Apply { place: Some(variable), .. } | Self::For { variable, .. } => {
+                see(variable.ty)
             }
-            | Self::For { variable, .. } => see(variable.ty),
             Self::Update { visit, held } => {
                 visit.types(see);
                 held.iter().for_each(|held| see(held.element));
@@ -191,9 +163,7 @@ impl Action {
     /// Asks about every name that it reads, bodies included.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         self.terms(&mut |term| term.names(see));
-        if let Self::Must {
-            place: Some(place), ..
-        } = self
+        if let Self::Must { place: Some(place), .. } = self
             && place.form == Form::Known
         {
             see(&place.name);
@@ -212,9 +182,7 @@ impl Action {
             }
             Self::Choose { condition, .. } | Self::While { condition, .. } => see(condition),
             Self::Repeat { count, .. } => see(count),
-            Self::For {
-                element, filter, ..
-            } => {
+            Self::For { element, filter, .. } => {
                 see(element);
                 filter.iter().for_each(see);
             }

@@ -44,25 +44,16 @@ impl Reassign<'_, '_> {
         let body = self.turning(true, |this| {
             let pushed = paths.map(|path| Statement::When {
                 condition: this.names.empty(path).not(),
-                body: [
-                    (&firsts, this.names.term(path)),
-                    (&lasts, this.names.last(path)),
-                ]
-                .map(|(list, item)| Statement::Push {
-                    list: list.clone(),
-                    item,
-                })
-                .to_vec(),
+                body: [(&firsts, this.names.term(path)), (&lasts, this.names.last(path))]
+                    .map(|(list, item)| Statement::Push { list: list.clone(), item })
+                    .to_vec(),
             });
             pushed.collect()
         });
         let turns = self.names.turns();
         self.runs.push(Statement::Turn { turns, body });
         // From here on an index counts the runs that are there.
-        let turns = Turns {
-            index: self.names.turns().index,
-            size: self.names.fresh("runs"),
-        };
+        let turns = Turns { index: self.names.turns().index, size: self.names.fresh("runs") };
         let member = |list: &String, shift| Term::Member {
             list: list.clone(),
             index: Some(turns.index.clone()),
@@ -79,20 +70,9 @@ impl Reassign<'_, '_> {
         if self.conventions.prev {
             body.push(set(Pointer::Prev, &first, &last));
         }
-        self.runs.push(Statement::Size {
-            name: turns.size.clone(),
-            list: firsts.clone(),
-        });
-        self.runs.push(Statement::Turn {
-            turns: turns.clone(),
-            body,
-        });
-        let first = Term::Member {
-            list: firsts,
-            index: None,
-            shift: 0,
-            size: turns.size,
-        };
+        self.runs.push(Statement::Size { name: turns.size.clone(), list: firsts.clone() });
+        self.runs.push(Statement::Turn { turns: turns.clone(), body });
+        let first = Term::Member { list: firsts, index: None, shift: 0, size: turns.size };
         self.first_runs.push((orbit.face.name, first));
     }
 }

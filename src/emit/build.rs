@@ -56,10 +56,7 @@ pub(super) fn routine(
             body.splice(0..0, columns(&names, seen.collect()));
         }
         all_calls.extend(calls);
-        rules.push(Alternative {
-            label: rule.label.clone(),
-            body: without_unread(body),
-        });
+        rules.push(Alternative { label: rule.label.clone(), body: without_unread(body) });
     }
     let routine = Routine {
         name: unreserved(&op.name),
@@ -96,17 +93,10 @@ fn alternative(
         .filter(|(_, step)| is_tried(step))
         .map(|(at, _)| at)
         .collect();
-    let mut matching = Matching {
-        drawing: &drawing,
-        conventions,
-        names,
-    };
+    let mut matching = Matching { drawing: &drawing, conventions, names };
     let mut end = proof.matching().len();
     for &at in attempts.iter().rev() {
-        let Step::Attempt {
-            element, halfedge, ..
-        } = proof.matching()[at]
-        else {
+        let Step::Attempt { element, halfedge, .. } = proof.matching()[at] else {
             continue;
         };
         let mut body = matching.steps(&proof.matching()[at + 1..end]);
@@ -137,12 +127,7 @@ fn phases(
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let rule = drawing.rule;
-    let mut body = Matching {
-        drawing,
-        conventions,
-        names,
-    }
-    .distinct_and_paths(proof.matching());
+    let mut body = Matching { drawing, conventions, names }.distinct_and_paths(proof.matching());
     for require in &rule.requires {
         let repeated = match require.index {
             None => false,
@@ -161,10 +146,11 @@ fn phases(
         }
         let mut parts = Vec::new();
         conjuncts(condition, &mut parts);
-        body.extend(parts.into_iter().map(|part| Statement::Refuse {
-            when: part.not(),
-            reason: require.reason.clone(),
-        }));
+        body.extend(
+            parts
+                .into_iter()
+                .map(|part| Statement::Refuse { when: part.not(), reason: require.reason.clone() }),
+        );
     }
     body.extend(guard::tests(drawing, proof.guard(), names, conventions));
     let values = values(drawing, names, &mut body)?;
@@ -177,9 +163,7 @@ fn phases(
     sets.extend(values);
     if !sets.is_empty() {
         body.push(Statement::Blank);
-        body.push(Statement::Comment(
-            "3. Reassign every pointer that changes.".into(),
-        ));
+        body.push(Statement::Comment("3. Reassign every pointer that changes.".into()));
         body.extend(sets);
     }
     let erased: Vec<_> = rule
@@ -200,16 +184,11 @@ fn phases(
             element: names.for_each(member, |names| names.term(erased)),
         };
         body.push(match member {
-            true => Statement::Turn {
-                turns: names.turns(),
-                body: vec![erase],
-            },
+            true => Statement::Turn { turns: names.turns(), body: vec![erase] },
             false => erase,
         });
     }
-    body.push(Statement::Return {
-        result: rule.result.map(|result| names.term(result.name)),
-    });
+    body.push(Statement::Return { result: rule.result.map(|result| names.term(result.name)) });
     Ok(body)
 }
 
@@ -268,17 +247,8 @@ fn values(
         let turns = names.turns();
         let bound = name.clone();
         body.push(match member {
-            true => Statement::Gather {
-                ty,
-                name: bound,
-                turns: turns.clone(),
-                item: value,
-            },
-            false => Statement::Bind {
-                ty,
-                name: bound,
-                value,
-            },
+            true => Statement::Gather { ty, name: bound, turns: turns.clone(), item: value },
+            false => Statement::Bind { ty, name: bound, value },
         });
         let (element, value) = names.for_each(member, |names| {
             let value = match member {
@@ -299,21 +269,11 @@ fn values(
             });
         }
         let set = match attribute {
-            None => Statement::SetPosition {
-                vertex: element,
-                value,
-            },
-            Some(attribute) => Statement::SetAttribute {
-                attribute,
-                element,
-                value,
-            },
+            None => Statement::SetPosition { vertex: element, value },
+            Some(attribute) => Statement::SetAttribute { attribute, element, value },
         };
         sets.push(match member {
-            true => Statement::Turn {
-                turns,
-                body: vec![set],
-            },
+            true => Statement::Turn { turns, body: vec![set] },
             false => set,
         });
     }

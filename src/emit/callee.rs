@@ -20,9 +20,7 @@ pub(super) fn helper(
     let helper = Helper {
         name: callee.name.clone(),
         docs: callee.docs.clone(),
-        params: params
-            .map(|(&ty, name)| Parameter::new(name.clone(), ty))
-            .collect(),
+        params: params.map(|(&ty, name)| Parameter::new(name.clone(), ty)).collect(),
         result: Some(callee.result),
         changes: false,
         refuses: false,
@@ -62,10 +60,7 @@ impl Expressions<'_> {
                 let condition = self.term(condition)?;
                 let mut inner = Vec::new();
                 self.tail(then, callee, &mut inner)?;
-                body.push(Statement::When {
-                    condition,
-                    body: inner,
-                });
+                body.push(Statement::When { condition, body: inner });
                 self.tail(otherwise, callee, body)
             }
             _ => {

@@ -15,10 +15,7 @@ pub(super) fn parameters(
     let parameter = |(param, name): (&Param, String)| {
         let default = param.default.as_ref();
         let default = default.map(|value| Expressions { names }.term(value));
-        Ok(Parameter {
-            default: default.transpose()?,
-            ..Parameter::new(name, param.ty)
-        })
+        Ok(Parameter { default: default.transpose()?, ..Parameter::new(name, param.ty) })
     };
     params.iter().zip(words).map(parameter).collect()
 }

@@ -11,10 +11,7 @@ pub(super) struct Lines {
 impl Lines {
     /// An empty text whose blocks are indented by so many spaces.
     pub fn new(unit: usize) -> Self {
-        Self {
-            unit,
-            ..Self::default()
-        }
+        Self { unit, ..Self::default() }
     }
 
     /// A line.
@@ -59,9 +56,7 @@ impl Lines {
 
     /// A comment of words, broken where lines would become too long.
     pub fn comment(&mut self, mark: &str, text: &str) {
-        let width = 96usize
-            .saturating_sub(self.depth * self.unit + mark.len() + 1)
-            .max(20);
+        let width = 96usize.saturating_sub(self.depth * self.unit + mark.len() + 1).max(20);
         let mut line = String::new();
         for word in text.split_whitespace() {
             if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {

@@ -24,11 +24,9 @@ impl Matching<'_, '_> {
             match step {
                 Step::Bind { name, source } => body.push(self.bind(*name, *source)),
                 Step::Walk { orbit, halfedges } => self.walk(*orbit, halfedges, &mut body),
-                Step::Attempt {
-                    element,
-                    halfedge,
-                    tries: Some(1),
-                } => self.begin(*element, *halfedge, &mut body),
+                Step::Attempt { element, halfedge, tries: Some(1) } => {
+                    self.begin(*element, *halfedge, &mut body)
+                }
                 Step::Parameter { .. } | Step::Attempt { .. } | Step::Test(_) => {}
             }
         }
@@ -46,10 +44,7 @@ impl Matching<'_, '_> {
         if pointer == Pointer::VertexHalfedge && self.conventions.isolated_vertices {
             body.push(Statement::Refuse {
                 when: Term::Call(Function::IsIsolated, vec![self.term(element)]),
-                reason: format!(
-                    "{} is isolated: no halfedge starts there",
-                    rule.quoted(element)
-                ),
+                reason: format!("{} is isolated: no halfedge starts there", rule.quoted(element)),
             });
         }
         body.push(Statement::Bind {
@@ -72,12 +67,7 @@ impl Matching<'_, '_> {
     /// A name for a value, or for those of each index.
     fn named(&self, ty: Type, name: String, value: Term, member: bool) -> Statement {
         match member {
-            true => Statement::Gather {
-                ty,
-                name,
-                turns: self.names.turns(),
-                item: value,
-            },
+            true => Statement::Gather { ty, name, turns: self.names.turns(), item: value },
             false => Statement::Bind { ty, name, value },
         }
     }
@@ -85,13 +75,7 @@ impl Matching<'_, '_> {
     /// Makes a term; of members, what stands for each index.
     fn turning(&mut self, member: bool, make: impl FnOnce(&Matching) -> Term) -> Term {
         let (drawing, conventions) = (self.drawing, self.conventions);
-        self.names.for_each(member, |names| {
-            make(&Matching {
-                drawing,
-                conventions,
-                names,
-            })
-        })
+        self.names.for_each(member, |names| make(&Matching { drawing, conventions, names }))
     }
 
     /// Walks an orbit once around and deals its halfedges out to the families of a period.
@@ -130,19 +114,12 @@ impl Matching<'_, '_> {
                 value = Term::Call(Function::Turned, vec![value, Term::Int(turn)]);
             }
             let name = self.names.word(half).to_string();
-            body.push(Statement::BindList {
-                ty,
-                name: name.clone(),
-                value,
-            });
+            body.push(Statement::BindList { ty, name: name.clone(), value });
             let size = self.names.turns().size;
             if place > 0 {
                 continue;
             }
-            if body
-                .iter()
-                .any(|known| matches!(known, Statement::Size { .. }))
-            {
+            if body.iter().any(|known| matches!(known, Statement::Size { .. })) {
                 let length = Term::Call(Function::Length, vec![Term::name(name)]);
                 body.push(Statement::Refuse {
                     when: length.equals(Term::name(size)).not(),
@@ -152,10 +129,7 @@ impl Matching<'_, '_> {
                     ),
                 });
             } else {
-                body.push(Statement::Size {
-                    name: size,
-                    list: name,
-                });
+                body.push(Statement::Size { name: size, list: name });
             }
         }
     }
@@ -165,10 +139,7 @@ impl Matching<'_, '_> {
         let drawing = self.drawing;
         let rule = drawing.rule;
         let mut body = Vec::new();
-        for path in rule
-            .names_of(Kind::Path)
-            .filter(|&path| rule.is_first(path))
-        {
+        for path in rule.names_of(Kind::Path).filter(|&path| rule.is_first(path)) {
             if drawing.before.mention(path).is_some() && drawing.is_empty_somewhere(path) {
                 let Some(next) = drawing.before.item_after(path) else {
                     continue;
@@ -188,10 +159,9 @@ impl Matching<'_, '_> {
                         some.for_some(self.names.turns())
                     }
                     Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
-                    Claim::AroundInOrder {
-                        along_loop,
-                        halfedges,
-                    } => self.around_in_order(*along_loop, halfedges, &mut body),
+                    Claim::AroundInOrder { along_loop, halfedges } => {
+                        self.around_in_order(*along_loop, halfedges, &mut body)
+                    }
                     claim => {
                         let repeated = claim.is_repeated(rule);
                         let when = self.turning(repeated, |this| this.claim(claim).not());
@@ -222,16 +192,11 @@ impl Matching<'_, '_> {
             items: once.into_iter().map(|&name| self.term(name)).collect(),
         });
         let pushes = self.names.for_each(true, |names| {
-            let push = |&&name: &&NameId| Statement::Push {
-                list: list.clone(),
-                item: names.term(name),
-            };
+            let push =
+                |&&name: &&NameId| Statement::Push { list: list.clone(), item: names.term(name) };
             each.iter().map(push).collect()
         });
-        body.push(Statement::Turn {
-            turns: self.names.turns(),
-            body: pushes,
-        });
+        body.push(Statement::Turn { turns: self.names.turns(), body: pushes });
         Term::name(list)
     }
 
@@ -241,9 +206,8 @@ impl Matching<'_, '_> {
                 Term::name(self.names.word(*family))
             }
             _ => {
-                let ty = names
-                    .first()
-                    .map_or(Type::Halfedge, |&name| self.ty(Bound::Element(name)));
+                let ty =
+                    names.first().map_or(Type::Halfedge, |&name| self.ty(Bound::Element(name)));
                 self.listed(ty, names, body)
             }
         };
@@ -322,10 +286,7 @@ impl Matching<'_, '_> {
             Claim::Distinct(left, right) => self.term(*left).differs_from(self.term(*right)),
             Claim::Kind(face, LoopKind::Hole) => self.term(*face).hole(),
             Claim::Kind(face, _) => self.term(*face).hole().not(),
-            Claim::InOrder {
-                along_loop,
-                halfedges,
-            } => {
+            Claim::InOrder { along_loop, halfedges } => {
                 let function = match along_loop {
                     true => Function::InOrderAlongLoop,
                     false => Function::InOrderAroundVertex,

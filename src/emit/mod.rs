@@ -53,10 +53,7 @@ pub struct NotEmitted {
 
 impl NotEmitted {
     fn new(what: impl Into<String>, span: Span) -> Self {
-        Self {
-            what: what.into(),
-            span,
-        }
+        Self { what: what.into(), span }
     }
 
     /// The failure as a diagnostic.

@@ -218,9 +218,8 @@ impl Names {
             ),
             _ => (self.fresh(&text), none(), none()),
         };
-        self.begun[id.index()] = param
-            .filter(|_| is_member)
-            .map(|param| self.params[param].clone());
+        self.begun[id.index()] =
+            param.filter(|_| is_member).map(|param| self.params[param].clone());
         self.words.push(word);
         self.lasts.push(last);
         self.empties.push(empty);
@@ -424,10 +423,8 @@ fn begins_a_family(op: &Op, param: usize) -> bool {
 fn unnamed(description: &str, kind: Kind) -> String {
     let of = description.split('`').nth(1).unwrap_or("");
     let of = of.split('[').next().unwrap_or("");
-    let is_word = !of.is_empty()
-        && of
-            .chars()
-            .all(|c| c.is_alphanumeric() || c == '_' || c == '\'');
+    let is_word =
+        !of.is_empty() && of.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '\'');
     match (kind, is_word) {
         (_, true) => format!("rest_of_{}", of.replace('\'', "_")),
         (Kind::Path, false) => "rest".to_string(),

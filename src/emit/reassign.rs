@@ -20,22 +20,12 @@ pub(super) fn statements(
     let rule = drawing.rule;
     let mut walks = Vec::new();
     for path in moved_paths(drawing).filter(|&path| rule.is_first(path)) {
-        let walk = names.for_each(rule.is_member(path), |names| {
-            path_walk(drawing, names, path)
-        });
-        walks.extend(for_each(
-            rule.is_member(path),
-            names,
-            walk.into_iter().collect(),
-        ));
+        let walk = names.for_each(rule.is_member(path), |names| path_walk(drawing, names, path));
+        walks.extend(for_each(rule.is_member(path), names, walk.into_iter().collect()));
     }
     for fan in moved_fans(drawing).filter(|&fan| rule.is_first(fan)) {
         let walk = names.for_each(rule.is_member(fan), |names| fan_walk(drawing, names, fan));
-        walks.extend(for_each(
-            rule.is_member(fan),
-            names,
-            walk.into_iter().collect(),
-        ));
+        walks.extend(for_each(rule.is_member(fan), names, walk.into_iter().collect()));
     }
     let mut reassign = Reassign {
         drawing,
@@ -60,10 +50,7 @@ pub(super) fn statements(
 /// Statements that are done for each index, as one.
 fn for_each(repeated: bool, names: &Names, body: Vec<Statement>) -> Vec<Statement> {
     match repeated && !body.is_empty() {
-        true => vec![Statement::Turn {
-            turns: names.turns(),
-            body,
-        }],
+        true => vec![Statement::Turn { turns: names.turns(), body }],
         false => body,
     }
 }
@@ -158,11 +145,7 @@ impl Reassign<'_, '_> {
     }
 
     fn push(&mut self, order: (usize, usize), statement: Statement) {
-        self.sets.push(Set {
-            order,
-            repeated: self.names.is_turning(),
-            statement,
-        });
+        self.sets.push(Set { order, repeated: self.names.is_turning(), statement });
     }
 
     fn pointer(&mut self, half: NameId, pointer: Pointer, value: NameId, changed: bool) {
@@ -179,11 +162,9 @@ impl Reassign<'_, '_> {
 
     /// The last halfedge up to the item at `at`.
     fn tail(&self, items: &[NameId], at: usize) -> Term {
-        self.end_of(items, at, items.len() - 1, |item| {
-            match self.is_path(item) {
-                true => self.names.last(item),
-                false => self.term(item),
-            }
+        self.end_of(items, at, items.len() - 1, |item| match self.is_path(item) {
+            true => self.names.last(item),
+            false => self.term(item),
         })
     }
 
@@ -308,9 +289,8 @@ impl Reassign<'_, '_> {
                 },
             });
         }
-        let same_kind = before.map_or(orbit.kind == LoopKind::Face, |before| {
-            before.kind == orbit.kind
-        });
+        let same_kind =
+            before.map_or(orbit.kind == LoopKind::Face, |before| before.kind == orbit.kind);
         if orbit.kind != LoopKind::Any && !same_kind {
             self.set_other(Statement::SetHole {
                 face: self.term(face),
@@ -329,11 +309,7 @@ impl Reassign<'_, '_> {
         let Some((value, run)) = self.spoke_of(vertex) else {
             return;
         };
-        let set = Statement::Set {
-            pointer: Pointer::VertexHalfedge,
-            of: self.term(vertex),
-            value,
-        };
+        let set = Statement::Set { pointer: Pointer::VertexHalfedge, of: self.term(vertex), value };
         match run {
             None => self.set_other(set),
             // One of the runs is not empty.

@@ -65,20 +65,11 @@ pub(super) enum Statement {
     Bind { ty: Type, name: String, value: Term },
     /// Tries the halfedges of an element in turn; what is refused in the body goes on with the
     /// next one.
-    Attempt {
-        kind: Kind,
-        element: String,
-        halfedge: String,
-        body: Vec<Statement>,
-    },
+    Attempt { kind: Kind, element: String, halfedge: String, body: Vec<Statement> },
     /// Refuses the place.
     Refuse { when: Term, reason: String },
     /// A list that grows.
-    List {
-        ty: Type,
-        name: String,
-        items: Vec<Term>,
-    },
+    List { ty: Type, name: String, items: Vec<Term> },
     /// Adds to a list.
     Push { list: String, item: Term },
     /// A count, or a truth value, that changes.
@@ -88,12 +79,7 @@ pub(super) enum Statement {
     /// A name for the number of elements of a list.
     Size { name: String, list: String },
     /// A name for the list of what stands for each index.
-    Gather {
-        ty: Type,
-        name: String,
-        turns: Turns,
-        item: Term,
-    },
+    Gather { ty: Type, name: String, turns: Turns, item: Term },
     /// Does something for each index.
     Turn { turns: Turns, body: Vec<Statement> },
     /// Gives it another value.
@@ -101,44 +87,25 @@ pub(super) enum Statement {
     /// One more.
     Raise { name: String },
     /// Only where something holds.
-    When {
-        condition: Term,
-        body: Vec<Statement>,
-    },
+    When { condition: Term, body: Vec<Statement> },
     /// For each halfedge of a walk.
     Walk { walk: Walk, body: Vec<Statement> },
     /// For each element of a list.
-    Each {
-        item: String,
-        list: String,
-        body: Vec<Statement>,
-    },
+    Each { item: String, list: String, body: Vec<Statement> },
     /// A sheet over the mesh, and a block in which what is new, and what is set, is noted on it.
     Foresee { sheet: String, body: Vec<Statement> },
     /// Allocates an element.
     New { kind: Kind, name: String },
     /// Allocates an element for each index.
-    NewEach {
-        kind: Kind,
-        name: String,
-        turns: Turns,
-    },
+    NewEach { kind: Kind, name: String, turns: Turns },
     /// `of.pointer = value`
-    Set {
-        pointer: Pointer,
-        of: Term,
-        value: Term,
-    },
+    Set { pointer: Pointer, of: Term, value: Term },
     /// Makes a face a hole, or a hole a face.
     SetHole { face: Term, hole: bool },
     /// `vertex.position = value`
     SetPosition { vertex: Term, value: Term },
     /// `element.attribute = value`
-    SetAttribute {
-        attribute: Attribute,
-        element: Term,
-        value: Term,
-    },
+    SetAttribute { attribute: Attribute, element: Term, value: Term },
     /// Erases an element.
     Erase { kind: Kind, element: Term },
     /// The value of a function.
@@ -186,16 +153,9 @@ impl Statement {
     /// Statements where something holds; if they are one that asks too, both are asked at once.
     pub fn only_where(condition: Term, mut body: Vec<Statement>) -> Self {
         match (body.pop(), body.is_empty()) {
-            (
-                Some(Self::When {
-                    condition: second,
-                    body: inner,
-                }),
-                true,
-            ) => Self::When {
-                condition: condition.and(second),
-                body: inner,
-            },
+            (Some(Self::When { condition: second, body: inner }), true) => {
+                Self::When { condition: condition.and(second), body: inner }
+            }
             (last, _) => {
                 body.extend(last);
                 Self::When { condition, body }

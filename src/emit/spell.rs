@@ -25,10 +25,7 @@ pub(super) struct Spelled {
 
 impl Spelled {
     pub fn new(text: impl Into<String>, level: Level) -> Self {
-        Self {
-            text: text.into(),
-            level,
-        }
+        Self { text: text.into(), level }
     }
 
     /// What needs no brackets anywhere.
@@ -133,12 +130,9 @@ pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
         }
         Term::Fold(fold) => language.fold(fold),
         Term::Some(turns, condition) => language.some(turns, condition),
-        Term::Member {
-            list,
-            index,
-            shift,
-            size,
-        } => Spelled::whole(format!("{list}[{}]", place(index.as_deref(), *shift, size))),
+        Term::Member { list, index, shift, size } => {
+            Spelled::whole(format!("{list}[{}]", place(index.as_deref(), *shift, size)))
+        }
     }
 }
 

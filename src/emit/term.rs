@@ -261,12 +261,7 @@ impl Term {
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         match self {
             Self::Name(name) => see(name),
-            Self::Member {
-                list,
-                index,
-                shift,
-                size,
-            } => {
+            Self::Member { list, index, shift, size } => {
                 see(list);
                 index.iter().for_each(|index| see(index));
                 if *shift != 0 {

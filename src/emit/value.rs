@@ -31,10 +31,7 @@ fn value(rest: &mut dyn Iterator<Item = &Statement>, open: &mut usize) -> Option
     *open = open.checked_sub(1)?;
     match &statement.kind {
         StatementKind::Return(value) => value.clone(),
-        StatementKind::Set {
-            variable,
-            value: set,
-        } => {
+        StatementKind::Set { variable, value: set } => {
             let rest = value(rest, open)?;
             Some(Expr {
                 ty: rest.ty,
@@ -42,11 +39,7 @@ fn value(rest: &mut dyn Iterator<Item = &Statement>, open: &mut usize) -> Option
                 kind: ExprKind::Let(*variable, Box::new(set.clone()), Box::new(rest)),
             })
         }
-        StatementKind::If {
-            condition,
-            then,
-            otherwise,
-        } => {
+        StatementKind::If { condition, then, otherwise } => {
             let rest: Vec<_> = rest.collect();
             let mut way = |block: &[Statement]| {
                 let mut all = block.iter().chain(rest.iter().copied());

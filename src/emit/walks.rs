@@ -48,9 +48,8 @@ pub(super) fn along_fan(
 ) -> Option<Walk> {
     let vertex = drawing.before.star_of_spoke(fan)?;
     let spokes = &drawing.before.star(vertex)?.spokes;
-    let at = spokes
-        .iter()
-        .position(|spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan))?;
+    let at =
+        spokes.iter().position(|spoke| matches!(spoke, Spoke::Fan(name) if name.name == fan))?;
     Some(along_spokes(drawing, names, vertex, (spokes, at), halfedge))
 }
 
@@ -67,10 +66,8 @@ pub(super) fn along_spokes(
         Spoke::Halfedge(half) => Some(half.name),
         Spoke::Fan(_) | Spoke::Rest(_) => None,
     };
-    let (before, after) = (
-        half(&spokes[(at + count - 1) % count]),
-        half(&spokes[(at + 1) % count]),
-    );
+    let (before, after) =
+        (half(&spokes[(at + count - 1) % count]), half(&spokes[(at + 1) % count]));
     let step = Step::Clockwise;
     match (before, after) {
         (Some(before), Some(after)) => Walk {
@@ -78,10 +75,7 @@ pub(super) fn along_spokes(
             step,
             from: match drawing.before.twin(after) {
                 Some(twin) => names.term(twin).follow(Pointer::Next),
-                None => names
-                    .term(after)
-                    .follow(Pointer::Twin)
-                    .follow(Pointer::Next),
+                None => names.term(after).follow(Pointer::Twin).follow(Pointer::Next),
             },
             until: names.term(before),
             around: false,
@@ -89,13 +83,7 @@ pub(super) fn along_spokes(
         // The fan is the whole star.
         _ => {
             let first = names.term(vertex).follow(Pointer::VertexHalfedge);
-            Walk {
-                halfedge,
-                step,
-                from: first.clone(),
-                until: first,
-                around: true,
-            }
+            Walk { halfedge, step, from: first.clone(), until: first, around: true }
         }
     }
 }

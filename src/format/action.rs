@@ -35,12 +35,7 @@ impl Printer<'_> {
         inside(self, &mut lines);
         self.last_gap(&mut lines);
         self.word();
-        Block {
-            above,
-            opening,
-            short: bare && lines.len() < 2,
-            lines,
-        }
+        Block { above, opening, short: bare && lines.len() < 2, lines }
     }
 
     fn action(&mut self, action: &Action, width: usize) -> Doc {
@@ -65,30 +60,14 @@ impl Printer<'_> {
                 let head = self.spaced_token().append(self.hung(condition, width));
                 self.with_body(head, body, width)
             }
-            ActionKind::For {
-                sequence,
-                filter,
-                body,
-                ..
-            }
-            | ActionKind::Update {
-                sequence,
-                filter,
-                body,
-                ..
-            } => {
+            ActionKind::For { sequence, filter, body, .. }
+            | ActionKind::Update { sequence, filter, body, .. } => {
                 let keyword = self.spaced_token();
                 let source = self.visited(sequence, filter.as_ref(), width);
                 let head = keyword.append(source).nest(HANG).group();
                 self.with_body(head, body, width)
             }
-            ActionKind::Drain {
-                sequence,
-                key,
-                condition,
-                body,
-                ..
-            } => {
+            ActionKind::Drain { sequence, key, condition, body, .. } => {
                 let keyword = self.spaced_token();
                 let mut head = keyword.append(self.visited(sequence, None, width));
                 head = head.append(line()).append(self.spaced_token());
@@ -134,13 +113,7 @@ impl Printer<'_> {
         let mut branches = Vec::new();
         let mut head = nil();
         let mut rest = kind;
-        while let ActionKind::If {
-            binding,
-            condition,
-            then,
-            otherwise,
-        } = rest
-        {
+        while let ActionKind::If { binding, condition, then, otherwise } = rest {
             head = head.append(self.spaced_token());
             if binding.is_some() {
                 for _ in ["let", "name", "="] {
@@ -206,11 +179,7 @@ pub(super) fn headed(branches: Vec<(Doc, Block)>) -> Doc {
     let short = branches.iter().all(|(_, block)| block.short);
     let mut doc = nil();
     for (head, block) in branches {
-        let block = if short {
-            block.long().flat_alt(block.one_line())
-        } else {
-            block.long()
-        };
+        let block = if short { block.long().flat_alt(block.one_line()) } else { block.long() };
         doc = doc.append(head).append(block);
     }
     if short { doc.group() } else { doc }

@@ -86,10 +86,7 @@ impl Printer<'_> {
             if run.as_ref().is_some_and(|run| run.class != class) {
                 finish(run.take(), lines, width);
             }
-            let run = run.get_or_insert_with(|| Run {
-                class,
-                rows: Vec::new(),
-            });
+            let run = run.get_or_insert_with(|| Run { class, rows: Vec::new() });
             match run.rows.last_mut() {
                 Some(row) if class == Class::Edge && shares_line => row.statements.push(cells),
                 _ => {
@@ -110,10 +107,9 @@ impl Printer<'_> {
             let doc = self.assignment(statement, width);
             let lines = laid_out(doc, width);
             return match lines.as_slice() {
-                [line] if let Some((target, value)) = line.split_once(" = ") => Written::Cells(
-                    Class::Assignment,
-                    vec![target.to_owned(), format!("= {value}")],
-                ),
+                [line] if let Some((target, value)) = line.split_once(" = ") => {
+                    Written::Cells(Class::Assignment, vec![target.to_owned(), format!("= {value}")])
+                }
                 _ => Written::Lines(lines),
             };
         };
@@ -125,10 +121,7 @@ impl Printer<'_> {
             head = format!("{head} {}", self.words(name));
             head.push_str(self.word());
         }
-        let place = |end: u32| Span {
-            end,
-            ..outline.span
-        };
+        let place = |end: u32| Span { end, ..outline.span };
         let ends = outline.ends.iter();
         let cells: Vec<_> = ends.map(|&end| self.words(place(end))).collect();
         let mut row = vec![head];
@@ -141,13 +134,7 @@ impl Printer<'_> {
 
     /// `v.position = …`
     fn assignment(&mut self, statement: &Statement, width: usize) -> Doc {
-        let Statement::Assign {
-            target,
-            attribute,
-            value,
-            ..
-        } = statement
-        else {
+        let Statement::Assign { target, attribute, value, .. } = statement else {
             return nil();
         };
         let target = self.tokens(target.span);
@@ -163,10 +150,7 @@ impl Printer<'_> {
             doc = doc.append(self.token());
         }
         for &end in &outline.ends {
-            let cell = self.tokens(Span {
-                end,
-                ..outline.span
-            });
+            let cell = self.tokens(Span { end, ..outline.span });
             doc = doc.append(text(" ")).append(cell);
         }
         doc.nest(HANG)
@@ -218,9 +202,7 @@ impl Run {
         }
         .into_iter();
         let counts = self.rows.iter().map(|row| row.lines().len());
-        counts
-            .map(|count| lines.by_ref().take(count).collect())
-            .collect()
+        counts.map(|count| lines.by_ref().take(count).collect()).collect()
     }
 }
 
@@ -243,9 +225,7 @@ impl Row {
 
 /// A statement that is too long for a line, broken before arrows and names.
 fn filled(cells: &[String], width: usize) -> Lines {
-    let (head, rest) = cells
-        .split_first()
-        .map_or(("", cells), |(head, rest)| (head, rest));
+    let (head, rest) = cells.split_first().map_or(("", cells), |(head, rest)| (head, rest));
     let hang = width_of(head) + 1;
     let mut lines = vec![head.to_owned()];
     let mut used = hang - 1;
@@ -278,19 +258,14 @@ fn outline(statement: &Statement) -> Option<Outline> {
     let outline = match statement {
         Statement::Loop(ring) => {
             let items = ring.items.iter();
-            let mut ends: Vec<_> = items
-                .flat_map(|item| [item.from.span.end, item.span.end])
-                .collect();
+            let mut ends: Vec<_> =
+                items.flat_map(|item| [item.from.span.end, item.span.end]).collect();
             ends.extend(ring.end.as_ref().map(|name| name.span.end));
             let first = ring.items.first().map(|item| item.from.span.start);
             let each = ring.each.as_ref().map(|each| each.span).zip(first);
             Outline::of(Class::Loop, Some(ring.name.span), ends, ring.span).over(each)
         }
-        Statement::Edge {
-            name,
-            halfedges: [one, other],
-            span,
-        } => {
+        Statement::Edge { name, halfedges: [one, other], span } => {
             let ends = vec![one.span.end, other.span.start, other.span.end];
             Outline::of(Class::Edge, Some(name.span), ends, *span)
         }
@@ -313,12 +288,7 @@ fn outline(statement: &Statement) -> Option<Outline> {
 
 impl Outline {
     fn of(class: Class, name: Option<Span>, ends: Vec<u32>, span: Span) -> Self {
-        Self {
-            class,
-            name,
-            ends,
-            span,
-        }
+        Self { class, name, ends, span }
     }
 
     /// The same behind `each i {`, given where the index stands and where the period begins.
@@ -329,10 +299,6 @@ impl Outline {
         let mut ends = vec![index.start, index.end, first];
         ends.extend(self.ends);
         ends.push(self.span.end);
-        Self {
-            class: Class::Family,
-            ends,
-            ..self
-        }
+        Self { class: Class::Family, ends, ..self }
     }
 }

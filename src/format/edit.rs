@@ -31,10 +31,7 @@ pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, R
     let pairs = old.into_iter().zip(new);
     let edits = pairs.filter_map(|(old, new)| {
         let new = formatted.get(new)?;
-        (source.get(old.clone()) != Some(new)).then(|| Edit {
-            range: old,
-            text: new.to_owned(),
-        })
+        (source.get(old.clone()) != Some(new)).then(|| Edit { range: old, text: new.to_owned() })
     });
     Ok(edits.collect())
 }

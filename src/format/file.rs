@@ -39,11 +39,7 @@ pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
 /// what comes first may be another line the next time.
 fn with_line_ends_of(source: &str, text: String) -> String {
     let first = source.find('\n').unwrap_or(0);
-    let end = if source[..first].ends_with('\r') {
-        "\r\n"
-    } else {
-        "\n"
-    };
+    let end = if source[..first].ends_with('\r') { "\r\n" } else { "\n" };
     if end == "\n" && !text.contains('\r') {
         return text;
     }
@@ -64,14 +60,10 @@ struct Stays {
 impl Stays {
     fn new(source: &str, parsed: &Parsed) -> Self {
         let spans = parsed.diagnostics.iter().map(|found| found.span());
-        let mut told: Vec<_> = spans
-            .flat_map(|span| [span.start as usize, span.end as usize])
-            .collect();
+        let mut told: Vec<_> =
+            spans.flat_map(|span| [span.start as usize, span.end as usize]).collect();
         told.sort_unstable();
-        let left = Words::of(source, parsed)
-            .leftovers()
-            .map(|(at, _)| at)
-            .collect();
+        let left = Words::of(source, parsed).leftovers().map(|(at, _)| at).collect();
         Self { told, left }
     }
 

@@ -37,10 +37,7 @@ fn run(rows: &[Vec<String>]) -> (usize, Vec<usize>) {
             low[at] = low[at].min(width);
             high[at] = high[at].max(width);
         }
-        let spread = low
-            .iter()
-            .zip(&high)
-            .any(|(low, high)| high - low > MOST_PADDING);
+        let spread = low.iter().zip(&high).any(|(low, high)| high - low > MOST_PADDING);
         if spread && count > 0 {
             return (count, widest);
         }

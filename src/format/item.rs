@@ -142,9 +142,9 @@ impl Printer<'_> {
         for condition in conditions {
             self.gap(lines);
             let doc = match condition {
-                Condition::Require {
-                    condition, reason, ..
-                } => self.demanded(condition, reason.is_some(), width),
+                Condition::Require { condition, reason, .. } => {
+                    self.demanded(condition, reason.is_some(), width)
+                }
                 Condition::Guard { .. } => self.spaced_token().append(self.token()),
                 Condition::Alias { names, .. } => self.aliased(names),
             };
@@ -157,11 +157,7 @@ impl Printer<'_> {
         let keyword = self.spaced_token();
         names.iter().enumerate().fold(keyword, |doc, (at, name)| {
             let name = self.tokens(name.span);
-            if at == 0 {
-                doc.append(name)
-            } else {
-                doc.append(text(" ")).append(name)
-            }
+            if at == 0 { doc.append(name) } else { doc.append(text(" ")).append(name) }
         })
     }
 

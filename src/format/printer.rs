@@ -51,9 +51,7 @@ pub(super) fn nil() -> Doc {
 /// A document as lines of a width.
 pub(super) fn laid_out(doc: Doc, width: usize) -> Lines {
     let text = doc.into_doc().pretty(width).to_string();
-    text.lines()
-        .map(|line| line.trim_end().to_owned())
-        .collect()
+    text.lines().map(|line| line.trim_end().to_owned()).collect()
 }
 
 /// How wide a text is, in characters.
@@ -75,13 +73,7 @@ pub(super) struct Printer<'t> {
 impl<'t> Printer<'t> {
     /// A hand at the start of a text.
     pub fn new(source: &'t str, tokens: &'t [Token], comments: &'t [Comment]) -> Self {
-        Self {
-            source,
-            tokens,
-            comments,
-            at: 0,
-            comment: 0,
-        }
+        Self { source, tokens, comments, at: 0, comment: 0 }
     }
 
     /// The kind of the next token.
@@ -143,9 +135,7 @@ impl<'t> Printer<'t> {
     /// Takes all tokens up to the end of a span as they are, behind the comments before them.
     pub fn uncut(&mut self, span: Span) -> Doc {
         let comments = self.comments_before_next().into_iter();
-        let doc = comments.fold(nil(), |doc, comment| {
-            doc.append(text(comment)).append(hard())
-        });
+        let doc = comments.fold(nil(), |doc, comment| doc.append(text(comment)).append(hard()));
         doc.append(text(self.verbatim(span.start as usize, span.end as usize)))
     }
 
@@ -192,11 +182,7 @@ impl<'t> Printer<'t> {
         while self.tokens.get(self.at).is_some_and(|t| before(t.span)) {
             self.at += 1;
         }
-        while self
-            .comments
-            .get(self.comment)
-            .is_some_and(|c| before(c.span))
-        {
+        while self.comments.get(self.comment).is_some_and(|c| before(c.span)) {
             self.comment += 1;
         }
         self.source.get(from..to).unwrap_or("")
@@ -300,10 +286,6 @@ impl Block {
 
     /// The block on one line if it is short and everything up to the next line end fits.
     pub fn doc(&self) -> Doc {
-        if self.short {
-            self.long().flat_alt(self.one_line()).group()
-        } else {
-            self.long()
-        }
+        if self.short { self.long().flat_alt(self.one_line()).group() } else { self.long() }
     }
 }

@@ -57,23 +57,11 @@ mod tests {
 
     #[test]
     fn comments_behind_lines_stand_in_a_column() {
-        let mut lines: Lines = [
-            "a // x",
-            "bbb // y",
-            "// z",
-            "\"// \\\" //\" // t",
-            "  c // u",
-        ]
-        .map(String::from)
-        .to_vec();
+        let mut lines: Lines = ["a // x", "bbb // y", "// z", "\"// \\\" //\" // t", "  c // u"]
+            .map(String::from)
+            .to_vec();
         align(&mut lines);
-        let aligned = [
-            "a    // x",
-            "bbb  // y",
-            "// z",
-            "\"// \\\" //\"  // t",
-            "  c  // u",
-        ];
+        let aligned = ["a    // x", "bbb  // y", "// z", "\"// \\\" //\"  // t", "  c  // u"];
         assert_eq!(lines, aligned);
     }
 }

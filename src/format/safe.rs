@@ -51,10 +51,7 @@ pub fn format(file: FileId, source: &str) -> Result<Formatted, Refusal> {
         let place = same.take_while(|(one, other)| one == other).count();
         return Err(Refusal::NotStable(place));
     }
-    Ok(Formatted {
-        text,
-        diagnostics: parsed.diagnostics,
-    })
+    Ok(Formatted { text, diagnostics: parsed.diagnostics })
 }
 
 /// The new text, which has all words of the old one, and these words in it.

@@ -25,12 +25,7 @@ impl Printer<'_> {
                 of.append(dot).append(self.token())
             }
             ExprKind::Call { args, .. } => self.call(args, width),
-            ExprKind::Aggregate {
-                body,
-                sequence,
-                filter,
-                ..
-            } => {
+            ExprKind::Aggregate { body, sequence, filter, .. } => {
                 let open = self.token().append(self.token());
                 let body = self.value(body, width);
                 let inside = body.append(line()).append(self.token()).append(text(" "));
@@ -126,12 +121,7 @@ impl Printer<'_> {
         let mut branches = Vec::new();
         let mut head = nil();
         let mut rest = value;
-        while let ExprKind::If {
-            condition,
-            then,
-            otherwise,
-        } = &rest.kind
-        {
+        while let ExprKind::If { condition, then, otherwise } = &rest.kind {
             let keyword = self.token().append(text(" "));
             let condition = self.value(condition, width).nest(HANG).group();
             head = head.append(keyword).append(condition).append(text(" "));

@@ -21,20 +21,12 @@ pub(super) enum Word<'t> {
 impl<'t> Words<'t> {
     /// The words of a text that has been read.
     pub(super) fn of(source: &'t str, parsed: &'t Parsed) -> Self {
-        Self {
-            source,
-            tokens: &parsed.tokens,
-            comments: &parsed.comments,
-        }
+        Self { source, tokens: &parsed.tokens, comments: &parsed.comments }
     }
 
     /// The words of a text of which no more is known.
     pub(super) fn lexed(source: &'t str, lexed: &'t Lexed) -> Self {
-        Self {
-            source,
-            tokens: &lexed.tokens,
-            comments: &lexed.comments,
-        }
+        Self { source, tokens: &lexed.tokens, comments: &lexed.comments }
     }
 
     /// Where the text ends.
@@ -68,9 +60,7 @@ impl<'t> Words<'t> {
                 (token, _) => token.is_none(),
             };
             if is_comment {
-                comments
-                    .next()
-                    .map(|comment| (comment.span, Err(comment.kind)))
+                comments.next().map(|comment| (comment.span, Err(comment.kind)))
             } else {
                 tokens.next().map(|token| (token.span, Ok(token.kind)))
             }

@@ -13,54 +13,21 @@ pub struct LibraryFile {
 }
 
 const FILES: &[LibraryFile] = &[
-    LibraryFile {
-        name: "std/triangle.hedge",
-        text: include_str!("std/triangle.hedge"),
-    },
-    LibraryFile {
-        name: "std/polygon.hedge",
-        text: include_str!("std/polygon.hedge"),
-    },
-    LibraryFile {
-        name: "std/map.hedge",
-        text: include_str!("std/map.hedge"),
-    },
-    LibraryFile {
-        name: "std/planar.hedge",
-        text: include_str!("std/planar.hedge"),
-    },
+    LibraryFile { name: "std/triangle.hedge", text: include_str!("std/triangle.hedge") },
+    LibraryFile { name: "std/polygon.hedge", text: include_str!("std/polygon.hedge") },
+    LibraryFile { name: "std/map.hedge", text: include_str!("std/map.hedge") },
+    LibraryFile { name: "std/planar.hedge", text: include_str!("std/planar.hedge") },
     LibraryFile {
         name: "std/planar_triangle.hedge",
         text: include_str!("std/planar_triangle.hedge"),
     },
-    LibraryFile {
-        name: "std/planar_quad.hedge",
-        text: include_str!("std/planar_quad.hedge"),
-    },
-    LibraryFile {
-        name: "std/subdivide.hedge",
-        text: include_str!("std/subdivide.hedge"),
-    },
-    LibraryFile {
-        name: "std/remesh.hedge",
-        text: include_str!("std/remesh.hedge"),
-    },
-    LibraryFile {
-        name: "std/simplify.hedge",
-        text: include_str!("std/simplify.hedge"),
-    },
-    LibraryFile {
-        name: "std/triangulate.hedge",
-        text: include_str!("std/triangulate.hedge"),
-    },
-    LibraryFile {
-        name: "std/smooth.hedge",
-        text: include_str!("std/smooth.hedge"),
-    },
-    LibraryFile {
-        name: "std/repair.hedge",
-        text: include_str!("std/repair.hedge"),
-    },
+    LibraryFile { name: "std/planar_quad.hedge", text: include_str!("std/planar_quad.hedge") },
+    LibraryFile { name: "std/subdivide.hedge", text: include_str!("std/subdivide.hedge") },
+    LibraryFile { name: "std/remesh.hedge", text: include_str!("std/remesh.hedge") },
+    LibraryFile { name: "std/simplify.hedge", text: include_str!("std/simplify.hedge") },
+    LibraryFile { name: "std/triangulate.hedge", text: include_str!("std/triangulate.hedge") },
+    LibraryFile { name: "std/smooth.hedge", text: include_str!("std/smooth.hedge") },
+    LibraryFile { name: "std/repair.hedge", text: include_str!("std/repair.hedge") },
 ];
 
 /// All files, in the order in which they are best read.

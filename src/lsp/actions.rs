@@ -30,10 +30,7 @@ impl Server {
                 Purpose::Fix | Purpose::Proposal => CodeActionKind::QuickFix,
                 Purpose::Rewrite => CodeActionKind::RefactorRewrite,
             }),
-            diagnostics: action
-                .mends
-                .as_ref()
-                .map(|told| vec![diagnostic(document, told)]),
+            diagnostics: action.mends.as_ref().map(|told| vec![diagnostic(document, told)]),
             is_preferred: Some(action.purpose == Purpose::Fix),
             edit: Some(self.workspace_edit(&[(document, action.edits)])),
             title: action.title,

@@ -45,11 +45,7 @@ pub(super) struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            picture: HoverPicture::Auto,
-            hints: true,
-            lenses: true,
-        }
+        Self { picture: HoverPicture::Auto, hints: true, lenses: true }
     }
 }
 
@@ -69,23 +65,14 @@ impl Settings {
 }
 
 /// Clients that draw an SVG in the Markdown of a hover, by a part of their names.
-const DRAWING_CLIENTS: [&str; 6] = [
-    "visual studio code",
-    "code - oss",
-    "vscod",
-    "code-server",
-    "monaco",
-    "codemirror",
-];
+const DRAWING_CLIENTS: [&str; 6] =
+    ["visual studio code", "code - oss", "vscod", "code-server", "monaco", "codemirror"];
 
 impl Client {
     pub(super) fn new(params: &InitializeParams) -> Self {
         let general = params.capabilities.general.as_ref();
         let offered = general.and_then(|general| general.position_encodings.as_deref());
-        let name = params
-            .client_info
-            .as_ref()
-            .map(|info| info.name.to_lowercase());
+        let name = params.client_info.as_ref().map(|info| info.name.to_lowercase());
         let name = name.unwrap_or_default();
         let options = params.initialization_options.as_ref();
         Self {
@@ -114,11 +101,7 @@ impl Client {
 
     /// Whether a hover may be Markdown.
     pub(super) fn reads_markdown(&self) -> bool {
-        let hover = self
-            .can
-            .text_document
-            .as_ref()
-            .and_then(|can| can.hover.as_ref());
+        let hover = self.can.text_document.as_ref().and_then(|can| can.hover.as_ref());
         let formats = hover.and_then(|hover| hover.content_format.as_ref());
         formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
     }
@@ -134,26 +117,20 @@ impl Client {
     /// Whether the server may show progress of its own.
     pub(super) fn shows_progress(&self) -> bool {
         let window = self.can.window.as_ref();
-        window
-            .and_then(|window| window.work_done_progress)
-            .unwrap_or(false)
+        window.and_then(|window| window.work_done_progress).unwrap_or(false)
     }
 
     /// Whether the client opens a page when it is asked to.
     pub(super) fn shows_documents(&self) -> bool {
         let window = self.can.window.as_ref();
-        window
-            .and_then(|window| window.show_document.as_ref())
-            .is_some_and(|show| show.support)
+        window.and_then(|window| window.show_document.as_ref()).is_some_and(|show| show.support)
     }
 
     /// Whether symbols may stand in one another.
     pub(super) fn nests_symbols(&self) -> bool {
         let text = self.can.text_document.as_ref();
         let symbols = text.and_then(|text| text.document_symbol.as_ref());
-        symbols
-            .and_then(|symbols| symbols.hierarchical_document_symbol_support)
-            .unwrap_or(false)
+        symbols.and_then(|symbols| symbols.hierarchical_document_symbol_support).unwrap_or(false)
     }
 
     /// Whether a change may say which version of a document it is about.
@@ -166,17 +143,13 @@ impl Client {
     /// Whether the client can be asked for its settings.
     pub(super) fn has_configuration(&self) -> bool {
         let workspace = self.can.workspace.as_ref();
-        workspace
-            .and_then(|workspace| workspace.configuration)
-            .unwrap_or(false)
+        workspace.and_then(|workspace| workspace.configuration).unwrap_or(false)
     }
 
     /// Whether the client can be asked to watch files.
     pub(super) fn watches_files(&self) -> bool {
         let workspace = self.can.workspace.as_ref();
         let watched = workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref());
-        watched
-            .and_then(|watched| watched.dynamic_registration)
-            .unwrap_or(false)
+        watched.and_then(|watched| watched.dynamic_registration).unwrap_or(false)
     }
 }

@@ -73,10 +73,10 @@ impl Server {
 }
 
 fn information(call: Call) -> SignatureInformation {
-    let params = call.params.into_iter().map(|label| ParameterInformation {
-        label: label.into(),
-        documentation: None,
-    });
+    let params = call
+        .params
+        .into_iter()
+        .map(|label| ParameterInformation { label: label.into(), documentation: None });
     SignatureInformation {
         label: call.label,
         documentation: Some(call.about.into()),

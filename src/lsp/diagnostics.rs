@@ -17,9 +17,7 @@ impl Server {
     /// false if there is nothing to do.
     pub(super) fn publish_next(&mut self) -> bool {
         let unpublished = self.documents.iter_mut();
-        let next = unpublished
-            .into_iter()
-            .find(|document| !document.is_published);
+        let next = unpublished.into_iter().find(|document| !document.is_published);
         let Some(document) = next else { return false };
         if document.snapshot().examine_next() {
             let (done, all) = document.snapshot().progress();
@@ -82,9 +80,7 @@ pub(super) fn diagnostic(document: &Document, told: &diagnostic::Diagnostic) -> 
             Severity::Warning => DiagnosticSeverity::Warning,
         }),
         code: Some(told.code.to_owned().into()),
-        code_description: Some(CodeDescription {
-            href: Uri(format!("{EXPLAINED}#{}", told.code)),
-        }),
+        code_description: Some(CodeDescription { href: Uri(format!("{EXPLAINED}#{}", told.code)) }),
         source: Some("hedgerow".into()),
         message: message.into(),
         related_information: Some(related.collect()),

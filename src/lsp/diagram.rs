@@ -82,11 +82,7 @@ impl Server {
     /// Shows an op in the preview, if it is open.
     pub(super) fn show(&self, op: &OpCard) {
         if let (Some(preview), Some(diagram)) = (&self.preview, draw(op)) {
-            preview.show(Shown {
-                title: diagram.name,
-                verdict: diagram.verdict,
-                svg: diagram.svg,
-            });
+            preview.show(Shown { title: diagram.name, verdict: diagram.verdict, svg: diagram.svg });
         }
     }
 

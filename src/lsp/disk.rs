@@ -23,9 +23,7 @@ impl Reader for Disk {
     fn beside(&mut self, name: &str) -> Vec<String> {
         let folder = Path::new(name).parent().unwrap_or(Path::new("."));
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-        let programs = entries
-            .map(|entry| entry.path())
-            .filter(|path| is_program(path));
+        let programs = entries.map(|entry| entry.path()).filter(|path| is_program(path));
         let mut names: Vec<_> = programs.map(|path| path.display().to_string()).collect();
         names.sort();
         names

@@ -29,9 +29,7 @@ pub(super) struct Document {
 
 impl Document {
     pub(super) fn new(item: TextDocumentItem, encoding: Encoding, files: Files) -> Self {
-        let TextDocumentItem {
-            uri, version, text, ..
-        } = item;
+        let TextDocumentItem { uri, version, text, .. } = item;
         Self {
             files,
             lines: Lines::new(&text, encoding),
@@ -111,18 +109,12 @@ impl Document {
     pub(super) fn location(&self, span: Span) -> Option<Location> {
         let snapshot = self.snapshot();
         if span.file == snapshot.file() {
-            return Some(Location {
-                uri: self.uri.clone(),
-                range: self.range(span),
-            });
+            return Some(Location { uri: self.uri.clone(), range: self.range(span) });
         }
         let source = snapshot.sources().get(span.file);
         let uri = self.files.uri(source.name(), source.text())?;
         let lines = Lines::new(source.text(), self.encoding);
-        Some(Location {
-            uri,
-            range: lines.range(source.text(), span.range()),
-        })
+        Some(Location { uri, range: lines.range(source.text(), span.range()) })
     }
 
     /// The beginning of a file that the text uses.

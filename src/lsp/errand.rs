@@ -28,33 +28,19 @@ impl Errand {
                 .output()
         });
         let (kind, ending, said) = match output {
-            Err(error) => (
-                MessageType::Error,
-                format!("cannot be run: {error}"),
-                String::new(),
-            ),
+            Err(error) => (MessageType::Error, format!("cannot be run: {error}"), String::new()),
             Ok(output) => {
                 let said = [output.stdout, output.stderr]
                     .map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
                     .concat();
                 match output.status.success() {
                     true => (MessageType::Info, "is done".to_owned(), said),
-                    false => (
-                        MessageType::Error,
-                        format!("failed: {}", output.status),
-                        said,
-                    ),
+                    false => (MessageType::Error, format!("failed: {}", output.status), said),
                 }
             }
         };
-        let log = LogMessageParams {
-            kind,
-            message: format!("$ {shown}\n{said}"),
-        };
-        let show = ShowMessageParams {
-            kind,
-            message: format!("`{shown}` {ending}"),
-        };
+        let log = LogMessageParams { kind, message: format!("$ {shown}\n{said}") };
+        let show = ShowMessageParams { kind, message: format!("`{shown}` {ending}") };
         let notice = |method: &str, params: serde_json::Value| {
             Message::from(Notification::new(method.to_owned(), params))
         };

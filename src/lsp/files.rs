@@ -41,18 +41,12 @@ pub(super) fn name(of: &Uri) -> String {
 
 impl Files {
     pub(super) fn new(rest: Box<dyn Reader>) -> Self {
-        Self {
-            open: Rc::default(),
-            rest: Rc::new(RefCell::new(rest)),
-        }
+        Self { open: Rc::default(), rest: Rc::new(RefCell::new(rest)) }
     }
 
     /// The text of an open document.
     pub(super) fn hold(&self, uri: &Uri, text: &str) {
-        let held = Held {
-            uri: uri.clone(),
-            text: text.into(),
-        };
+        let held = Held { uri: uri.clone(), text: text.into() };
         self.open.borrow_mut().insert(name(uri), held);
     }
 
@@ -107,9 +101,8 @@ impl Reader for Files {
         let mut names = self.rest.borrow_mut().beside(name);
         let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
         let open = self.open.borrow();
-        let beside = open
-            .keys()
-            .filter(|known| known.rsplit_once('/').map_or("", |(of, _)| of) == folder);
+        let beside =
+            open.keys().filter(|known| known.rsplit_once('/').map_or("", |(of, _)| of) == folder);
         names.extend(beside.cloned());
         names.sort();
         names.dedup();

@@ -105,11 +105,7 @@ fn rule_text(rule: &RuleVerdict) -> String {
         0 => format!("{name} ±0"),
         by => format!("{name} {by:+}"),
     };
-    let changes = [
-        change("V", rule.vertices),
-        change("E", rule.edges),
-        change("F", rule.faces),
-    ];
+    let changes = [change("V", rule.vertices), change("E", rule.edges), change("F", rule.faces)];
     text.push_str(&format!(" · {}", changes.join(" ")));
     if rule.constant_time {
         text.push_str(" · constant time");
@@ -164,11 +160,7 @@ fn element_text(element: &Element) -> String {
             } else {
                 shown(&pointer.after)
             };
-            format!(
-                "| {} | {} | {after} |\n",
-                pointer.name,
-                shown(&pointer.before)
-            )
+            format!("| {} | {} | {after} |\n", pointer.name, shown(&pointer.before))
         })
         .collect();
     if !rows.is_empty() {
@@ -186,9 +178,5 @@ fn word_text(word: &Word) -> String {
     if word.forms.is_empty() {
         return format!("{}\n", word.meaning);
     }
-    format!(
-        "{}\n{}\n",
-        fenced("hedgerow", &word.forms.join("\n")),
-        word.meaning
-    )
+    format!("{}\n{}\n", fenced("hedgerow", &word.forms.join("\n")), word.meaning)
 }

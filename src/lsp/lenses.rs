@@ -51,9 +51,7 @@ impl Server {
         let arguments = params.arguments.unwrap_or_default();
         let text = |at: usize| arguments.get(at).and_then(Value::as_str).map(str::to_owned);
         let Some(uri) = text(0).map(Uri) else {
-            return Err(Refusal::invalid(
-                "the first argument is the URI of a document",
-            ));
+            return Err(Refusal::invalid("the first argument is the URI of a document"));
         };
         let name = text(1);
         match params.command.as_str() {

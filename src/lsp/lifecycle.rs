@@ -57,11 +57,7 @@ impl Server {
             references_provider: Some(true.into()),
             document_highlight_provider: Some(true.into()),
             rename_provider: Some(
-                RenameOptions {
-                    prepare_provider: Some(true),
-                    ..Default::default()
-                }
-                .into(),
+                RenameOptions { prepare_provider: Some(true), ..Default::default() }.into(),
             ),
             document_symbol_provider: Some(true.into()),
             workspace_symbol_provider: Some(true.into()),
@@ -82,9 +78,7 @@ impl Server {
             inlay_hint_provider: Some(true.into()),
             completion_provider: Some(CompletionOptions {
                 trigger_characters: Some(
-                    [".", ":", "-", "=", "|", ">", "*", "\"", " "]
-                        .map(str::to_owned)
-                        .to_vec(),
+                    [".", ":", "-", "=", "|", ">", "*", "\"", " "].map(str::to_owned).to_vec(),
                 ),
                 ..Default::default()
             }),
@@ -104,9 +98,7 @@ impl Server {
             ),
             code_lens_provider: Some(CodeLensOptions::default()),
             execute_command_provider: Some(ExecuteCommandOptions {
-                commands: [SHOW_DIAGRAM, RUN_TEST, RUN_SCRIPT]
-                    .map(str::to_owned)
-                    .to_vec(),
+                commands: [SHOW_DIAGRAM, RUN_TEST, RUN_SCRIPT].map(str::to_owned).to_vec(),
                 ..Default::default()
             }),
             document_formatting_provider: Some(true.into()),

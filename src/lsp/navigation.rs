@@ -33,11 +33,7 @@ impl Server {
         let all = params.context.include_declaration;
         let mut found = Vec::new();
         for (document, mentions) in self.mentions(document, offset) {
-            found.extend(
-                mentions
-                    .iter()
-                    .filter_map(|mention| document.location(mention.span)),
-            );
+            found.extend(mentions.iter().filter_map(|mention| document.location(mention.span)));
         }
         found.retain(|place| all || Some(place) != declared.as_ref());
         Ok(Some(found))
@@ -145,10 +141,7 @@ impl Server {
             let changes = changes
                 .iter()
                 .map(|(document, changed)| (document.uri().clone(), edits(document, changed)));
-            return WorkspaceEdit {
-                changes: Some(changes.collect()),
-                ..Default::default()
-            };
+            return WorkspaceEdit { changes: Some(changes.collect()), ..Default::default() };
         }
         let changes = changes.iter().map(|(document, changed)| {
             let edits = edits(document, changed).into_iter().map(Edit::from);
@@ -162,9 +155,6 @@ impl Server {
                 edits: edits.collect(),
             })
         });
-        WorkspaceEdit {
-            document_changes: Some(changes.collect()),
-            ..Default::default()
-        }
+        WorkspaceEdit { document_changes: Some(changes.collect()), ..Default::default() }
     }
 }

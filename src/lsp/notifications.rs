@@ -108,10 +108,8 @@ impl Server {
 
     fn ask_for_settings(&mut self) {
         if self.client.has_configuration() {
-            let items = vec![ConfigurationItem {
-                scope_uri: None,
-                section: Some("hedgerow".into()),
-            }];
+            let items =
+                vec![ConfigurationItem { scope_uri: None, section: Some("hedgerow".into()) }];
             self.ask::<ConfigurationRequest>(ConfigurationParams { items }, Asked::Settings);
         }
     }

@@ -65,10 +65,7 @@ impl Lines {
             byte == b'\n' || byte == b'\r' && bytes.get(at + 1) != Some(&b'\n')
         });
         let starts = std::iter::once(0).chain(ends.map(|(at, _)| at + 1));
-        Self {
-            starts: starts.collect(),
-            encoding,
-        }
+        Self { starts: starts.collect(), encoding }
     }
 
     /// The byte at a position.
@@ -101,23 +98,14 @@ impl Lines {
         let before = &text[start..offset];
         let character = match self.encoding {
             Encoding::Utf8 => before.len(),
-            encoding => before
-                .chars()
-                .map(|character| encoding.units(character))
-                .sum(),
+            encoding => before.chars().map(|character| encoding.units(character)).sum(),
         };
-        Position {
-            line: narrow(line),
-            character: narrow(character),
-        }
+        Position { line: narrow(line), character: narrow(character) }
     }
 
     /// The range of two bytes.
     pub(super) fn range(&self, text: &str, range: std::ops::Range<usize>) -> Range {
-        Range {
-            start: self.position(text, range.start),
-            end: self.position(text, range.end),
-        }
+        Range { start: self.position(text, range.start), end: self.position(text, range.end) }
     }
 }
 
@@ -140,11 +128,7 @@ mod tests {
                     continue; // inside a line end
                 }
                 let position = lines.position(text, offset);
-                assert_eq!(
-                    lines.offset(text, position),
-                    offset,
-                    "{encoding:?} {offset}"
-                );
+                assert_eq!(lines.offset(text, position), offset, "{encoding:?} {offset}");
             }
         }
         let lines = Lines::new(text, Encoding::Utf16);

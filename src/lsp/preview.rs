@@ -48,19 +48,17 @@ impl Preview {
         let address = listener.local_addr()?;
         let current: Arc<Mutex<Current>> = Arc::default();
         let shared = Arc::clone(&current);
-        std::thread::Builder::new()
-            .name("preview".into())
-            .spawn(move || {
-                for stream in listener.incoming().flatten() {
-                    let shared = Arc::clone(&shared);
-                    // One that does not come to the point keeps nobody else waiting.
-                    let answered = std::thread::Builder::new().spawn(move || {
-                        // A client that is gone misses nothing.
-                        let _ = answer(stream, address, &shared);
-                    });
-                    drop(answered);
-                }
-            })?;
+        std::thread::Builder::new().name("preview".into()).spawn(move || {
+            for stream in listener.incoming().flatten() {
+                let shared = Arc::clone(&shared);
+                // One that does not come to the point keeps nobody else waiting.
+                let answered = std::thread::Builder::new().spawn(move || {
+                    // A client that is gone misses nothing.
+                    let _ = answer(stream, address, &shared);
+                });
+                drop(answered);
+            }
+        })?;
         Ok(Self { address, current })
     }
 
@@ -105,9 +103,7 @@ fn answer(mut stream: TcpStream, address: SocketAddr, current: &Mutex<Current>) 
         (false, _, _) => ("403 Forbidden", "text/plain", "another host".to_owned()),
         (true, "GET", "/") => ("200 OK", "text/html; charset=utf-8", PAGE.to_owned()),
         (true, "GET", "/shown") => {
-            let seen = path
-                .split_once("seen=")
-                .and_then(|(_, seen)| seen.parse().ok());
+            let seen = path.split_once("seen=").and_then(|(_, seen)| seen.parse().ok());
             ("200 OK", "application/json", shown(current, seen))
         }
         _ => ("404 Not Found", "text/plain", "nothing here".to_owned()),

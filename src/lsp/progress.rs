@@ -23,10 +23,7 @@ impl Server {
         match &self.progress {
             None if all - done > MANY && self.client.shows_progress() => {
                 let token = format!("hedgerow/prove/{}", self.fresh());
-                self.progress = Some(Progress {
-                    token: token.clone(),
-                    is_open: false,
-                });
+                self.progress = Some(Progress { token: token.clone(), is_open: false });
                 let token = ProgressToken::String(token);
                 let params = WorkDoneProgressCreateParams { token };
                 self.ask::<WorkDoneProgressCreateRequest>(params, Asked::Progress);
@@ -52,11 +49,7 @@ impl Server {
 
     /// All is proved.
     pub(super) fn end_progress(&mut self) {
-        if self
-            .progress
-            .as_ref()
-            .is_some_and(|progress| progress.is_open)
-        {
+        if self.progress.as_ref().is_some_and(|progress| progress.is_open) {
             self.tell_progress(json!({ "kind": "end" }));
         }
         self.progress = None;

@@ -22,18 +22,12 @@ pub(super) struct Refusal {
 impl Refusal {
     /// The request makes no sense.
     pub(super) fn invalid(why: impl Into<String>) -> Self {
-        Self {
-            code: ErrorCode::InvalidParams as i32,
-            why: why.into(),
-        }
+        Self { code: ErrorCode::InvalidParams as i32, why: why.into() }
     }
 
     /// The request makes sense, and there is a reason not to do it.
     pub(super) fn failed(why: impl Into<String>) -> Self {
-        Self {
-            code: ErrorCode::RequestFailed as i32,
-            why: why.into(),
-        }
+        Self { code: ErrorCode::RequestFailed as i32, why: why.into() }
     }
 }
 

@@ -144,10 +144,9 @@ impl Server {
         let method = LspRequestMethod::from(request.method.as_str());
         let is_initialize = method == LspRequestMethod::Initialize;
         let refused = match self.stage {
-            Stage::Silent if !is_initialize => Some((
-                ErrorCode::ServerNotInitialized,
-                "the first request must be `initialize`",
-            )),
+            Stage::Silent if !is_initialize => {
+                Some((ErrorCode::ServerNotInitialized, "the first request must be `initialize`"))
+            }
             Stage::Ready if is_initialize => {
                 Some((ErrorCode::InvalidRequest, "`initialize` comes only once"))
             }

@@ -72,9 +72,7 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
     if (input.take(length).read_to_end(&mut text)? as u64) < length {
         return Err(io::ErrorKind::UnexpectedEof.into());
     }
-    serde_json::from_slice(&text)
-        .map(Some)
-        .map_err(io::Error::from)
+    serde_json::from_slice(&text).map(Some).map_err(io::Error::from)
 }
 
 /// Answers until the client is gone; the exit code says whether it took its leave.

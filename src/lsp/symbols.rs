@@ -89,18 +89,10 @@ impl Server {
             let spans = around(document.snapshot(), document.offset(*position));
             let outer_first = spans.iter().rev();
             let grown = outer_first.fold(None, |parent, span| {
-                Some(Box::new(SelectionRange {
-                    range: document.range(*span),
-                    parent,
-                }))
+                Some(Box::new(SelectionRange { range: document.range(*span), parent }))
             });
-            let nothing = SelectionRange {
-                range: Range {
-                    start: *position,
-                    end: *position,
-                },
-                parent: None,
-            };
+            let nothing =
+                SelectionRange { range: Range { start: *position, end: *position }, parent: None };
             grown.map_or(nothing, |grown| *grown)
         };
         Ok(Some(params.positions.iter().map(grow).collect()))
@@ -124,11 +116,7 @@ fn nested(document: &Document, entry: &Entry) -> DocumentSymbol {
 
 /// Clients do not take an empty name.
 fn shown(name: &str) -> String {
-    if name.trim().is_empty() {
-        "(no name)".into()
-    } else {
-        name.to_owned()
-    }
+    if name.trim().is_empty() { "(no name)".into() } else { name.to_owned() }
 }
 
 fn flatten(
@@ -147,10 +135,7 @@ fn information(document: &Document, entry: &Entry, container: Option<&str>) -> S
     SymbolInformation {
         #[allow(deprecated)]
         deprecated: None,
-        location: Location {
-            uri: document.uri().clone(),
-            range: document.range(entry.name_span),
-        },
+        location: Location { uri: document.uri().clone(), range: document.range(entry.name_span) },
         base_symbol_information: BaseSymbolInformation {
             name: shown(&entry.name),
             kind: kind(entry.kind),

@@ -85,10 +85,7 @@ fn encoded(document: &Document, part: std::ops::Range<usize>) -> SemanticTokens 
             token_modifiers_bitset: modifiers(token),
         })
     });
-    SemanticTokens {
-        result_id: None,
-        data: data.collect(),
-    }
+    SemanticTokens { result_id: None, data: data.collect() }
 }
 
 fn number(names: &[&str], name: &str) -> u32 {

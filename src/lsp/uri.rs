@@ -6,12 +6,8 @@ use gen_lsp_types::Uri;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
 /// What is written as it is in the path of a URI.
-const WRITTEN: &AsciiSet = &NON_ALPHANUMERIC
-    .remove(b'/')
-    .remove(b'-')
-    .remove(b'_')
-    .remove(b'.')
-    .remove(b'~');
+const WRITTEN: &AsciiSet =
+    &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'_').remove(b'.').remove(b'~');
 
 /// The path of a `file:` URI; nothing for other schemes.
 pub(super) fn path(uri: &Uri) -> Option<PathBuf> {
@@ -28,10 +24,7 @@ pub(super) fn path(uri: &Uri) -> Option<PathBuf> {
 pub(super) fn of_path(path: &Path) -> Uri {
     let path = path.to_string_lossy().replace('\\', "/");
     let slash = if path.starts_with('/') { "" } else { "/" };
-    Uri(format!(
-        "file://{slash}{}",
-        utf8_percent_encode(&path, WRITTEN)
-    ))
+    Uri(format!("file://{slash}{}", utf8_percent_encode(&path, WRITTEN)))
 }
 
 #[cfg(test)]

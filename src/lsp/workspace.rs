@@ -35,18 +35,14 @@ impl Workspace {
             named.extend(hello.get("rootUri"));
         }
         let uris = named.into_iter().filter_map(Value::as_str);
-        Self {
-            folders: uris.map(|uri| Uri(uri.to_owned())).collect(),
-            closed: BTreeMap::new(),
-        }
+        Self { folders: uris.map(|uri| Uri(uri.to_owned())).collect(), closed: BTreeMap::new() }
     }
 
     /// Folders come and go.
     pub(super) fn change(&mut self, change: WorkspaceFoldersChangeEvent) {
         let gone: Vec<_> = change.removed.into_iter().map(|gone| gone.uri.0).collect();
         self.folders.retain(|folder| !gone.contains(&folder.0));
-        self.folders
-            .extend(change.added.into_iter().map(|new| new.uri));
+        self.folders.extend(change.added.into_iter().map(|new| new.uri));
     }
 
     /// Reads what is not open, as it is now.

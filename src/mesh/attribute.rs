@@ -191,16 +191,8 @@ pub struct ColumnConflict {
 
 impl fmt::Display for ColumnConflict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            kind,
-            name,
-            has,
-            wanted,
-        } = self;
-        write!(
-            f,
-            "the {kind} attribute `{name}` is of type {has}, not {wanted}"
-        )
+        let Self { kind, name, has, wanted } = self;
+        write!(f, "the {kind} attribute `{name}` is of type {has}, not {wanted}")
     }
 }
 
@@ -281,25 +273,13 @@ impl Mesh {
             let wanted = default.attribute_type();
             return match has == wanted {
                 true => Ok(id),
-                false => Err(ColumnConflict {
-                    kind,
-                    name: name.to_owned(),
-                    has,
-                    wanted,
-                }),
+                false => Err(ColumnConflict { kind, name: name.to_owned(), has, wanted }),
             };
         }
         let data = default.column(self.capacity(kind));
         let columns = &mut self.columns[kind as usize].0;
-        columns.push(Column {
-            name: name.to_owned(),
-            default,
-            data,
-        });
-        Ok(ColumnId {
-            kind,
-            place: columns.len() as u32 - 1,
-        })
+        columns.push(Column { name: name.to_owned(), default, data });
+        Ok(ColumnId { kind, place: columns.len() as u32 - 1 })
     }
 
     /// Says what new elements get from now on. False, and nothing changed, when the type is
@@ -325,28 +305,14 @@ impl Mesh {
     }
 
     pub fn find_column(&self, kind: ElementKind, name: &str) -> Option<ColumnId> {
-        let place = self.columns[kind as usize]
-            .0
-            .iter()
-            .position(|c| c.name == name)?;
-        Some(ColumnId {
-            kind,
-            place: place as u32,
-        })
+        let place = self.columns[kind as usize].0.iter().position(|c| c.name == name)?;
+        Some(ColumnId { kind, place: place as u32 })
     }
 
     /// The columns of a kind, in the order they were added.
     pub fn columns(&self, kind: ElementKind) -> impl Iterator<Item = (ColumnId, &Column)> {
         let columns = self.columns[kind as usize].0.iter().enumerate();
-        columns.map(move |(place, column)| {
-            (
-                ColumnId {
-                    kind,
-                    place: place as u32,
-                },
-                column,
-            )
-        })
+        columns.map(move |(place, column)| (ColumnId { kind, place: place as u32 }, column))
     }
 
     /// The columns of all kinds that go into files.
@@ -409,9 +375,7 @@ impl Mesh {
 
     #[inline]
     pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
-        let column = self.columns[id.kind as usize]
-            .0
-            .get_mut(id.place as usize)?;
+        let column = self.columns[id.kind as usize].0.get_mut(id.place as usize)?;
         T::slice_mut(&mut column.data)
     }
 }

@@ -66,10 +66,7 @@ fn check_sizes(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildErro
     // Each halfedge may need a twin, and each polygon a hole around it.
     let sizes = [
         (ElementKind::Vertex, positions.len()),
-        (
-            ElementKind::Halfedge,
-            polygons.corners().len().saturating_mul(2),
-        ),
+        (ElementKind::Halfedge, polygons.corners().len().saturating_mul(2)),
         (ElementKind::Face, polygons.len().saturating_mul(2)),
     ];
     match sizes.into_iter().find(|&(_, size)| size >= ID_SPACE) {
@@ -80,26 +77,16 @@ fn check_sizes(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildErro
 
 fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildError> {
     if let Some(i) = positions.iter().position(|p| !p.is_finite()) {
-        return Err(BuildError::NotFinite {
-            vertex: i as u32,
-            position: positions[i],
-        });
+        return Err(BuildError::NotFinite { vertex: i as u32, position: positions[i] });
     }
     let vertices = positions.len();
     let mut sorted = Vec::new();
     for (polygon, corners) in polygons.iter().enumerate() {
         if corners.len() < 3 {
-            return Err(BuildError::TooFewCorners {
-                polygon,
-                corners: corners.len(),
-            });
+            return Err(BuildError::TooFewCorners { polygon, corners: corners.len() });
         }
         if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
-            return Err(BuildError::NoSuchVertex {
-                polygon,
-                vertex,
-                vertices,
-            });
+            return Err(BuildError::NoSuchVertex { polygon, vertex, vertices });
         }
         if let Some(vertex) = repeated(corners, &mut sorted) {
             return Err(BuildError::RepeatedCorner { polygon, vertex });
@@ -117,10 +104,7 @@ fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
     sorted.clear();
     sorted.extend_from_slice(corners);
     sorted.sort_unstable();
-    sorted
-        .windows(2)
-        .find(|pair| pair[0] == pair[1])
-        .map(|pair| pair[0])
+    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
 struct Builder<'p> {
@@ -145,10 +129,7 @@ impl<'p> Builder<'p> {
         let mut first = 0;
         for (polygon, corners) in self.polygons.iter().enumerate() {
             let last = first + corners.len() as u32 - 1;
-            self.mesh.faces.push(FaceRecord {
-                halfedge: HalfedgeId(first),
-                hole: false,
-            });
+            self.mesh.faces.push(FaceRecord { halfedge: HalfedgeId(first), hole: false });
             for (h, &v) in (first..).zip(corners) {
                 self.mesh.halfedges.push(HalfedgeRecord {
                     next: HalfedgeId(if h == last { first } else { h + 1 }),
@@ -240,21 +221,14 @@ impl<'p> Builder<'p> {
             let h = HalfedgeId(h as u32);
             let outer = HalfedgeId(mesh.halfedges.len() as u32);
             let v = mesh.vertex(mesh.next(h));
-            mesh.halfedges.push(HalfedgeRecord {
-                twin: h,
-                vertex: v,
-                ..HalfedgeRecord::UNSET
-            });
+            mesh.halfedges.push(HalfedgeRecord { twin: h, vertex: v, ..HalfedgeRecord::UNSET });
             mesh.set_twin(h, outer);
             // Each vertex has at most one outer halfedge, which it keeps as its own
             // until the loops are closed.
             let other = mesh.vertex_halfedge(v);
             if !other.is_none() {
                 let polygons = [mesh.face(mesh.twin(other)).index(), mesh.face(h).index()];
-                return Err(BuildError::BowTie {
-                    vertex: v.0,
-                    polygons,
-                });
+                return Err(BuildError::BowTie { vertex: v.0, polygons });
             }
             mesh.set_vertex_halfedge(v, outer);
         }
@@ -268,10 +242,7 @@ impl<'p> Builder<'p> {
             let outer = HalfedgeId(outer as u32);
             if mesh.face(outer).is_none() {
                 let hole = FaceId(mesh.faces.len() as u32);
-                mesh.faces.push(FaceRecord {
-                    halfedge: outer,
-                    hole: true,
-                });
+                mesh.faces.push(FaceRecord { halfedge: outer, hole: true });
                 mesh.holes += 1;
                 let mut at = outer;
                 while mesh.face(at).is_none() {
@@ -320,11 +291,7 @@ impl<'p> Builder<'p> {
                 }
             }
         }
-        if reached == mesh.halfedges.len() {
-            Ok(())
-        } else {
-            Err(self.bow_tie())
-        }
+        if reached == mesh.halfedges.len() { Ok(()) } else { Err(self.bow_tie()) }
     }
 
     #[cold]
@@ -338,9 +305,6 @@ impl<'p> Builder<'p> {
         let h = HalfedgeId(missed.expect("the walks missed a halfedge") as u32);
         let vertex = mesh.vertex(h);
         let polygons = [self.polygon(mesh.vertex_halfedge(vertex)), self.polygon(h)];
-        BuildError::BowTie {
-            vertex: vertex.0,
-            polygons,
-        }
+        BuildError::BowTie { vertex: vertex.0, polygons }
     }
 }

@@ -60,16 +60,9 @@ impl fmt::Display for BuildError {
             }
             Self::TooFewCorners { polygon, corners } => {
                 let s = if *corners == 1 { "" } else { "s" };
-                write!(
-                    f,
-                    "polygon {polygon} has {corners} corner{s}; a face needs 3 or more"
-                )
+                write!(f, "polygon {polygon} has {corners} corner{s}; a face needs 3 or more")
             }
-            Self::NoSuchVertex {
-                polygon,
-                vertex,
-                vertices,
-            } => {
+            Self::NoSuchVertex { polygon, vertex, vertices } => {
                 write!(
                     f,
                     "polygon {polygon} names vertex {vertex}, but there are {vertices} vertices"
@@ -78,25 +71,15 @@ impl fmt::Display for BuildError {
             Self::RepeatedCorner { polygon, vertex } => {
                 write!(f, "polygon {polygon} has vertex {vertex} as a corner twice")
             }
-            Self::EdgeUsedThrice {
-                ends: [v, w],
-                polygons: [a, b, c],
-            } => write!(
+            Self::EdgeUsedThrice { ends: [v, w], polygons: [a, b, c] } => write!(
                 f,
                 "polygons {a}, {b} and {c} share the edge between vertices {v} and {w}; an edge has two sides"
             ),
-            Self::SameDirection {
-                from,
-                to,
-                polygons: [a, b],
-            } => write!(
+            Self::SameDirection { from, to, polygons: [a, b] } => write!(
                 f,
                 "polygons {a} and {b} both run from vertex {from} to vertex {to}; one of them is turned over"
             ),
-            Self::BowTie {
-                vertex,
-                polygons: [a, b],
-            } => write!(
+            Self::BowTie { vertex, polygons: [a, b] } => write!(
                 f,
                 "polygons {a} and {b} meet at vertex {vertex} without an edge to join their fans"
             ),

@@ -166,9 +166,5 @@ impl Mesh {
 
 fn living<T>(table: &[T], lives: impl Fn(&T) -> bool + Clone) -> impl Iterator<Item = u32> + Clone {
     // Ids fit in u32 because no slot is added past the id space.
-    table
-        .iter()
-        .enumerate()
-        .filter(move |(_, record)| lives(record))
-        .map(|(i, _)| i as u32)
+    table.iter().enumerate().filter(move |(_, record)| lives(record)).map(|(i, _)| i as u32)
 }

@@ -56,11 +56,7 @@ impl fmt::Display for Difference {
                 });
                 f.write_str(&each.collect::<Vec<_>>().join("; "))
             }
-            Self::Elsewhere {
-                vertices,
-                first,
-                position: DVec3 { x, y, z },
-            } => {
+            Self::Elsewhere { vertices, first, position: DVec3 { x, y, z } } => {
                 let them = match vertices {
                     1 => "a vertex lies".to_owned(),
                     several => format!("{several} vertices lie"),
@@ -71,10 +67,7 @@ impl fmt::Display for Difference {
                     "{them} where the other mesh has none; the first is vertex {first}, at ({x}, {y}, {z})"
                 )
             }
-            Self::Missing {
-                first,
-                position: DVec3 { x, y, z },
-            } => {
+            Self::Missing { first, position: DVec3 { x, y, z } } => {
                 let first = first.0;
                 write!(
                     f,
@@ -109,11 +102,8 @@ pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
         ("faces", Mesh::face_count),
         ("boundary loops", Mesh::hole_count),
     ];
-    let counts = counts.map(|(what, count)| Count {
-        what,
-        ours: count(ours),
-        theirs: count(theirs),
-    });
+    let counts =
+        counts.map(|(what, count)| Count { what, ours: count(ours), theirs: count(theirs) });
     let differ: Vec<_> = counts.into_iter().filter(|c| c.ours != c.theirs).collect();
     if !differ.is_empty() {
         return Difference::Counts(differ);
@@ -129,19 +119,14 @@ pub fn difference(ours: &Mesh, theirs: &Mesh, tolerance: f64) -> Difference {
             position: ours.position(*first),
         };
     }
-    let partner: HashMap<_, _> = pairs
-        .into_iter()
-        .filter_map(|(v, near)| Some((v, near?)))
-        .collect();
+    let partner: HashMap<_, _> =
+        pairs.into_iter().filter_map(|(v, near)| Some((v, near?))).collect();
     let taken: HashSet<_> = partner.values().collect();
     if taken.len() < partner.len() {
         let here = Cells::of(ours, tolerance);
         let is_missing = |v: &VertexId| here.near(theirs.position(*v)).is_none();
         return match theirs.vertices().find(is_missing) {
-            Some(first) => Difference::Missing {
-                first,
-                position: theirs.position(first),
-            },
+            Some(first) => Difference::Missing { first, position: theirs.position(first) },
             None => Difference::Connected,
         };
     }
@@ -169,10 +154,8 @@ fn ends(mesh: &Mesh, e: EdgeId) -> [VertexId; 2] {
 }
 
 fn other_face(ours: &Mesh, theirs: &Mesh, partner: &Partners) -> Option<Difference> {
-    let known: HashSet<_> = theirs
-        .faces()
-        .map(|f| from_the_least(theirs.face_vertices(f).collect()))
-        .collect();
+    let known: HashSet<_> =
+        theirs.faces().map(|f| from_the_least(theirs.face_vertices(f).collect())).collect();
     let mut faces = ours.faces().map(|f| (f, ours.face_vertices(f)));
     let (face, _) = faces.find(|(f, _)| {
         let corners = ours.face_vertices(*f);
@@ -198,11 +181,7 @@ struct Cells<'m> {
 
 impl<'m> Cells<'m> {
     fn of(mesh: &'m Mesh, tolerance: f64) -> Self {
-        let mut cells = Self {
-            mesh,
-            tolerance,
-            inside: HashMap::new(),
-        };
+        let mut cells = Self { mesh, tolerance, inside: HashMap::new() };
         for v in mesh.vertices() {
             let cell = cells.cell(mesh.position(v));
             cells.inside.entry(cell).or_default().push(v);
@@ -226,8 +205,7 @@ impl<'m> Cells<'m> {
         });
         let cells = beside.filter_map(|moved| {
             let cell: Vec<_> = moved.map(|(at, by)| at.saturating_add(by)).collect();
-            self.inside
-                .get(<&[i64; 3]>::try_from(cell.as_slice()).ok()?)
+            self.inside.get(<&[i64; 3]>::try_from(cell.as_slice()).ok()?)
         });
         let is_near =
             |v: &&VertexId| (self.mesh.position(**v) - p).abs().max_element() <= self.tolerance;

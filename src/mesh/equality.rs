@@ -19,33 +19,18 @@ use super::level::scatter;
 
 /// Whether the meshes are the same up to renumbering, with equal positions.
 pub fn equal_up_to_renumbering(a: &Mesh, b: &Mesh) -> bool {
-    Comparison {
-        a,
-        b,
-        positions: Positions::Equal,
-    }
-    .holds()
+    Comparison { a, b, positions: Positions::Equal }.holds()
 }
 
 /// As [`equal_up_to_renumbering`], but each coordinate may be off by `tolerance`. Where
 /// points lie so close together that several would do, the first is taken.
 pub fn same_up_to_renumbering(a: &Mesh, b: &Mesh, tolerance: f64) -> bool {
-    Comparison {
-        a,
-        b,
-        positions: Positions::Within(tolerance),
-    }
-    .holds()
+    Comparison { a, b, positions: Positions::Within(tolerance) }.holds()
 }
 
 /// Whether the meshes are the same up to renumbering, wherever their vertices lie.
 pub fn same_connectivity(a: &Mesh, b: &Mesh) -> bool {
-    Comparison {
-        a,
-        b,
-        positions: Positions::Anywhere,
-    }
-    .holds()
+    Comparison { a, b, positions: Positions::Anywhere }.holds()
 }
 
 #[derive(Clone, Copy)]
@@ -80,20 +65,14 @@ struct Piece {
 impl Comparison<'_> {
     fn holds(&self) -> bool {
         let count = |mesh: &Mesh, kind| mesh.count(kind);
-        if ElementKind::ALL
-            .iter()
-            .any(|&kind| count(self.a, kind) != count(self.b, kind))
+        if ElementKind::ALL.iter().any(|&kind| count(self.a, kind) != count(self.b, kind))
             || self.a.hole_count() != self.b.hole_count()
             || !self.same_isolated_vertices()
         {
             return false;
         }
         let (ours, theirs) = (self.pieces(self.a), self.pieces(self.b));
-        if !ours
-            .iter()
-            .map(|p| p.signature)
-            .eq(theirs.iter().map(|p| p.signature))
-        {
+        if !ours.iter().map(|p| p.signature).eq(theirs.iter().map(|p| p.signature)) {
             return false;
         }
         let mut pairing = Pairing::new(self);
@@ -101,9 +80,7 @@ impl Comparison<'_> {
         // Being the same is transitive, so a piece may take the first that is.
         ours.iter().all(|piece| {
             let first = theirs.partition_point(|p| p.signature < piece.signature);
-            let alike = theirs[first..]
-                .iter()
-                .take_while(|p| p.signature == piece.signature);
+            let alike = theirs[first..].iter().take_while(|p| p.signature == piece.signature);
             let found = (first..)
                 .zip(alike)
                 .find(|(i, other)| !used[*i] && pairing.match_piece(piece, other));
@@ -114,16 +91,11 @@ impl Comparison<'_> {
     fn pieces(&self, mesh: &Mesh) -> Vec<Piece> {
         let colors = self.colors(mesh);
         let piece = |halfedges: Vec<HalfedgeId>| {
-            let mut halfedges: Vec<_> = halfedges
-                .into_iter()
-                .map(|h| (colors[h.index()], h))
-                .collect();
+            let mut halfedges: Vec<_> =
+                halfedges.into_iter().map(|h| (colors[h.index()], h)).collect();
             halfedges.sort_unstable();
             let hashes = halfedges.iter().map(|&(color, _)| scatter(color));
-            Piece {
-                signature: hashes.fold(0, u64::wrapping_add),
-                halfedges,
-            }
+            Piece { signature: hashes.fold(0, u64::wrapping_add), halfedges }
         };
         let mut pieces: Vec<Piece> = components(mesh).into_iter().map(piece).collect();
         pieces.sort_by_key(|piece| piece.signature);
@@ -133,11 +105,7 @@ impl Comparison<'_> {
     /// Colors each halfedge by what surrounds it.
     fn colors(&self, mesh: &Mesh) -> Vec<u64> {
         // Distinct positions tell most halfedges apart at once.
-        let rounds = if matches!(self.positions, Positions::Equal) {
-            2
-        } else {
-            10
-        };
+        let rounds = if matches!(self.positions, Positions::Equal) { 2 } else { 10 };
         let start = |h: HalfedgeId| {
             let hole = u64::from(mesh.is_boundary_halfedge(h));
             let place = mesh.get_vertex(h).and_then(|v| mesh.get_position(v));
@@ -166,14 +134,10 @@ impl Comparison<'_> {
 
     fn same_isolated_vertices(&self) -> bool {
         let places = |mesh: &Mesh| {
-            let isolated = mesh
-                .vertices()
-                .filter(|&v| mesh.vertex_halfedge(v).is_none());
+            let isolated = mesh.vertices().filter(|&v| mesh.vertex_halfedge(v).is_none());
             let mut places: Vec<_> = isolated.map(|v| mesh.position(v) + DVec3::ZERO).collect();
             places.sort_by(|p, q| {
-                p.x.total_cmp(&q.x)
-                    .then(p.y.total_cmp(&q.y))
-                    .then(p.z.total_cmp(&q.z))
+                p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z))
             });
             places
         };
@@ -182,17 +146,12 @@ impl Comparison<'_> {
             return false;
         }
         let Positions::Within(tolerance) = self.positions else {
-            return ours
-                .iter()
-                .zip(&theirs)
-                .all(|(p, q)| self.positions.agree(*p, *q));
+            return ours.iter().zip(&theirs).all(|(p, q)| self.positions.agree(*p, *q));
         };
         let mut used = vec![false; theirs.len()];
         ours.iter().all(|&p| {
             let first = theirs.partition_point(|q| q.x < p.x - tolerance);
-            let near = theirs[first..]
-                .iter()
-                .take_while(|q| q.x <= p.x + tolerance);
+            let near = theirs[first..].iter().take_while(|q| q.x <= p.x + tolerance);
             let mut found = (first..).zip(near);
             let found = found.find(|(i, q)| !used[*i] && self.positions.agree(p, **q));
             found.map(|(i, _)| used[i] = true).is_some()
@@ -237,38 +196,24 @@ impl<'c> Pairing<'c> {
             back: vec![UNPAIRED; comparison.b.capacity(kind)],
             trail: Vec::new(),
         };
-        Self {
-            comparison,
-            tables: ElementKind::ALL.map(table),
-        }
+        Self { comparison, tables: ElementKind::ALL.map(table) }
     }
 
     /// Pairs all of one piece with all of another, or nothing.
     fn match_piece(&mut self, ours: &Piece, theirs: &Piece) -> bool {
-        let rarest = ours
-            .halfedges
-            .chunk_by(|a, b| a.0 == b.0)
-            .min_by_key(|chunk| chunk.len());
+        let rarest = ours.halfedges.chunk_by(|a, b| a.0 == b.0).min_by_key(|chunk| chunk.len());
         let Some(&[(color, seed), ..]) = rarest else {
             return true;
         };
-        let first = theirs
-            .halfedges
-            .partition_point(|&(other, _)| other < color);
-        let alike = theirs.halfedges[first..]
-            .iter()
-            .take_while(|&&(other, _)| other == color);
-        alike
-            .into_iter()
-            .any(|&(_, candidate)| self.walk(seed, candidate))
+        let first = theirs.halfedges.partition_point(|&(other, _)| other < color);
+        let alike = theirs.halfedges[first..].iter().take_while(|&&(other, _)| other == color);
+        alike.into_iter().any(|&(_, candidate)| self.walk(seed, candidate))
     }
 
     /// Walks both meshes in step from a pair of halfedges. Undone if they disagree.
     fn walk(&mut self, seed: HalfedgeId, candidate: HalfedgeId) -> bool {
         let mut open = vec![(seed, candidate)];
-        let mut agrees = self
-            .pair(ElementKind::Halfedge, seed.0, candidate.0)
-            .is_some();
+        let mut agrees = self.pair(ElementKind::Halfedge, seed.0, candidate.0).is_some();
         while let Some((x, y)) = open.pop().filter(|_| agrees) {
             let (p, q) = (self.comparison.a.halfedge(x), self.comparison.b.halfedge(y));
             for (x, y) in [(p.next, q.next), (p.prev, q.prev), (p.twin, q.twin)] {
@@ -278,9 +223,7 @@ impl<'c> Pairing<'c> {
                     None => agrees = false,
                 }
             }
-            agrees &= self
-                .pair(ElementKind::Vertex, p.vertex.0, q.vertex.0)
-                .is_some()
+            agrees &= self.pair(ElementKind::Vertex, p.vertex.0, q.vertex.0).is_some()
                 && self.pair(ElementKind::Edge, p.edge.0, q.edge.0).is_some()
                 && self.pair(ElementKind::Face, p.face.0, q.face.0).is_some();
         }
@@ -313,11 +256,7 @@ impl<'c> Pairing<'c> {
             }
             ElementKind::Halfedge | ElementKind::Edge => true,
         };
-        if alike {
-            self.tables[kind as usize].pair(x, y)
-        } else {
-            None
-        }
+        if alike { self.tables[kind as usize].pair(x, y) } else { None }
     }
 }
 

@@ -20,8 +20,7 @@ impl Mesh {
     }
 
     pub fn length(&self, e: EdgeId) -> f64 {
-        self.get_edge_halfedge(e)
-            .map_or(0.0, |h| self.vector(h).length())
+        self.get_edge_halfedge(e).map_or(0.0, |h| self.vector(h).length())
     }
 
     /// Normal to the face, as long as its area.
@@ -66,11 +65,7 @@ impl Mesh {
             sum += at;
             corners += 1.0;
         }
-        if corners > 0.0 {
-            sum / corners
-        } else {
-            DVec3::ZERO
-        }
+        if corners > 0.0 { sum / corners } else { DVec3::ZERO }
     }
 }
 

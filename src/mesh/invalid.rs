@@ -60,76 +60,31 @@ impl fmt::Display for Invalid {
             Self::Dangling { of, pointer, to } => {
                 write!(f, "the `{pointer}` of {of} is {to}, which does not exist")
             }
-            Self::NotInverse {
-                halfedge,
-                pointer: "prev",
-                to,
-                back,
-            } => {
-                write!(
-                    f,
-                    "the `prev` of {halfedge} is {to}, but after {to} comes {back}"
-                )
+            Self::NotInverse { halfedge, pointer: "prev", to, back } => {
+                write!(f, "the `prev` of {halfedge} is {to}, but after {to} comes {back}")
             }
-            Self::NotInverse {
-                halfedge, to, back, ..
-            } => {
-                write!(
-                    f,
-                    "after {halfedge} comes {to}, but the `prev` of {to} is {back}"
-                )
+            Self::NotInverse { halfedge, to, back, .. } => {
+                write!(f, "after {halfedge} comes {to}, but the `prev` of {to} is {back}")
             }
             Self::TwinOfItself { halfedge } => write!(f, "{halfedge} is its own twin"),
-            Self::TwinNotMutual {
-                halfedge,
-                twin,
-                back,
-            } => {
-                write!(
-                    f,
-                    "the twin of {halfedge} is {twin}, but the twin of {twin} is {back}"
-                )
+            Self::TwinNotMutual { halfedge, twin, back } => {
+                write!(f, "the twin of {halfedge} is {twin}, but the twin of {twin} is {back}")
             }
-            Self::Disagree {
-                halfedges: [a, b],
-                says: [x, y],
-            } => {
+            Self::Disagree { halfedges: [a, b], says: [x, y] } => {
                 let orbit = orbit_name(x.kind);
-                write!(
-                    f,
-                    "{a} and {b} lie in one {orbit}, but one says {x} and the other {y}"
-                )
+                write!(f, "{a} and {b} lie in one {orbit}, but one says {x} and the other {y}")
             }
-            Self::ForeignHalfedge {
-                element,
-                halfedge,
-                says,
-            } => {
-                write!(
-                    f,
-                    "the `halfedge` of {element} is {halfedge}, which says {says}"
-                )
+            Self::ForeignHalfedge { element, halfedge, says } => {
+                write!(f, "the `halfedge` of {element} is {halfedge}, which says {says}")
             }
-            Self::SeveralOrbits {
-                element,
-                halfedges: [a, b],
-            } if a.is_none() => {
+            Self::SeveralOrbits { element, halfedges: [a, b] } if a.is_none() => {
                 write!(f, "{element} has no `halfedge`, but {b} says {element}")
             }
-            Self::SeveralOrbits {
-                element,
-                halfedges: [a, b],
-            } => {
+            Self::SeveralOrbits { element, halfedges: [a, b] } => {
                 let orbit = orbit_name(element.kind);
-                write!(
-                    f,
-                    "{element} would be two {orbit}s, one with {a} and one with {b}"
-                )
+                write!(f, "{element} would be two {orbit}s, one with {a} and one with {b}")
             }
-            Self::NotFinite {
-                vertex,
-                position: DVec3 { x, y, z },
-            } => {
+            Self::NotFinite { vertex, position: DVec3 { x, y, z } } => {
                 write!(f, "{vertex} lies at {x} {y} {z}, which is no place")
             }
         }

@@ -83,11 +83,8 @@ impl Plane {
     fn of(corners: &[DVec3]) -> Option<Self> {
         let first = *corners.first()?;
         let ahead = corners.iter().cycle().skip(1);
-        let twice_area: DVec3 = corners
-            .iter()
-            .zip(ahead)
-            .map(|(&p, &q)| (p - first).cross(q - first))
-            .sum();
+        let twice_area: DVec3 =
+            corners.iter().zip(ahead).map(|(&p, &q)| (p - first).cross(q - first)).sum();
         let normal = twice_area.try_normalize()?;
         // For a polygon in the plane of x and y these are x and y, without rounding.
         let right = match normal.x.abs() < 0.9 {
@@ -114,12 +111,7 @@ fn centroid_of_kernel(polygon: &[DVec2]) -> Option<DVec2> {
     let low = polygon.iter().copied().reduce(DVec2::min)?;
     let high = polygon.iter().copied().reduce(DVec2::max)?;
     let size = high - low;
-    let mut kernel = vec![
-        low,
-        DVec2::new(high.x, low.y),
-        high,
-        DVec2::new(low.x, high.y),
-    ];
+    let mut kernel = vec![low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
     for (at, &from) in polygon.iter().enumerate() {
         let to = polygon[(at + 1) % polygon.len()];
         kernel = left_of(from, to, &kernel);
@@ -168,14 +160,8 @@ mod tests {
         let square = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
         assert_eq!(centroid_of_kernel(&square), Some(DVec2::ONE));
         // The corner of an L is seen from the square at its bend.
-        let bent = polygon(&[
-            [0.0, 0.0],
-            [3.0, 0.0],
-            [3.0, 1.0],
-            [1.0, 1.0],
-            [1.0, 3.0],
-            [0.0, 3.0],
-        ]);
+        let bent =
+            polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]]);
         assert_eq!(centroid_of_kernel(&bent), Some(DVec2::splat(0.5)));
         // From nowhere all of a U is seen.
         let cup = polygon(&[
@@ -215,11 +201,7 @@ mod tests {
         }
         assert_eq!(seen, 5);
         let closed = shape::octahedron();
-        assert!(
-            closed
-                .edges()
-                .all(|e| closed.link_polygon(e).unwrap().len() == 4)
-        );
+        assert!(closed.edges().all(|e| closed.link_polygon(e).unwrap().len() == 4));
         let border = shape::single_polygon(3);
         assert!(border.edges().all(|e| border.kernel_centroid(e).is_none()));
     }

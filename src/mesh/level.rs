@@ -50,39 +50,15 @@ impl fmt::Display for Level {
 #[derive(Clone, Debug, PartialEq)]
 pub enum BelowLevel {
     Invalid(Invalid),
-    SmallFace {
-        face: FaceId,
-        size: usize,
-    },
-    MeetsTwice {
-        face: FaceId,
-        hole: bool,
-        vertex: VertexId,
-    },
-    SingleSpoke {
-        vertex: VertexId,
-    },
-    NoFaceAround {
-        vertex: VertexId,
-    },
-    Pinched {
-        vertex: VertexId,
-        holes: [FaceId; 2],
-    },
-    NoFaceAlong {
-        edge: EdgeId,
-    },
-    EndsWhereItBegins {
-        edge: EdgeId,
-        vertex: VertexId,
-    },
-    DoubleEdge {
-        edges: [EdgeId; 2],
-        ends: [VertexId; 2],
-    },
-    SameCorners {
-        faces: [FaceId; 2],
-    },
+    SmallFace { face: FaceId, size: usize },
+    MeetsTwice { face: FaceId, hole: bool, vertex: VertexId },
+    SingleSpoke { vertex: VertexId },
+    NoFaceAround { vertex: VertexId },
+    Pinched { vertex: VertexId, holes: [FaceId; 2] },
+    NoFaceAlong { edge: EdgeId },
+    EndsWhereItBegins { edge: EdgeId, vertex: VertexId },
+    DoubleEdge { edges: [EdgeId; 2], ends: [VertexId; 2] },
+    SameCorners { faces: [FaceId; 2] },
 }
 
 impl fmt::Display for BelowLevel {
@@ -91,36 +67,18 @@ impl fmt::Display for BelowLevel {
             Self::Invalid(invalid) => invalid.fmt(f),
             Self::SmallFace { face, size: 1 } => write!(f, "{face} has only 1 side"),
             Self::SmallFace { face, size } => write!(f, "{face} has only {size} sides"),
-            Self::MeetsTwice {
-                face,
-                hole: false,
-                vertex,
-            } => {
+            Self::MeetsTwice { face, hole: false, vertex } => {
                 write!(f, "{face} meets {vertex} twice")
             }
-            Self::MeetsTwice {
-                face,
-                hole: true,
-                vertex,
-            } => {
+            Self::MeetsTwice { face, hole: true, vertex } => {
                 write!(f, "hole {} meets {vertex} twice", face.0)
             }
             Self::SingleSpoke { vertex } => write!(f, "{vertex} has a single edge"),
             Self::NoFaceAround { vertex } => write!(f, "{vertex} has holes only around it"),
-            Self::Pinched {
-                vertex,
-                holes: [a, b],
-            } if a == b => {
-                write!(
-                    f,
-                    "the surface is pinched at {vertex}, which hole {} meets twice",
-                    a.0
-                )
+            Self::Pinched { vertex, holes: [a, b] } if a == b => {
+                write!(f, "the surface is pinched at {vertex}, which hole {} meets twice", a.0)
             }
-            Self::Pinched {
-                vertex,
-                holes: [a, b],
-            } => {
+            Self::Pinched { vertex, holes: [a, b] } => {
                 write!(
                     f,
                     "the surface is pinched at {vertex}, where holes {} and {} meet",
@@ -131,10 +89,7 @@ impl fmt::Display for BelowLevel {
             Self::EndsWhereItBegins { edge, vertex } => {
                 write!(f, "{edge} begins and ends at {vertex}")
             }
-            Self::DoubleEdge {
-                edges: [a, b],
-                ends: [v, w],
-            } => {
+            Self::DoubleEdge { edges: [a, b], ends: [v, w] } => {
                 write!(f, "{a} and {b} both join {v} and {w}")
             }
             Self::SameCorners { faces: [a, b] } => write!(f, "{a} and {b} have the same corners"),
@@ -191,11 +146,7 @@ fn loops_meet_vertices_once(mesh: &Mesh) -> Result<(), BelowLevel> {
     for face in mesh.faces() {
         for vertex in mesh.face_vertices(face) {
             if std::mem::replace(&mut seen_by[vertex.index()], face) == face {
-                return Err(BelowLevel::MeetsTwice {
-                    face,
-                    hole: mesh.is_hole(face),
-                    vertex,
-                });
+                return Err(BelowLevel::MeetsTwice { face, hole: mesh.is_hole(face), vertex });
             }
         }
     }
@@ -203,20 +154,14 @@ fn loops_meet_vertices_once(mesh: &Mesh) -> Result<(), BelowLevel> {
 }
 
 fn vertices_have_one_fan_of_faces(mesh: &Mesh) -> Result<(), BelowLevel> {
-    for vertex in mesh
-        .vertices()
-        .filter(|&v| !mesh.vertex_halfedge(v).is_none())
-    {
+    for vertex in mesh.vertices().filter(|&v| !mesh.vertex_halfedge(v).is_none()) {
         let (mut spokes, mut faces, mut hole) = (0, 0, None);
         for face in mesh.spokes(vertex).map(|h| mesh.face(h)) {
             spokes += 1;
             if !mesh.is_hole(face) {
                 faces += 1;
             } else if let Some(other) = hole.replace(face) {
-                return Err(BelowLevel::Pinched {
-                    vertex,
-                    holes: [other, face],
-                });
+                return Err(BelowLevel::Pinched { vertex, holes: [other, face] });
             }
         }
         if faces == 0 {
@@ -259,10 +204,7 @@ fn edges_are_single(mesh: &Mesh) -> Result<(), BelowLevel> {
             let other = std::mem::replace(&mut reached[target.index()], h);
             if !other.is_none() && mesh.vertex(other) == vertex {
                 let edges = [mesh.edge(other), mesh.edge(h)];
-                return Err(BelowLevel::DoubleEdge {
-                    edges,
-                    ends: [vertex, target],
-                });
+                return Err(BelowLevel::DoubleEdge { edges, ends: [vertex, target] });
             }
         }
     }
@@ -277,19 +219,11 @@ fn faces_differ_in_corners(mesh: &Mesh) -> Result<(), BelowLevel> {
         sums.push((corners.fold(0, u64::wrapping_add), face));
     }
     sums.sort_unstable();
-    for equal in sums
-        .chunk_by(|a, b| a.0 == b.0)
-        .filter(|chunk| chunk.len() > 1)
-    {
-        let mut faces: Vec<_> = equal
-            .iter()
-            .map(|&(_, f)| (sorted_corners(mesh, f), f))
-            .collect();
+    for equal in sums.chunk_by(|a, b| a.0 == b.0).filter(|chunk| chunk.len() > 1) {
+        let mut faces: Vec<_> = equal.iter().map(|&(_, f)| (sorted_corners(mesh, f), f)).collect();
         faces.sort_unstable();
         if let Some(pair) = faces.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            return Err(BelowLevel::SameCorners {
-                faces: [pair[0].1, pair[1].1],
-            });
+            return Err(BelowLevel::SameCorners { faces: [pair[0].1, pair[1].1] });
         }
     }
     Ok(())

@@ -30,12 +30,7 @@ pub fn validate_level_near(
     if level == Level::Map {
         return Ok(());
     }
-    let Footprint {
-        vertices,
-        edges,
-        faces,
-        ..
-    } = orbits(mesh, footprint);
+    let Footprint { vertices, edges, faces, .. } = orbits(mesh, footprint);
     for &face in &faces {
         loop_is_sound(mesh, face)?;
     }
@@ -75,11 +70,9 @@ fn orbits(mesh: &Mesh, written: &Footprint) -> Footprint {
         near.vertices.extend(mesh.get_target(h));
         near.edges.extend(mesh.get_edge(h));
         near.faces.extend(mesh.get_face(h));
-        near.faces
-            .extend(mesh.get_twin(h).and_then(|twin| mesh.get_face(twin)));
+        near.faces.extend(mesh.get_twin(h).and_then(|twin| mesh.get_face(twin)));
     }
-    near.vertices
-        .retain(|&v| mesh.get_vertex_halfedge(v).is_some_and(|h| !h.is_none()));
+    near.vertices.retain(|&v| mesh.get_vertex_halfedge(v).is_some_and(|h| !h.is_none()));
     near.edges.retain(|&e| mesh.get_edge_halfedge(e).is_some());
     near.faces.retain(|&f| mesh.get_face_halfedge(f).is_some());
     near.vertices.sort_unstable();
@@ -113,10 +106,7 @@ fn star_is_sound(mesh: &Mesh, vertex: VertexId) -> Result<(), BelowLevel> {
     let holes: Vec<_> = around().filter(|&face| mesh.is_hole(face)).collect();
     match holes.as_slice() {
         holes if holes.len() == spokes => Err(BelowLevel::NoFaceAround { vertex }),
-        &[first, second, ..] => Err(BelowLevel::Pinched {
-            vertex,
-            holes: [first, second],
-        }),
+        &[first, second, ..] => Err(BelowLevel::Pinched { vertex, holes: [first, second] }),
         _ if spokes < 2 => Err(BelowLevel::SingleSpoke { vertex }),
         _ => Ok(()),
     }
@@ -124,19 +114,15 @@ fn star_is_sound(mesh: &Mesh, vertex: VertexId) -> Result<(), BelowLevel> {
 
 /// The spokes of a vertex lead to different vertices, and none back.
 fn neighbors_differ(mesh: &Mesh, vertex: VertexId) -> Result<(), BelowLevel> {
-    let mut reached: Vec<_> = mesh
-        .spokes(vertex)
-        .map(|h| (mesh.target(h), mesh.edge(h)))
-        .collect();
+    let mut reached: Vec<_> = mesh.spokes(vertex).map(|h| (mesh.target(h), mesh.edge(h))).collect();
     reached.sort_unstable();
     if let Some(&(_, edge)) = reached.iter().find(|(target, _)| *target == vertex) {
         return Err(BelowLevel::EndsWhereItBegins { edge, vertex });
     }
     match reached.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        Some(&[(target, first), (_, second)]) => Err(BelowLevel::DoubleEdge {
-            edges: [first, second],
-            ends: [vertex, target],
-        }),
+        Some(&[(target, first), (_, second)]) => {
+            Err(BelowLevel::DoubleEdge { edges: [first, second], ends: [vertex, target] })
+        }
         _ => Ok(()),
     }
 }

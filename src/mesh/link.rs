@@ -103,9 +103,7 @@ impl Mesh {
     fn common_neighbors_of_large_stars(&self, a: VertexId, b: VertexId) -> usize {
         let mut around_a: Vec<VertexId> = self.neighbors(a).collect();
         around_a.sort_unstable();
-        self.neighbors(b)
-            .filter(|v| around_a.binary_search(v).is_ok())
-            .count()
+        self.neighbors(b).filter(|v| around_a.binary_search(v).is_ok()).count()
     }
 }
 

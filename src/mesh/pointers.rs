@@ -84,9 +84,7 @@ impl Mesh {
 impl Mesh {
     #[inline]
     pub fn get_halfedge(&self, h: HalfedgeId) -> Option<&HalfedgeRecord> {
-        self.halfedges
-            .get(h.index())
-            .filter(|record| record.lives())
+        self.halfedges.get(h.index()).filter(|record| record.lives())
     }
 
     #[inline]

@@ -13,10 +13,7 @@ impl Polygons {
     }
 
     pub fn with_capacity(polygons: usize, corners: usize) -> Self {
-        Self {
-            corners: Vec::with_capacity(corners),
-            ends: Vec::with_capacity(polygons),
-        }
+        Self { corners: Vec::with_capacity(corners), ends: Vec::with_capacity(polygons) }
     }
 
     pub fn push(&mut self, corners: &[u32]) {
@@ -51,9 +48,7 @@ impl Polygons {
 
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + '_ {
         let mut start = 0;
-        self.ends
-            .iter()
-            .map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
+        self.ends.iter().map(move |&end| &self.corners[std::mem::replace(&mut start, end)..end])
     }
 }
 

@@ -39,17 +39,8 @@ pub fn tetrahedron() -> Mesh {
 pub fn cube() -> Mesh {
     let corner = |i: u32, bit: u32| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
     build(
-        (0..8)
-            .map(|i| DVec3::new(corner(i, 0), corner(i, 1), corner(i, 2)))
-            .collect(),
-        [
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-        ],
+        (0..8).map(|i| DVec3::new(corner(i, 0), corner(i, 1), corner(i, 2))).collect(),
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]],
     )
 }
 
@@ -115,10 +106,7 @@ pub fn grid(n: u32, m: u32) -> Mesh {
 /// A grid with each square cut in two: a disk of `2nm` triangles.
 pub fn triangle_grid(n: u32, m: u32) -> Mesh {
     let (n, m) = (n.max(1), m.max(1));
-    build(
-        lattice(n + 1, m + 1),
-        squares(n, m, n + 1, m + 1).flat_map(halves),
-    )
+    build(lattice(n + 1, m + 1), squares(n, m, n + 1, m + 1).flat_map(halves))
 }
 
 /// `n` by `m` quads around a torus; 3 by 3 at least.
@@ -136,20 +124,14 @@ pub fn triangle_torus(n: u32, m: u32) -> Mesh {
 /// An open cylinder: `n` quads around, `m` along.
 pub fn tube(n: u32, m: u32) -> Mesh {
     let (n, m) = (n.max(3), m.max(1));
-    build(
-        (0..=m).flat_map(|j| circle(n, f64::from(j))).collect(),
-        squares(n, m, n, m + 1),
-    )
+    build((0..=m).flat_map(|j| circle(n, f64::from(j))).collect(), squares(n, m, n, m + 1))
 }
 
 /// `n` triangles around vertex 0.
 pub fn fan(n: u32) -> Mesh {
     let n = n.max(3);
     let positions = std::iter::once(DVec3::ZERO).chain(circle(n, 0.0));
-    build(
-        positions.collect(),
-        (0..n).map(|i| [0, 1 + i, 1 + (i + 1) % n]),
-    )
+    build(positions.collect(), (0..n).map(|i| [0, 1 + i, 1 + (i + 1) % n]))
 }
 
 /// One face with `n` sides and the hole around it.
@@ -161,10 +143,7 @@ pub fn single_polygon(n: u32) -> Mesh {
 /// Two faces with `n` sides, back to back.
 pub fn pillow(n: u32) -> Mesh {
     let n = n.max(3);
-    build(
-        circle(n, 0.0).collect(),
-        [(0..n).collect::<Vec<_>>(), (0..n).rev().collect()],
-    )
+    build(circle(n, 0.0).collect(), [(0..n).collect::<Vec<_>>(), (0..n).rev().collect()])
 }
 
 fn lattice(n: u32, m: u32) -> Vec<DVec3> {

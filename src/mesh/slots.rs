@@ -52,14 +52,7 @@ impl Mesh {
     /// A new face without a halfedge; it is not a hole.
     pub fn add_face(&mut self) -> FaceId {
         let id = FaceId(self.take_slot(ElementKind::Face));
-        put(
-            &mut self.faces,
-            id.index(),
-            FaceRecord {
-                halfedge: HalfedgeId::NONE,
-                hole: false,
-            },
-        );
+        put(&mut self.faces, id.index(), FaceRecord { halfedge: HalfedgeId::NONE, hole: false });
         id
     }
 
@@ -123,13 +116,12 @@ impl Mesh {
 
     /// Whether that many elements can still be added before ids run out.
     pub fn can_add(&self, vertices: usize, halfedges: usize, edges: usize, faces: usize) -> bool {
-        ElementKind::ALL
-            .into_iter()
-            .zip([vertices, halfedges, edges, faces])
-            .all(|(kind, wanted)| {
+        ElementKind::ALL.into_iter().zip([vertices, halfedges, edges, faces]).all(
+            |(kind, wanted)| {
                 let free = self.slots[kind as usize].free.len();
                 wanted <= free + (ID_SPACE - self.capacity(kind))
-            })
+            },
+        )
     }
 
     /// A free slot, or the one after the last. The caller has asked `can_add` where

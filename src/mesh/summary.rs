@@ -108,9 +108,7 @@ fn attributes(mesh: &Mesh) -> Vec<AttributeSummary> {
 }
 
 fn isolated_vertices(mesh: &Mesh) -> usize {
-    mesh.vertices()
-        .filter(|&v| mesh.vertex_halfedge(v).is_none())
-        .count()
+    mesh.vertices().filter(|&v| mesh.vertex_halfedge(v).is_none()).count()
 }
 
 impl Measures {
@@ -122,10 +120,7 @@ impl Measures {
         // Each component has V - E + F = 2 - 2g once its holes are faces.
         let closed = euler_characteristic + mesh.hole_count() as i64;
         let genus = components as i64 - closed / 2;
-        let degrees = mesh
-            .vertices()
-            .map(|v| mesh.degree(v))
-            .filter(|&degree| degree > 0);
+        let degrees = mesh.vertices().map(|v| mesh.degree(v)).filter(|&degree| degree > 0);
         let faces = || mesh.faces().filter(|&f| !mesh.is_hole(f));
         Self {
             euler_characteristic,
@@ -145,18 +140,14 @@ fn histogram(sizes: impl Iterator<Item = usize>) -> Vec<Bin> {
     for size in sizes {
         *counts.entry(size).or_insert(0) += 1;
     }
-    counts
-        .into_iter()
-        .map(|(size, count)| Bin { size, count })
-        .collect()
+    counts.into_iter().map(|(size, count)| Bin { size, count }).collect()
 }
 
 fn bounds(mesh: &Mesh) -> Option<[[f64; 3]; 2]> {
     let mut places = mesh.vertices().map(|v| mesh.position(v));
     let first = places.next()?;
-    let (low, high) = places.fold((first, first), |(low, high), place| {
-        (low.min(place), high.max(place))
-    });
+    let (low, high) =
+        places.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
     Some([low.to_array(), high.to_array()])
 }
 
@@ -175,11 +166,7 @@ impl Lengths {
             mean,
             max: lengths().fold(0.0, f64::max),
             standard_deviation,
-            spread: if mean > 0.0 {
-                standard_deviation / mean
-            } else {
-                0.0
-            },
+            spread: if mean > 0.0 { standard_deviation / mean } else { 0.0 },
         })
     }
 }
@@ -192,18 +179,12 @@ mod tests {
     #[test]
     fn genus_and_components() {
         let torus = Summary::of(&shape::torus(4, 4)).measures.unwrap();
-        assert_eq!(
-            (torus.euler_characteristic, torus.genus, torus.components),
-            (0, 1, 1)
-        );
+        assert_eq!((torus.euler_characteristic, torus.genus, torus.components), (0, 1, 1));
         let tube = Summary::of(&shape::tube(5, 2));
         assert_eq!(tube.holes, 2);
         let measures = tube.measures.unwrap();
         assert_eq!((measures.euler_characteristic, measures.genus), (0, 0));
-        assert_eq!(
-            measures.degrees,
-            [Bin { size: 3, count: 10 }, Bin { size: 4, count: 5 }]
-        );
+        assert_eq!(measures.degrees, [Bin { size: 3, count: 10 }, Bin { size: 4, count: 5 }]);
         assert_eq!(measures.face_sizes, [Bin { size: 4, count: 10 }]);
     }
 

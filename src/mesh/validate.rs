@@ -69,22 +69,12 @@ pub fn next_is_permutation(mesh: &Mesh) -> Result<(), Invalid> {
         let next = mesh.next(halfedge);
         let back = mesh.get_prev(next).unwrap_or(HalfedgeId::NONE);
         if back != halfedge {
-            return Err(Invalid::NotInverse {
-                halfedge,
-                pointer: "next",
-                to: next,
-                back,
-            });
+            return Err(Invalid::NotInverse { halfedge, pointer: "next", to: next, back });
         }
         let prev = mesh.prev(halfedge);
         let back = mesh.get_next(prev).unwrap_or(HalfedgeId::NONE);
         if back != halfedge {
-            return Err(Invalid::NotInverse {
-                halfedge,
-                pointer: "prev",
-                to: prev,
-                back,
-            });
+            return Err(Invalid::NotInverse { halfedge, pointer: "prev", to: prev, back });
         }
     }
     Ok(())
@@ -99,11 +89,7 @@ pub fn twin_is_involution(mesh: &Mesh) -> Result<(), Invalid> {
         }
         let back = mesh.get_twin(twin).unwrap_or(HalfedgeId::NONE);
         if back != halfedge {
-            return Err(Invalid::TwinNotMutual {
-                halfedge,
-                twin,
-                back,
-            });
+            return Err(Invalid::TwinNotMutual { halfedge, twin, back });
         }
     }
     Ok(())
@@ -112,20 +98,14 @@ pub fn twin_is_involution(mesh: &Mesh) -> Result<(), Invalid> {
 /// Faces and holes are the cycles of `next`, each with a halfedge of its own.
 pub fn faces_are_orbits(mesh: &Mesh) -> Result<(), Invalid> {
     let own = mesh.faces().map(|f| (f.into(), mesh.face_halfedge(f)));
-    let orbits = Orbits {
-        successor: |h| mesh.get_next(h),
-        label: |h| mesh.face(h).into(),
-    };
+    let orbits = Orbits { successor: |h| mesh.get_next(h), label: |h| mesh.face(h).into() };
     orbits.are(mesh, own)
 }
 
 /// Edges are the pairs of twins, each with a halfedge of its own.
 pub fn edges_are_orbits(mesh: &Mesh) -> Result<(), Invalid> {
     let own = mesh.edges().map(|e| (e.into(), mesh.edge_halfedge(e)));
-    let orbits = Orbits {
-        successor: |h| mesh.get_twin(h),
-        label: |h| mesh.edge(h).into(),
-    };
+    let orbits = Orbits { successor: |h| mesh.get_twin(h), label: |h| mesh.edge(h).into() };
     orbits.are(mesh, own)
 }
 
@@ -133,21 +113,14 @@ pub fn edges_are_orbits(mesh: &Mesh) -> Result<(), Invalid> {
 pub fn vertices_are_orbits(mesh: &Mesh) -> Result<(), Invalid> {
     let own = mesh.vertices().map(|v| (v.into(), mesh.vertex_halfedge(v)));
     let spoke = |h| mesh.get_twin(mesh.get_prev(h)?);
-    Orbits {
-        successor: spoke,
-        label: |h| mesh.vertex(h).into(),
-    }
-    .are(mesh, own)
+    Orbits { successor: spoke, label: |h| mesh.vertex(h).into() }.are(mesh, own)
 }
 
 pub fn positions_are_finite(mesh: &Mesh) -> Result<(), Invalid> {
     for v in mesh.vertices() {
         let position = mesh.position(v);
         if !position.is_finite() {
-            return Err(Invalid::NotFinite {
-                vertex: v.into(),
-                position,
-            });
+            return Err(Invalid::NotFinite { vertex: v.into(), position });
         }
     }
     Ok(())
@@ -177,10 +150,7 @@ where
             };
             let says = [(self.label)(h), (self.label)(successor)];
             if says[0] != says[1] {
-                return Err(Invalid::Disagree {
-                    halfedges: [h, successor],
-                    says,
-                });
+                return Err(Invalid::Disagree { halfedges: [h, successor], says });
             }
         }
         // Each step marks a halfedge, so the walks end even if the orbits do not close.
@@ -191,11 +161,7 @@ where
             }
             let says = (self.label)(halfedge);
             if says != element {
-                return Err(Invalid::ForeignHalfedge {
-                    element,
-                    halfedge,
-                    says,
-                });
+                return Err(Invalid::ForeignHalfedge { element, halfedge, says });
             }
             let mut at = Some(halfedge);
             while let Some(h) = at.filter(|&h| mesh.halfedge_alive(h) && !reached[h.index()]) {
@@ -209,10 +175,7 @@ where
                 let element = (self.label)(missed);
                 let first = own.clone().find(|&(x, _)| x == element);
                 let first = first.map_or(HalfedgeId::NONE, |(_, h)| h);
-                Err(Invalid::SeveralOrbits {
-                    element,
-                    halfedges: [first, missed],
-                })
+                Err(Invalid::SeveralOrbits { element, halfedges: [first, missed] })
             }
         }
     }

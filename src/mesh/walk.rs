@@ -25,12 +25,7 @@ struct Walk<'m> {
 
 impl<'m> Walk<'m> {
     fn new(mesh: &'m Mesh, start: HalfedgeId) -> Self {
-        Self {
-            mesh,
-            start,
-            at: start,
-            left: mesh.halfedges.len(),
-        }
+        Self { mesh, start, at: start, left: mesh.halfedges.len() }
     }
 
     #[inline]
@@ -41,11 +36,7 @@ impl<'m> Walk<'m> {
         }
         self.left -= 1;
         let to = successor(self.mesh, at);
-        self.at = if to == self.start {
-            HalfedgeId::NONE
-        } else {
-            to
-        };
+        self.at = if to == self.start { HalfedgeId::NONE } else { to };
         Some(at)
     }
 }
@@ -64,8 +55,7 @@ impl Iterator for SpokeWalk<'_> {
 
     #[inline]
     fn next(&mut self) -> Option<HalfedgeId> {
-        self.0
-            .step(|mesh, h| mesh.get_twin(mesh.prev(h)).unwrap_or(HalfedgeId::NONE))
+        self.0.step(|mesh, h| mesh.get_twin(mesh.prev(h)).unwrap_or(HalfedgeId::NONE))
     }
 }
 
@@ -116,9 +106,7 @@ impl Mesh {
     /// Whether `h` runs along a hole.
     #[inline]
     pub fn is_boundary_halfedge(&self, h: HalfedgeId) -> bool {
-        self.get_face(h)
-            .and_then(|f| self.get_is_hole(f))
-            .unwrap_or(false)
+        self.get_face(h).and_then(|f| self.get_is_hole(f)).unwrap_or(false)
     }
 
     /// Whether a hole lies on one side of `e`.

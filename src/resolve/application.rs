@@ -29,10 +29,7 @@ impl Applied {
     /// The statement that stores the result and goes on with `then`, or stops the script at a
     /// refusal.
     pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
-        let refused = Statement {
-            kind: StatementKind::Refused { op: self.op },
-            span: self.span,
-        };
+        let refused = Statement { kind: StatementKind::Refused { op: self.op }, span: self.span };
         StatementKind::IfApply {
             op: self.op,
             args: self.args,
@@ -87,9 +84,7 @@ impl Scripting<'_> {
                 let word = &function.text;
                 let message = format!("`{word}` may be refused, and then there is no value");
                 let error = Diagnostic::error("needs-must", message, expr.span)
-                    .note(format!(
-                        "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
-                    ))
+                    .note(format!("`if let x = {word}(…)` asks, `must {word}(…)` stops the script"))
                     .fix("write `must`", expr.span.before(), "must ");
                 self.typing.report.add(error);
                 Some(None)
@@ -101,13 +96,7 @@ impl Scripting<'_> {
     fn applied(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> Option<Applied> {
         let (op, args) = self.application(function, args, span)?;
         let result = self.result(op, span)?;
-        Some(Applied {
-            op,
-            args,
-            name: function.text.clone(),
-            result,
-            span,
-        })
+        Some(Applied { op, args, name: function.text.clone(), result, span })
     }
 
     /// The type of what an op returns, where a value is wanted.
@@ -146,9 +135,7 @@ impl Scripting<'_> {
             applied.name,
             a_type(applied.result)
         );
-        self.typing
-            .report
-            .add(Diagnostic::error("type-mismatch", message, span));
+        self.typing.report.add(Diagnostic::error("type-mismatch", message, span));
         false
     }
 
@@ -235,9 +222,7 @@ impl Scripting<'_> {
             }
             return None;
         };
-        self.typing
-            .declared
-            .expect_one(function, self.typing.report)?;
+        self.typing.declared.expect_one(function, self.typing.report)?;
         let values = self.typing.arguments(&op.name, &op.params, args, span)?;
         Some((number, values))
     }
@@ -260,9 +245,7 @@ impl Scripting<'_> {
         let error = Diagnostic::error("unknown-op", message, function.span);
         let error = match declared.is_script(word) {
             true => error
-                .note(format!(
-                    "`{word}` is a script, which is only run from outside"
-                ))
+                .note(format!("`{word}` is a script, which is only run from outside"))
                 .note("put what it does into a `fn`, and call that from both"),
             false => {
                 let here = elsewhere::function(word).or_else(|| mesh_maker(word));

@@ -45,10 +45,7 @@ pub(super) fn head(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Head> {
     let mut report = Report::default();
-    let (element, ty) = (
-        type_named(&attr.kind, &mut report),
-        type_named(&attr.ty, &mut report),
-    );
+    let (element, ty) = (type_named(&attr.kind, &mut report), type_named(&attr.ty, &mut report));
     if let Some(element) = element {
         if !element.is_element() {
             let message = format!(

@@ -45,23 +45,13 @@ const F: Wanted = Wanted::Is(Type::Face);
 const P: Wanted = Wanted::Point;
 
 const fn f(wanted: &'static [Wanted], result: Type, builtin: Builtin) -> Overload {
-    Overload {
-        wanted,
-        result,
-        builtin,
-    }
+    Overload { wanted, result, builtin }
 }
 
 /// The functions by name, each with its overloads. The constructors and the
 /// aggregates stand apart.
 const FUNCTIONS: &[(&str, &[Overload])] = &[
-    (
-        "degree",
-        &[
-            f(&[V], INT, Builtin::DegreeVertex),
-            f(&[F], INT, Builtin::DegreeFace),
-        ],
-    ),
+    ("degree", &[f(&[V], INT, Builtin::DegreeVertex), f(&[F], INT, Builtin::DegreeFace)]),
     (
         "boundary",
         &[
@@ -87,20 +77,8 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
         ],
     ),
     ("area", &[f(&[F], REAL, Builtin::Area)]),
-    (
-        "normal",
-        &[
-            f(&[F], VEC3, Builtin::NormalFace),
-            f(&[V], VEC3, Builtin::NormalVertex),
-        ],
-    ),
-    (
-        "centroid",
-        &[
-            f(&[F], VEC3, Builtin::CentroidFace),
-            f(&[E], VEC3, Builtin::CentroidEdge),
-        ],
-    ),
+    ("normal", &[f(&[F], VEC3, Builtin::NormalFace), f(&[V], VEC3, Builtin::NormalVertex)]),
+    ("centroid", &[f(&[F], VEC3, Builtin::CentroidFace), f(&[E], VEC3, Builtin::CentroidEdge)]),
     ("midpoint", &[f(&[E], VEC3, Builtin::CentroidEdge)]),
     (
         "mix",
@@ -119,13 +97,7 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
             f(&[X4, X4], REAL, Builtin::Dot),
         ],
     ),
-    (
-        "cross",
-        &[
-            f(&[X, X], VEC3, Builtin::Cross),
-            f(&[X2, X2], REAL, Builtin::CrossPlane),
-        ],
-    ),
+    ("cross", &[f(&[X, X], VEC3, Builtin::Cross), f(&[X2, X2], REAL, Builtin::CrossPlane)]),
     (
         "normalize",
         &[
@@ -134,48 +106,12 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
             f(&[X4], VEC4, Builtin::Normalize),
         ],
     ),
-    (
-        "distance",
-        &[
-            f(&[P, P], REAL, Builtin::Distance),
-            f(&[X2, X2], REAL, Builtin::Distance),
-        ],
-    ),
-    (
-        "outer",
-        &[
-            f(&[X, X], MAT3, Builtin::Outer),
-            f(&[X4, X4], MAT4, Builtin::Outer),
-        ],
-    ),
-    (
-        "transpose",
-        &[
-            f(&[M3], MAT3, Builtin::Transpose),
-            f(&[M4], MAT4, Builtin::Transpose),
-        ],
-    ),
-    (
-        "determinant",
-        &[
-            f(&[M3], REAL, Builtin::Determinant),
-            f(&[M4], REAL, Builtin::Determinant),
-        ],
-    ),
-    (
-        "inverse",
-        &[
-            f(&[M3], MAT3, Builtin::Inverse),
-            f(&[M4], MAT4, Builtin::Inverse),
-        ],
-    ),
-    (
-        "solve",
-        &[
-            f(&[M3, X], VEC3, Builtin::Solve),
-            f(&[M4, X4], VEC4, Builtin::Solve),
-        ],
-    ),
+    ("distance", &[f(&[P, P], REAL, Builtin::Distance), f(&[X2, X2], REAL, Builtin::Distance)]),
+    ("outer", &[f(&[X, X], MAT3, Builtin::Outer), f(&[X4, X4], MAT4, Builtin::Outer)]),
+    ("transpose", &[f(&[M3], MAT3, Builtin::Transpose), f(&[M4], MAT4, Builtin::Transpose)]),
+    ("determinant", &[f(&[M3], REAL, Builtin::Determinant), f(&[M4], REAL, Builtin::Determinant)]),
+    ("inverse", &[f(&[M3], MAT3, Builtin::Inverse), f(&[M4], MAT4, Builtin::Inverse)]),
+    ("solve", &[f(&[M3, X], VEC3, Builtin::Solve), f(&[M4, X4], VEC4, Builtin::Solve)]),
     (
         "is_nan",
         &[
@@ -198,36 +134,12 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
             f(&[M4], BOOL, Builtin::IsFinite),
         ],
     ),
-    (
-        "angle",
-        &[
-            f(&[X, X], REAL, Builtin::Angle),
-            f(&[H], REAL, Builtin::AngleCorner),
-        ],
-    ),
+    ("angle", &[f(&[X, X], REAL, Builtin::Angle), f(&[H], REAL, Builtin::AngleCorner)]),
     ("cotangent", &[f(&[H], REAL, Builtin::Cotangent)]),
     ("dihedral_angle", &[f(&[E], REAL, Builtin::DihedralAngle)]),
-    (
-        "abs",
-        &[
-            f(&[I], INT, Builtin::AbsInt),
-            f(&[R], REAL, Builtin::AbsReal),
-        ],
-    ),
-    (
-        "min",
-        &[
-            f(&[I, I], INT, Builtin::MinInt),
-            f(&[R, R], REAL, Builtin::MinReal),
-        ],
-    ),
-    (
-        "max",
-        &[
-            f(&[I, I], INT, Builtin::MaxInt),
-            f(&[R, R], REAL, Builtin::MaxReal),
-        ],
-    ),
+    ("abs", &[f(&[I], INT, Builtin::AbsInt), f(&[R], REAL, Builtin::AbsReal)]),
+    ("min", &[f(&[I, I], INT, Builtin::MinInt), f(&[R, R], REAL, Builtin::MinReal)]),
+    ("max", &[f(&[I, I], INT, Builtin::MaxInt), f(&[R, R], REAL, Builtin::MaxReal)]),
     ("sqrt", &[f(&[R], REAL, Builtin::Sqrt)]),
     ("sin", &[f(&[R], REAL, Builtin::Sin)]),
     ("cos", &[f(&[R], REAL, Builtin::Cos)]),

@@ -21,11 +21,7 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
     let mut requires = Vec::new();
     for condition in conditions {
         match condition {
-            Condition::Require {
-                condition,
-                reason,
-                span,
-            } => {
+            Condition::Require { condition, reason, span } => {
                 let typed = typing.whole_as(condition, Type::Bool, "`require`");
                 let reason = match reason {
                     Some((text, _)) => text.clone(),
@@ -84,11 +80,7 @@ pub(super) fn guard(conditions: &[Condition], report: &mut Report) -> Option<(Le
 pub(super) fn aliases(conditions: &[Condition], names: &Names, report: &mut Report) -> Vec<Alias> {
     let mut aliases = Vec::new();
     for condition in conditions {
-        let Condition::Alias {
-            names: listed,
-            span,
-        } = condition
-        else {
+        let Condition::Alias { names: listed, span } = condition else {
             continue;
         };
         if names.cycle().is_some() {
@@ -103,10 +95,7 @@ pub(super) fn aliases(conditions: &[Condition], names: &Names, report: &mut Repo
                 known.push(found);
             }
         }
-        aliases.push(Alias {
-            names: known,
-            span: *span,
-        });
+        aliases.push(Alias { names: known, span: *span });
     }
     aliases
 }
@@ -132,22 +121,17 @@ fn aliased(name: &tree::Name, others: &[Ref], names: &Names, report: &mut Report
     let error = match (kind, first) {
         (Kind::Path | Kind::Fan, _) => {
             let what = kind.a_word();
-            cannot(format!(
-                "`{word}` is {what}; `alias` names vertices, halfedges and faces"
-            ))
+            cannot(format!("`{word}` is {what}; `alias` names vertices, halfedges and faces"))
         }
         (Kind::Edge, _) => cannot(format!("`{word}` is an edge; `alias` names its halfedges"))
             .note("two edges are one where their halfedges are"),
         (_, Some(first)) if first.kind != kind => {
             let (one, other) = (first.kind.a_word(), kind.a_word());
-            cannot(format!(
-                "`{}` is {one} and `{word}` is {other}: they are never one",
-                first.text
-            ))
+            cannot(format!("`{}` is {one} and `{word}` is {other}: they are never one", first.text))
         }
-        _ if !names.readable(id) => cannot(format!(
-            "`{word}` is not drawn in `before`, so it is no other element"
-        )),
+        _ if !names.readable(id) => {
+            cannot(format!("`{word}` is not drawn in `before`, so it is no other element"))
+        }
         _ => return Some(mention(id, name)),
     };
     report.add(error);
@@ -170,13 +154,7 @@ pub(super) fn assignments(
     let mut done: HashMap<(NameId, Access), Span> = HashMap::new();
     let mut assignments = Vec::new();
     for statement in &after.statements {
-        let Statement::Assign {
-            target,
-            attribute,
-            value,
-            span,
-        } = statement
-        else {
+        let Statement::Assign { target, attribute, value, span } = statement else {
             continue;
         };
         if names.find(&target.ident.text).is_none() && is_listed_new(after, target) {

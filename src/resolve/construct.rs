@@ -89,23 +89,13 @@ impl Typing<'_> {
 /// The vector with this real in every component.
 fn all_alike(ty: Type, mut real: Vec<Expr>, span: Span) -> ExprKind {
     let size = usize::from(ty.size());
-    if let [
-        Expr {
-            kind: ExprKind::Real(_),
-            ..
-        },
-    ] = real[..]
-    {
+    if let [Expr { kind: ExprKind::Real(_), .. }] = real[..] {
         return ExprKind::Vector(vec![real.remove(0); size]);
     }
     // What is not constant is computed once.
     let one = typed(Type::Real, ExprKind::Real(1.0), span);
     let ones = typed(ty, ExprKind::Vector(vec![one; size]), span);
-    ExprKind::Binary(
-        Binary::ScaleVector,
-        Box::new(ones),
-        Box::new(real.remove(0)),
-    )
+    ExprKind::Binary(Binary::ScaleVector, Box::new(ones), Box::new(real.remove(0)))
 }
 
 /// Whether reals and shorter vectors, one after the other, are as long as a vector.

@@ -107,11 +107,7 @@ impl Declared {
         for item in &file.items {
             match item {
                 Item::Op(op) => {
-                    let named = Named {
-                        what: What::Op,
-                        number: numbers.ops,
-                        span: op.name.span,
-                    };
+                    let named = Named { what: What::Op, number: numbers.ops, span: op.name.span };
                     numbers.ops += 1;
                     diagnostics.extend(self.declare_called(&op.name, named));
                 }
@@ -189,10 +185,7 @@ impl Declared {
     fn take_in(&mut self, used: &Self, own: &Self, diagnostics: &mut Vec<Diagnostic>) {
         for (name, named) in &used.called {
             if let Some(mine) = own.called.get(name) {
-                let name = Ident {
-                    text: name.clone(),
-                    span: mine.span,
-                };
+                let name = Ident { text: name.clone(), span: mine.span };
                 let error = duplicate(named.what.a_word(), &name, named.span);
                 diagnostics.push(error.note("a file has the names of the files it uses"));
                 continue;
@@ -254,8 +247,7 @@ impl Declared {
 
     /// Whether the op or function whose name stands here has the name, and not an earlier one.
     pub(super) fn has_its_name(&self, name: &Ident) -> bool {
-        self.called(&name.text)
-            .is_some_and(|named| named.span == name.span)
+        self.called(&name.text).is_some_and(|named| named.span == name.span)
     }
 
     /// Whether the script whose name stands here has the name, and not an earlier one.
@@ -270,10 +262,7 @@ impl Declared {
 
     /// The names of the ops.
     pub(super) fn op_names(&self) -> impl Iterator<Item = &str> {
-        let ops = self
-            .called
-            .iter()
-            .filter(|(_, named)| named.what == What::Op);
+        let ops = self.called.iter().filter(|(_, named)| named.what == What::Op);
         ops.map(|(name, _)| name.as_str())
     }
 
@@ -307,10 +296,7 @@ impl Declared {
 
     /// The names of the attributes that elements of a type are declared to have.
     pub(super) fn attributes_of(&self, element: Type) -> impl Iterator<Item = &str> {
-        let of_element = self
-            .attributes
-            .iter()
-            .filter(move |head| head.element == element);
+        let of_element = self.attributes.iter().filter(move |head| head.element == element);
         of_element.map(|head| head.name.as_str())
     }
 
@@ -321,18 +307,13 @@ impl Declared {
 }
 
 fn is_of_the_language(name: &str) -> bool {
-    function_names()
-        .chain(fold_names())
-        .any(|known| known == name)
+    function_names().chain(fold_names()).any(|known| known == name)
 }
 
 /// The error for an attribute whose name another has.
 fn clash(head: &Head, other: &Head) -> Diagnostic {
     let what = format!("{} attribute", a_type(head.element));
-    let name = Ident {
-        text: head.name.clone(),
-        span: head.span,
-    };
+    let name = Ident { text: head.name.clone(), span: head.span };
     let error = duplicate(&what, &name, other.span);
     match head.span.file == other.span.file {
         true => error,

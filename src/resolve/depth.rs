@@ -40,10 +40,7 @@ pub(super) fn each_part<'a>(block: &'a Block, mut look: impl FnMut(Part<'a>)) {
 fn inside<'a>(part: Part<'a>, look: &mut dyn FnMut(Part<'a>)) {
     match part {
         Part::Expr(expr) => expr.each_part(look),
-        Part::Block(block) => block
-            .statements
-            .iter()
-            .for_each(|action| action.each_part(look)),
+        Part::Block(block) => block.statements.iter().for_each(|action| action.each_part(look)),
     }
 }
 

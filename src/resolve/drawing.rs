@@ -84,10 +84,7 @@ impl<'a> Drawing<'a> {
         Self {
             names,
             report,
-            side: Side {
-                span: side.span,
-                ..Side::default()
-            },
+            side: Side { span: side.span, ..Side::default() },
             stated: HashMap::new(),
             breaks_off: false,
         }
@@ -98,11 +95,7 @@ impl<'a> Drawing<'a> {
         // What has no number or is not whole has been told of before.
         let drawn = match statement {
             Statement::Loop(l) => self.face(l),
-            Statement::Edge {
-                name,
-                halfedges,
-                span,
-            } => self.edge(name, halfedges, *span),
+            Statement::Edge { name, halfedges, span } => self.edge(name, halfedges, *span),
             Statement::Vertex(star) => self.star(star),
             Statement::Broken(_) => None,
             Statement::New(..)
@@ -125,8 +118,7 @@ impl<'a> Drawing<'a> {
             _ => return,
         };
         let message = format!("{what} stands in `after`, not in `before`");
-        self.report
-            .add(Diagnostic::error("not-in-before", message, span));
+        self.report.add(Diagnostic::error("not-in-before", message, span));
     }
 
     pub(super) fn refer(&self, name: &tree::Name) -> Option<Ref> {
@@ -167,11 +159,7 @@ impl<'a> Drawing<'a> {
                     }
                     let path = self.names.find(&path_of(word))?;
                     let shift = self.refer(&l.name)?.shift;
-                    Ref {
-                        name: path,
-                        shift,
-                        span: item.span,
-                    }
+                    Ref { name: path, shift, span: item.span }
                 }
             };
             items.push(LoopItem { from, item });
@@ -240,11 +228,7 @@ impl<'a> Drawing<'a> {
         self.state(edge, span);
         let [first, second] = halfedges;
         let halfedges = [self.refer(first)?, self.refer(second)?];
-        self.side.edges.push(Edge {
-            edge,
-            halfedges,
-            span,
-        });
+        self.side.edges.push(Edge { edge, halfedges, span });
         Some(())
     }
 
@@ -263,12 +247,7 @@ impl<'a> Drawing<'a> {
             // Nor a vertex without spokes.
             return None;
         }
-        self.side.stars.push(Star {
-            vertex,
-            spokes,
-            each: star.each.is_some(),
-            span: star.span,
-        });
+        self.side.stars.push(Star { vertex, spokes, each: star.each.is_some(), span: star.span });
         Some(())
     }
 

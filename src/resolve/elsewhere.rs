@@ -132,9 +132,7 @@ pub(super) fn function(word: &str) -> Option<Here> {
 
 fn sequence_called(word: &str) -> Option<Here> {
     let is_sequence = matches!(word, "vertices" | "halfedges" | "edges" | "faces" | "holes");
-    is_sequence.then_some(Said(
-        "a sequence is written without parentheses: `for v in vertices`",
-    ))
+    is_sequence.then_some(Said("a sequence is written without parentheses: `for v in vertices`"))
 }
 
 /// What stands for a foreign word among values and statements.
@@ -176,9 +174,11 @@ pub(super) fn tell<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Diagnostic {
     match here {
-        Some(Written(ours)) => diagnostic
-            .saying(format!("here it is written `{ours}`"))
-            .fix(format!("write `{ours}`"), span, ours),
+        Some(Written(ours)) => diagnostic.saying(format!("here it is written `{ours}`")).fix(
+            format!("write `{ours}`"),
+            span,
+            ours,
+        ),
         Some(Said(sentence)) => diagnostic.note(sentence),
         None => suggest(diagnostic, word, span, candidates),
     }
@@ -193,9 +193,7 @@ mod tests {
 
     #[test]
     fn what_is_offered_is_there_and_what_is_foreign_is_not() {
-        let foreign = [
-            "origin", "opposite", "previous", "pos", "v0", "v1", "he", "verts",
-        ];
+        let foreign = ["origin", "opposite", "previous", "pos", "v0", "v1", "he", "verts"];
         let mut offered = 0;
         for ty in [Type::Vertex, Type::Halfedge, Type::Edge, Type::Face] {
             for word in foreign {
@@ -209,9 +207,7 @@ mod tests {
         }
         for word in ["valence", "norm", "lerp", "average", "cot", "ln", "vector"] {
             assert!(overloads(word).is_empty(), "{word}");
-            let Some(Written(ours)) = function(word) else {
-                panic!("{word} has an equal")
-            };
+            let Some(Written(ours)) = function(word) else { panic!("{word} has an equal") };
             let is_ours = !overloads(ours).is_empty()
                 || fold_names().any(|fold| fold == ours)
                 || ours == "vec3";

@@ -105,9 +105,8 @@ fn same_form(
         true => "a family here",
         false => "a single name here",
     };
-    let error = Diagnostic::error("two-forms", message, mention.span)
-        .label(first.1, label)
-        .note(note);
+    let error =
+        Diagnostic::error("two-forms", message, mention.span).label(first.1, label).note(note);
     report.add(error);
     // Once is enough.
     forms.insert(word.to_owned(), (here, mention.span));
@@ -137,10 +136,7 @@ impl Letter {
             return;
         };
         if *letter != variable.text {
-            let message = format!(
-                "a rule has one index: `{letter}`, but here `{}`",
-                variable.text
-            );
+            let message = format!("a rule has one index: `{letter}`, but here `{}`", variable.text);
             let error = Diagnostic::error("wrong-subscript", message, variable.span)
                 .label(*first, "it is here");
             report.add(error);
@@ -156,9 +152,7 @@ impl Letter {
                 });
                 (orbit.each.as_ref(), &orbit.name, items.collect::<Vec<_>>())
             }
-            Statement::Edge {
-                name, halfedges, ..
-            } => (None, name, halfedges.iter().collect()),
+            Statement::Edge { name, halfedges, .. } => (None, name, halfedges.iter().collect()),
             Statement::Vertex(star) => {
                 let spokes = star.spokes.iter().filter_map(|spoke| match spoke {
                     Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => Some(name),
@@ -238,7 +232,5 @@ fn mixed(part: &Name, subject: &Name, free: bool) -> Diagnostic {
 
 /// What an op may not return: a family, which is many elements.
 pub(super) fn is_family(side: &Side, word: &str) -> bool {
-    mentions(side)
-        .iter()
-        .any(|mention| mention.text == word && mention.index.is_some())
+    mentions(side).iter().any(|mention| mention.text == word && mention.index.is_some())
 }

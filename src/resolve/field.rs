@@ -40,11 +40,7 @@ fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
         Type::Edge => &[("halfedge", To(Pointer::EdgeHalfedge, Type::Halfedge))],
         Type::Face => &[("halfedge", To(Pointer::FaceHalfedge, Type::Halfedge))],
         Type::Vec2 => &[("x", Part(0, Real)), ("y", Part(1, Real))],
-        Type::Vec3 => &[
-            ("x", Part(0, Real)),
-            ("y", Part(1, Real)),
-            ("z", Part(2, Real)),
-        ],
+        Type::Vec3 => &[("x", Part(0, Real)), ("y", Part(1, Real)), ("z", Part(2, Real))],
         Type::Vec4 => &[
             ("x", Part(0, Real)),
             ("y", Part(1, Real)),
@@ -52,11 +48,7 @@ fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
             ("w", Part(3, Real)),
         ],
         // The columns, as everywhere in graphics.
-        Type::Mat3 => &[
-            ("x", Part(0, Vec3)),
-            ("y", Part(3, Vec3)),
-            ("z", Part(6, Vec3)),
-        ],
+        Type::Mat3 => &[("x", Part(0, Vec3)), ("y", Part(3, Vec3)), ("z", Part(6, Vec3))],
         Type::Mat4 => &[
             ("x", Part(0, Vec4)),
             ("y", Part(4, Vec4)),
@@ -98,11 +90,7 @@ pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
             Field::Attribute(_, ty) => (*ty, true),
             Field::Part(_, ty) => (*ty, false),
         };
-        Entry {
-            name,
-            ty,
-            is_attribute,
-        }
+        Entry { name, ty, is_attribute }
     };
     fields_of(ty).iter().map(entry).collect()
 }
@@ -129,14 +117,9 @@ fn function_of(ty: Type, word: &str) -> Option<&str> {
 fn written_as_call(error: Diagnostic, function: &str, value: Span, field: Span) -> Diagnostic {
     let title = format!("write `{function}(…)`");
     let edit = |span: Span, text: String| Edit { span, text };
-    let before = Span {
-        end: value.start,
-        ..value
-    };
-    let edits = vec![
-        edit(before, format!("{function}(")),
-        edit(value.after().to(field), ")".to_owned()),
-    ];
+    let before = Span { end: value.start, ..value };
+    let edits =
+        vec![edit(before, format!("{function}(")), edit(value.after().to(field), ")".to_owned())];
     let mut error = error.note(format!("`{function}` is a function"));
     error.fixes.push(Fix { title, edits });
     error
@@ -162,8 +145,7 @@ impl Typing<'_> {
                     "`{word}` of {} is a sequence; it can stand after `in` or in `count(…)`",
                     a_type(base.ty)
                 );
-                self.report
-                    .add(Diagnostic::error("not-a-value", message, span));
+                self.report.add(Diagnostic::error("not-a-value", message, span));
             } else {
                 self.unknown_field(written, base.ty, field);
             }
@@ -195,8 +177,7 @@ impl Typing<'_> {
         let this = format!("this is {}", a_type(ty));
         if let Some(function) = function_of(ty, &field.text) {
             let error = error.label(written.span, this);
-            self.report
-                .add(written_as_call(error, function, written.span, field.span));
+            self.report.add(written_as_call(error, function, written.span, field.span));
             return;
         }
         let here = elsewhere::field(ty, &field.text);
@@ -206,10 +187,9 @@ impl Typing<'_> {
         let of_halfedge = ty.is_element() && is_taken(Type::Halfedge, &field.text);
         self.report.add(match known.as_slice() {
             [] => error,
-            _ if of_halfedge && here.is_none() => error.note(format!(
-                "a halfedge has it: read `.halfedge.{0}`",
-                field.text
-            )),
+            _ if of_halfedge && here.is_none() => {
+                error.note(format!("a halfedge has it: read `.halfedge.{0}`", field.text))
+            }
             known => error.note(format!("{} has {}", a_type(ty), quoted(known))),
         });
     }

@@ -39,11 +39,7 @@ pub struct Unit<'t> {
 /// about what the parser has complained of already.
 pub fn resolve(tree: &tree::File) -> Resolved {
     let uses = |item: &Item| matches!(item, Item::Use(_));
-    resolve_all(&[Unit {
-        tree,
-        uses: Vec::new(),
-        lacks: tree.items.iter().any(uses),
-    }])
+    resolve_all(&[Unit { tree, uses: Vec::new(), lacks: tree.items.iter().any(uses) }])
 }
 
 /// The same for the files of a program, the first of which is the program itself.
@@ -55,10 +51,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
     let declared = Declared::of_all(units, &mut diagnostics);
     let attributes = attributes(units, &declared, &mut diagnostics);
     let mut functions = Functions::of(units, declared);
-    let mut program = Program {
-        attributes,
-        ..Program::default()
-    };
+    let mut program = Program { attributes, ..Program::default() };
     let mut signatures = Vec::new();
     functions.resolve(&signatures, |deeds| !deeds.calls_ops);
     for (unit, declared) in units.iter().zip(&functions.declared) {
@@ -111,8 +104,5 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
     diagnostics.extend(functions.take_diagnostics());
     program.functions = functions.into_resolved();
     diagnostics.sort_by_key(Diagnostic::span);
-    Resolved {
-        program,
-        diagnostics,
-    }
+    Resolved { program, diagnostics }
 }

@@ -117,13 +117,9 @@ impl Typing<'_> {
             0 => "none".to_owned(),
             given => given.to_string(),
         };
-        let message = format!(
-            "`{}` takes {}, but {given} {verb} given",
-            function.text,
-            arguments(wanted)
-        );
-        self.report
-            .add(Diagnostic::error("wrong-count", message, span));
+        let message =
+            format!("`{}` takes {}, but {given} {verb} given", function.text, arguments(wanted));
+        self.report.add(Diagnostic::error("wrong-count", message, span));
         None
     }
 
@@ -193,8 +189,7 @@ impl Typing<'_> {
         candidates.extend(declared.called_names());
         let here = elsewhere::function(word).or_else(|| mesh_maker(word));
         let place = (word, function.span);
-        self.report
-            .add(elsewhere::tell(error, place, here, candidates));
+        self.report.add(elsewhere::tell(error, place, here, candidates));
     }
 
     /// An op rewrites the mesh, so it has no place inside of a computation.
@@ -216,8 +211,7 @@ impl Typing<'_> {
             tree::ExprKind::Broken => self.report.fail(),
             _ => {
                 let message = "`must` stands before the call of an op";
-                self.report
-                    .add(Diagnostic::error("misplaced-must", message, span));
+                self.report.add(Diagnostic::error("misplaced-must", message, span));
             }
         }
         None

@@ -61,34 +61,23 @@ impl<'t> Functions<'t> {
             }
         }
         for item in &items {
-            declared
-                .iter_mut()
-                .for_each(|file| file.learn(&item.signature));
+            declared.iter_mut().for_each(|file| file.learn(&item.signature));
         }
-        Self {
-            declared,
-            items,
-            diagnostics: Vec::new(),
-        }
+        Self { declared, items, diagnostics: Vec::new() }
     }
 
     /// Resolves the bodies of those that are wanted, each after those whose value it has to
     /// know.
     pub(super) fn resolve(&mut self, ops: &[Signature], wanted: impl Fn(&Deeds) -> bool) {
-        let mut left: Vec<usize> = (0..self.items.len())
-            .filter(|&at| wanted(&self.items[at].deeds))
-            .collect();
+        let mut left: Vec<usize> =
+            (0..self.items.len()).filter(|&at| wanted(&self.items[at].deeds)).collect();
         while !left.is_empty() {
             let mut ready = left.clone();
             ready.retain(|&at| !self.waits(at));
             // Nothing is ready: some call each other in a circle.
             let cycles = ready.is_empty();
             if cycles {
-                ready = left
-                    .iter()
-                    .copied()
-                    .filter(|&at| self.in_a_circle(at))
-                    .collect();
+                ready = left.iter().copied().filter(|&at| self.in_a_circle(at)).collect();
                 for &at in &ready {
                     self.give(at, Value::Nothing);
                 }
@@ -152,9 +141,7 @@ impl<'t> Functions<'t> {
             ..FunctionSignature::clone(&item.signature)
         });
         let signature = Rc::clone(&item.signature);
-        self.declared
-            .iter_mut()
-            .for_each(|file| file.learn(&signature));
+        self.declared.iter_mut().for_each(|file| file.learn(&signature));
     }
 
     pub(super) fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
@@ -163,9 +150,6 @@ impl<'t> Functions<'t> {
 
     /// All functions, once each of them has been resolved.
     pub(super) fn into_resolved(self) -> Vec<Function> {
-        self.items
-            .into_iter()
-            .filter_map(|item| item.resolved)
-            .collect()
+        self.items.into_iter().filter_map(|item| item.resolved).collect()
     }
 }

@@ -47,9 +47,7 @@ impl Typing<'_> {
                 let message = format!("`{name}` gives no value");
                 let error = Diagnostic::error("returns-nothing", message, span)
                     .label(invocation.signature.span, "it is declared here");
-                let Effects {
-                    changes, prints, ..
-                } = invocation.signature.effects;
+                let Effects { changes, prints, .. } = invocation.signature.effects;
                 self.report.add(match changes.or(prints) {
                     Some(_) => error,
                     None => error.note(
@@ -80,11 +78,7 @@ impl Typing<'_> {
         let allowed = self.expect_allowed(&signature, may_change, function.span);
         let args = self.arguments(&signature.name, &signature.params, args, span);
         allowed?;
-        Some(Invocation {
-            number: named.number as u32,
-            signature,
-            args: args?,
-        })
+        Some(Invocation { number: named.number as u32, signature, args: args? })
     }
 
     /// The arguments of a call, those left out as well.
@@ -172,12 +166,10 @@ impl Typing<'_> {
                 let Some(place) = effects.changes.filter(|_| !may_change) else {
                     return Some(());
                 };
-                error("changes-mesh", "changes the mesh")
-                    .label(place, "it is changed here")
-                    .note(
-                        "such a call stands as a statement, or is the whole value of `let`, \
+                error("changes-mesh", "changes the mesh").label(place, "it is changed here").note(
+                    "such a call stands as a statement, or is the whole value of `let`, \
                          `=`, `if` or `return`",
-                    )
+                )
             }
             Place::Rule(_) | Place::Default => {
                 if let Some(place) = effects.changes {
@@ -206,11 +198,7 @@ impl Scripting<'_> {
     ) -> Option<StatementKind> {
         self.typing.may_change = true;
         let invocation = self.typing.invocation(function, args, span)?;
-        let Invocation {
-            number,
-            signature,
-            args,
-        } = invocation;
+        let Invocation { number, signature, args } = invocation;
         let result = match signature.result {
             Value::Of(ty) => Some(ty),
             Value::Nothing => None,
@@ -224,11 +212,7 @@ impl Scripting<'_> {
             self.unused(ty, span);
             return None;
         }
-        Some(StatementKind::Call {
-            function: number,
-            args,
-            result,
-        })
+        Some(StatementKind::Call { function: number, args, result })
     }
 
     /// Complains about a value that nobody wants.

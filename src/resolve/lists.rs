@@ -29,13 +29,8 @@ pub(super) fn read_lists(
     names: &Names,
     report: &mut Report,
 ) -> Lists {
-    let mut reader = Reader {
-        names,
-        before: drawn_before,
-        report,
-        listed: HashMap::new(),
-        unused: Vec::new(),
-    };
+    let mut reader =
+        Reader { names, before: drawn_before, report, listed: HashMap::new(), unused: Vec::new() };
     let mut lists = Lists::default();
     for statement in &after.statements {
         match statement {
@@ -52,12 +47,8 @@ pub(super) fn read_lists(
         }
     }
     let Reader { unused, report, .. } = reader;
-    let unused = Unused {
-        listed: unused,
-        created: &lists.created,
-        written: after,
-        drawn: drawn_after,
-    };
+    let unused =
+        Unused { listed: unused, created: &lists.created, written: after, drawn: drawn_after };
     unused.report(names, report);
     let created: HashMap<NameId, Span> = lists.created.iter().map(|r| (r.name, r.span)).collect();
     for erased in &lists.erased {
@@ -125,8 +116,7 @@ impl<'a> Reader<'a> {
                 "`{word}` is {}; `new` names vertices, halfedges, edges and faces",
                 known.kind.a_word()
             );
-            self.report
-                .add(Diagnostic::error("not-an-element", message, name.span));
+            self.report.add(Diagnostic::error("not-an-element", message, name.span));
             return None;
         }
         Some(mention(id, name))
@@ -150,10 +140,8 @@ impl<'a> Reader<'a> {
         let word = &name.ident.text;
         let kind = self.names.get(id).kind;
         let error = if !matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face) {
-            let message = format!(
-                "`{word}` is {}; `keep` names vertices, edges and faces",
-                kind.a_word()
-            );
+            let message =
+                format!("`{word}` is {}; `keep` names vertices, edges and faces", kind.a_word());
             Diagnostic::error("cannot-keep", message, name.span)
         } else if !self.names.readable(id) || (kind != Kind::Vertex && !self.stated(id)) {
             let message = format!("`before` says nothing of `{word}` that could be kept");
@@ -177,8 +165,7 @@ impl<'a> Reader<'a> {
         if found.is_none() {
             let message = format!("`{word}` is listed in `{list}` but drawn nowhere");
             let error = Diagnostic::error("unknown-name", message, name.span);
-            self.report
-                .add(suggest(error, word, name.span, self.names.words()));
+            self.report.add(suggest(error, word, name.span, self.names.words()));
         }
         found
     }
@@ -211,10 +198,7 @@ pub(super) fn restate(kept: Ref, before: &Side, after: &mut Side) -> bool {
             items: l
                 .items
                 .iter()
-                .map(|item| LoopItem {
-                    from: here(item.from),
-                    item: here(item.item),
-                })
+                .map(|item| LoopItem { from: here(item.from), item: here(item.item) })
                 .collect(),
             end: here(l.end),
             span,

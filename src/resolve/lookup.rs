@@ -61,8 +61,7 @@ impl Typing<'_> {
         let (word, span) = (name.ident.text.as_str(), name.span);
         let Place::Rule(names) = self.place else {
             let message = "subscripts stand in the drawings of an op, and in what it asks and sets";
-            self.report
-                .add(Diagnostic::error("wrong-subscript", message, index.span));
+            self.report.add(Diagnostic::error("wrong-subscript", message, index.span));
             return None;
         };
         let Some(id) = names.find(word) else {
@@ -84,9 +83,7 @@ impl Typing<'_> {
                 let message = format!("`{word}` is a family: it needs a subscript here");
                 Diagnostic::error("two-forms", message, span)
                     .label(drawn.span, "a family here")
-                    .note(format!(
-                        "write `{word}[i]`: what is said then holds for all of it"
-                    ))
+                    .note(format!("write `{word}[i]`: what is said then holds for all of it"))
             }
             (Some(_), false) => {
                 let message = format!("`{word}` has a subscript here, but not where it is drawn");
@@ -142,14 +139,12 @@ impl Typing<'_> {
         if WHOLE_MESH.iter().any(|(known, _)| *known == word) {
             let message =
                 format!("`{word}` is a sequence; it can stand after `in` or in `count({word})`");
-            self.report
-                .add(Diagnostic::error("not-a-value", message, span));
+            self.report.add(Diagnostic::error("not-a-value", message, span));
             return;
         }
         if self.declared.is_called(word) {
             let message = format!("`{word}` is no value; it is called: `{word}(…)`");
-            self.report
-                .add(Diagnostic::error("not-a-value", message, span));
+            self.report.add(Diagnostic::error("not-a-value", message, span));
             return;
         }
         let error = Diagnostic::error("unknown-name", format!("`{word}` is not known here"), span);
@@ -157,13 +152,8 @@ impl Typing<'_> {
             Place::Rule(names) => names.words().collect(),
             Place::Default | Place::Script => Vec::new(),
         };
-        let candidates = self
-            .scopes
-            .names()
-            .chain(drawn)
-            .chain(CONSTANTS.map(|(known, _)| known));
+        let candidates = self.scopes.names().chain(drawn).chain(CONSTANTS.map(|(known, _)| known));
         let here = elsewhere::name(word);
-        self.report
-            .add(elsewhere::tell(error, (word, span), here, candidates));
+        self.report.add(elsewhere::tell(error, (word, span), here, candidates));
     }
 }

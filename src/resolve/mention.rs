@@ -75,9 +75,7 @@ fn push_mentions<'a>(statement: &'a Statement, mentions: &mut Vec<Mention<'a>>) 
                 span: item.span,
             }));
         }
-        Statement::Edge {
-            name, halfedges, ..
-        } => {
+        Statement::Edge { name, halfedges, .. } => {
             push(name, Some(Kind::Edge));
             for halfedge in halfedges {
                 push(halfedge, Some(Kind::Halfedge));

@@ -177,22 +177,14 @@ fn kinds<'a>(
     for param in params {
         if let Some(ty) = param.ty {
             let kind = kind_of(ty).ok_or(ty);
-            let origin = Origin {
-                kind,
-                span: param.span,
-                told: false,
-            };
+            let origin = Origin { kind, span: param.span, told: false };
             kinds.entry(param.name.clone()).or_insert(origin);
         }
     }
     for mention in mentions {
         let Some(kind) = mention.kind else { continue };
         let first = kinds.entry(mention.text.as_ref().to_owned());
-        let first = first.or_insert(Origin {
-            kind: Ok(kind),
-            span: mention.span,
-            told: false,
-        });
+        let first = first.or_insert(Origin { kind: Ok(kind), span: mention.span, told: false });
         if first.kind != Ok(kind) && !first.told {
             first.told = true;
             report.add(two_kinds(mention, kind, first));

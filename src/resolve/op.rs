@@ -100,13 +100,7 @@ pub(super) fn resolve_op(
         one_result(name, op, report);
     }
     let mut rules = Vec::new();
-    let context = Context {
-        op,
-        params: &params,
-        result,
-        declared,
-        attributes,
-    };
+    let context = Context { op, params: &params, result, declared, attributes };
     for (rule, names) in op.rules.iter().zip(names) {
         rules.extend(resolve_rule(rule, names, &context, report));
     }
@@ -120,11 +114,7 @@ pub(super) fn resolve_op(
         rules,
         span: op.span,
     });
-    let signature = Signature {
-        name: op.name.text.clone(),
-        params,
-        result,
-    };
+    let signature = Signature { name: op.name.text.clone(), params, result };
     let resolved = signature.op(op.name.span, diagram);
     (signature, resolved)
 }
@@ -132,10 +122,7 @@ pub(super) fn resolve_op(
 /// A family is many elements, and an op returns one.
 fn one_result(name: &Ident, op: &tree::Op, report: &mut Report) {
     let mut sides = op.rules.iter().flat_map(|rule| [&rule.before, &rule.after]);
-    if sides.any(|side| {
-        side.as_ref()
-            .is_some_and(|side| is_family(side, &name.text))
-    }) {
+    if sides.any(|side| side.as_ref().is_some_and(|side| is_family(side, &name.text))) {
         let message = format!("`{}` is a family, and an op returns one element", name.text);
         report.add(Diagnostic::error("two-forms", message, name.span));
     }
@@ -176,10 +163,8 @@ fn rule_names(rules: &[tree::Rule], report: &mut Report) {
 
 /// An op that is drawn returns one of its names, not just something of a kind.
 fn kind_returned(kind: Kind, word: &Ident, rules: &[Names]) -> Diagnostic {
-    let message = format!(
-        "`{}` is a kind, and an op that is drawn returns one of its names",
-        word.text
-    );
+    let message =
+        format!("`{}` is a kind, and an op that is drawn returns one of its names", word.text);
     let error = Diagnostic::error("unknown-result", message, word.span);
     let is_one = |names: &Names, name: &str| {
         let id = names.find(name);

@@ -82,11 +82,7 @@ impl Typing<'_> {
         }
         let kind = ExprKind::Binary(joined.binary, Box::new(left), Box::new(right));
         let value = typed(joined.ty, kind, span);
-        Some(if joined.negate {
-            not(value, span)
-        } else {
-            value
-        })
+        Some(if joined.negate { not(value, span) } else { value })
     }
 }
 
@@ -110,20 +106,11 @@ struct Joined {
 
 impl Joined {
     fn plain(binary: Binary, ty: Type) -> Self {
-        Self {
-            binary,
-            ty,
-            widen: false,
-            swap: false,
-            negate: false,
-        }
+        Self { binary, ty, widen: false, swap: false, negate: false }
     }
 
     fn real(binary: Binary, ty: Type) -> Self {
-        Self {
-            widen: true,
-            ..Self::plain(binary, ty)
-        }
+        Self { widen: true, ..Self::plain(binary, ty) }
     }
 
     fn swapped(self) -> Self {
@@ -154,11 +141,9 @@ fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
     };
     match op {
         BinaryOp::Add => arithmetic(Binary::AddInt, Binary::AddReal, Binary::AddVector),
-        BinaryOp::Subtract => arithmetic(
-            Binary::SubtractInt,
-            Binary::SubtractReal,
-            Binary::SubtractVector,
-        ),
+        BinaryOp::Subtract => {
+            arithmetic(Binary::SubtractInt, Binary::SubtractReal, Binary::SubtractVector)
+        }
         BinaryOp::Multiply => match types {
             _ if matrices => Some(Joined::plain(Binary::MultiplyMatrices, left)),
             _ if left.is_matrix() && right.is_vector() => {
@@ -169,11 +154,7 @@ fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
             _ if number(left) && wide(right) => {
                 Some(Joined::real(Binary::ScaleVector, right).swapped())
             }
-            _ => arithmetic(
-                Binary::MultiplyInt,
-                Binary::MultiplyReal,
-                Binary::MultiplyVector,
-            ),
+            _ => arithmetic(Binary::MultiplyInt, Binary::MultiplyReal, Binary::MultiplyVector),
         },
         BinaryOp::Divide => match types {
             _ if wide(left) && number(right) => Some(Joined::real(Binary::DivideVector, left)),
@@ -182,10 +163,7 @@ fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
         BinaryOp::Div => ints.then(|| Joined::plain(Binary::Div, Int)),
         BinaryOp::Mod => ints.then(|| Joined::plain(Binary::Mod, Int)),
         BinaryOp::Equal => equal(types),
-        BinaryOp::NotEqual => equal(types).map(|joined| Joined {
-            negate: true,
-            ..joined
-        }),
+        BinaryOp::NotEqual => equal(types).map(|joined| Joined { negate: true, ..joined }),
         BinaryOp::Less => order(Binary::LessInt, Binary::LessReal),
         BinaryOp::LessEqual => order(Binary::LessEqualInt, Binary::LessEqualReal),
         BinaryOp::Greater => order(Binary::LessInt, Binary::LessReal).map(Joined::swapped),
@@ -238,10 +216,8 @@ fn wants(op: BinaryOp) -> &'static str {
 fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
     let vertex = operands.iter().find(|(_, value)| value.ty == Type::Vertex);
     match vertex.map(|(written, _)| &written.kind) {
-        Some(tree::ExprKind::Name(name)) => error.note(format!(
-            "the point at which a vertex lies is `{}.position`",
-            name.ident.text
-        )),
+        Some(tree::ExprKind::Name(name)) => error
+            .note(format!("the point at which a vertex lies is `{}.position`", name.ident.text)),
         _ => error,
     }
 }

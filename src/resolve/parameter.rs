@@ -115,10 +115,7 @@ fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> 
         ),
         Owner::Script => (
             matches!(ty, Type::Bool | Type::Int | Type::Real) || ty.is_vector(),
-            format!(
-                "a parameter of a script is a bool, a number or a vector, not {}",
-                a_type(ty)
-            ),
+            format!("a parameter of a script is a bool, a number or a vector, not {}", a_type(ty)),
         ),
     };
     if !fits {
@@ -136,11 +133,7 @@ fn default_value(
     report: &mut Report,
 ) -> Option<Expr> {
     if ty.is_element() {
-        let message = format!(
-            "`{}` is {}, and an element has no default",
-            name.text,
-            a_type(ty)
-        );
+        let message = format!("`{}` is {}, and an element has no default", name.text, a_type(ty));
         report.add(Diagnostic::error("parameter-type", message, default.span));
         return None;
     }
@@ -149,13 +142,7 @@ fn default_value(
     for parameter in earlier {
         scopes.declare(local(parameter));
     }
-    let mut typing = Typing {
-        place: Place::Default,
-        declared,
-        scopes,
-        report,
-        may_change: false,
-    };
+    let mut typing = Typing { place: Place::Default, declared, scopes, report, may_change: false };
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }
 

@@ -29,10 +29,7 @@ impl Program {
     /// scripts and of tests.
     pub fn variables(&self) -> impl Iterator<Item = &Variable> {
         let functions = self.functions.iter().filter_map(|of| of.body.as_ref());
-        let steps = self
-            .ops
-            .iter()
-            .filter_map(|op| Some(&op.steps.as_ref()?.body));
+        let steps = self.ops.iter().filter_map(|op| Some(&op.steps.as_ref()?.body));
         let bodies = functions.chain(steps).map(|body| &body.variables);
         let tests = self.tests.iter().map(|test| &test.script);
         let scripts = self.scripts.iter().chain(tests);
@@ -133,10 +130,7 @@ pub enum TestMesh {
     /// One without elements: nothing has been kept there yet.
     Empty,
     /// `grid(3, 4)`; the sizes are such as the constructor can take.
-    Made {
-        constructor: String,
-        sizes: Vec<u32>,
-    },
+    Made { constructor: String, sizes: Vec<u32> },
     /// `load("cube.obj")`
     Loaded { path: String, span: Span },
 }
@@ -170,62 +164,28 @@ pub enum StatementKind {
     /// `let x = …`, `var x = …`, `x = …`
     Set { variable: u32, value: Expr },
     /// `v.position = …` outside of `update`: at once.
-    Write {
-        target: Expr,
-        attribute: Access,
-        value: Expr,
-    },
+    Write { target: Expr, attribute: Access, value: Expr },
     /// `repeat n { … }`
     Repeat { count: Expr, body: Block },
     /// `while c { … }`
     While { condition: Expr, body: Block },
     /// `for x in xs where c { … }`: elements that exist when the loop starts and still
     /// exist when their turn comes.
-    For {
-        variable: u32,
-        collection: Collection,
-        filter: Option<Expr>,
-        body: Block,
-    },
+    For { variable: u32, collection: Collection, filter: Option<Expr>, body: Block },
     /// `update x in xs where c { … }`: a `Write` in its body is kept back to the end.
-    Update {
-        variable: u32,
-        collection: Collection,
-        filter: Option<Expr>,
-        body: Block,
-    },
+    Update { variable: u32, collection: Collection, filter: Option<Expr>, body: Block },
     /// `drain x in xs by key while c { … }`: the element with the least key first, and keys
     /// kept current. The condition, too, may name the element.
-    Drain {
-        variable: u32,
-        collection: Collection,
-        key: Expr,
-        condition: Option<Expr>,
-        body: Block,
-    },
+    Drain { variable: u32, collection: Collection, key: Expr, condition: Option<Expr>, body: Block },
     /// `if c { … } else { … }`
-    If {
-        condition: Expr,
-        then: Block,
-        otherwise: Block,
-    },
+    If { condition: Expr, then: Block, otherwise: Block },
     /// An op call as a statement: refusals are counted. `must` stops at a refusal. There
     /// is an argument for each parameter; defaults are filled in.
-    Apply {
-        op: usize,
-        args: Vec<Expr>,
-        must: bool,
-    },
+    Apply { op: usize, args: Vec<Expr>, must: bool },
     /// `if let m = split(e) { … } else { … }`; without a variable, `if split(e) { … }`.
     /// The variable is set before `then` and keeps its value after the statement, so
     /// `let m = must split(e)` is this with an empty `then` and a failing `otherwise`.
-    IfApply {
-        op: usize,
-        args: Vec<Expr>,
-        variable: Option<u32>,
-        then: Block,
-        otherwise: Block,
-    },
+    IfApply { op: usize, args: Vec<Expr>, variable: Option<u32>, then: Block, otherwise: Block },
     /// `print a, b`
     Print(Vec<Print>),
     /// `assert c else "…"`
@@ -237,17 +197,9 @@ pub enum StatementKind {
     /// `let start = mesh`, in tests
     KeepMesh { mesh: u16 },
     /// `assert mesh == start`, `assert mesh != cube()`, in tests
-    AssertMesh {
-        mesh: u16,
-        same: bool,
-        reason: String,
-    },
+    AssertMesh { mesh: u16, same: bool, reason: String },
     /// `assert refuses(flip(e), "…")`, in tests
-    AssertRefuses {
-        op: usize,
-        args: Vec<Expr>,
-        reason: Option<String>,
-    },
+    AssertRefuses { op: usize, args: Vec<Expr>, reason: Option<String> },
     /// `break`, of the innermost loop
     Break,
     /// `continue`, with the innermost loop
@@ -256,11 +208,7 @@ pub enum StatementKind {
     Return(Option<Expr>),
     /// The call of a function as a statement, with an argument for each parameter. Its value,
     /// of this type, is dropped.
-    Call {
-        function: u32,
-        args: Vec<Expr>,
-        result: Option<Type>,
-    },
+    Call { function: u32, args: Vec<Expr>, result: Option<Type> },
 }
 
 /// A piece of what `print` prints, one behind the other.

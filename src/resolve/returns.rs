@@ -27,12 +27,7 @@ pub(super) struct Returns {
 impl Returns {
     /// Nothing: the statements of a script.
     pub(super) fn nothing() -> Self {
-        Self {
-            function: None,
-            value: Value::Nothing,
-            first: None,
-            cycles: false,
-        }
+        Self { function: None, value: Value::Nothing, first: None, cycles: false }
     }
 
     /// What a function says.
@@ -75,28 +70,18 @@ impl Scripting<'_> {
         let span = action.span;
         let kind = match &action.kind {
             ActionKind::Expr(value) if self.is_value(value) => self.exit(Some(value), span),
-            ActionKind::If {
-                binding: None,
-                condition,
-                then,
-                otherwise: Some(otherwise),
-            } if !self.is_op_call(condition) => {
+            ActionKind::If { binding: None, condition, then, otherwise: Some(otherwise) }
+                if !self.is_op_call(condition) =>
+            {
                 self.typing.may_change = true;
                 let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
                 let then = self.body(then);
                 let otherwise = self.body(otherwise);
-                condition.map(|condition| StatementKind::If {
-                    condition,
-                    then,
-                    otherwise,
-                })
+                condition.map(|condition| StatementKind::If { condition, then, otherwise })
             }
-            ActionKind::If {
-                binding,
-                condition,
-                then,
-                otherwise: Some(otherwise),
-            } => self.if_applied_at_end(binding.as_ref(), condition, [then, otherwise]),
+            ActionKind::If { binding, condition, then, otherwise: Some(otherwise) } => {
+                self.if_applied_at_end(binding.as_ref(), condition, [then, otherwise])
+            }
             ActionKind::Block(block) => return statements.extend(self.body(block)),
             _ => return self.actions(std::slice::from_ref(action), statements),
         };
@@ -148,16 +133,9 @@ impl Scripting<'_> {
                 ty: Some(result),
                 binding: Binding::Head,
             });
-            let local = Expr {
-                ty: result,
-                kind: ExprKind::Local(variable),
-                span: value.span,
-            };
+            let local = Expr { ty: result, kind: ExprKind::Local(variable), span: value.span };
             let local = self.fitting(value, local, &name)?;
-            let returned = Statement {
-                kind: StatementKind::Return(Some(local)),
-                span,
-            };
+            let returned = Statement { kind: StatementKind::Return(Some(local)), span };
             return Some(applied.into_variable(variable, vec![returned]));
         }
         self.typing.may_change = !self.updating;
@@ -193,11 +171,8 @@ impl Scripting<'_> {
             Value::Of(Type::Real) if value.ty == Type::Int => Some(to_real(value)),
             Value::Of(ty) if ty == value.ty => Some(value),
             Value::Of(ty) => {
-                let message = format!(
-                    "`{name}` gives {}, but this is {}",
-                    a_type(ty),
-                    a_type(value.ty)
-                );
+                let message =
+                    format!("`{name}` gives {}, but this is {}", a_type(ty), a_type(value.ty));
                 let error = Diagnostic::error("type-mismatch", message, written.span);
                 self.typing.report.add(match first == written.span {
                     true => error,
@@ -215,10 +190,8 @@ impl Scripting<'_> {
                     false => format!("`{name}` gives nothing elsewhere"),
                 };
                 let error = Diagnostic::error("needs-result-type", message, written.span);
-                let error = error.note(format!(
-                    "behind the parameters: `fn {name}(…) -> {}`",
-                    value.ty.word()
-                ));
+                let error = error
+                    .note(format!("behind the parameters: `fn {name}(…) -> {}`", value.ty.word()));
                 self.typing.report.add(error);
                 None
             }
@@ -241,12 +214,8 @@ pub(super) fn ends(block: &[Statement]) -> bool {
         StatementKind::While { condition, body } => {
             condition.kind == ExprKind::Bool(true) && !breaks(body)
         }
-        StatementKind::If {
-            then, otherwise, ..
-        }
-        | StatementKind::IfApply {
-            then, otherwise, ..
-        } => ends(then) && ends(otherwise),
+        StatementKind::If { then, otherwise, .. }
+        | StatementKind::IfApply { then, otherwise, .. } => ends(then) && ends(otherwise),
         _ => false,
     })
 }
@@ -255,12 +224,8 @@ pub(super) fn ends(block: &[Statement]) -> bool {
 fn breaks(block: &[Statement]) -> bool {
     block.iter().any(|statement| match &statement.kind {
         StatementKind::Break => true,
-        StatementKind::If {
-            then, otherwise, ..
-        }
-        | StatementKind::IfApply {
-            then, otherwise, ..
-        } => breaks(then) || breaks(otherwise),
+        StatementKind::If { then, otherwise, .. }
+        | StatementKind::IfApply { then, otherwise, .. } => breaks(then) || breaks(otherwise),
         _ => false,
     })
 }

@@ -120,10 +120,7 @@ pub(super) fn resolve_body(
         && !report.failed()
         && !ends(&block)
     {
-        let end = Span {
-            start: written.span.end.saturating_sub(1),
-            ..written.span
-        };
+        let end = Span { start: written.span.end.saturating_sub(1), ..written.span };
         let message = format!("`{}` may come to its end without a value", signature.name);
         let error = Diagnostic::error("missing-return", message, end).note(format!(
             "every way through it has to end with `return` and a value of type `{}`, or with \
@@ -135,8 +132,6 @@ pub(super) fn resolve_body(
     if report.failed() {
         return (value, requires, None);
     }
-    let body = scopes
-        .into_variables()
-        .map(|variables| Body { variables, block });
+    let body = scopes.into_variables().map(|variables| Body { variables, block });
     (value, requires, body)
 }

@@ -65,9 +65,7 @@ pub(super) fn resolve_rule(
     let params = context.params.iter();
     let params = params.map(|param| {
         // A value of the name of a drawn element is an error by now.
-        names
-            .find(&param.name)
-            .filter(|_| param.ty.is_some_and(|ty| ty.is_element()))
+        names.find(&param.name).filter(|_| param.ty.is_some_and(|ty| ty.is_element()))
     });
     Some(Rule {
         label: rule.name.as_ref().map(|name| name.text.clone()),
@@ -135,9 +133,7 @@ fn returned(
 }
 
 fn not_returned(name: &Ident, rule: &Ident) -> Diagnostic {
-    let message = format!(
-        "`{}` is returned, but the rule `{}` does not draw it",
-        name.text, rule.text
-    );
+    let message =
+        format!("`{}` is returned, but the rule `{}` does not draw it", name.text, rule.text);
     Diagnostic::error("unknown-result", message, name.span).label(rule.span, "in this rule")
 }

@@ -80,10 +80,7 @@ impl Scopes {
     /// The variable of this name that the innermost block itself has declared.
     pub(super) fn find_here(&self, name: &str) -> Option<&Local> {
         let (number, local) = self.find(name)?;
-        let here = self
-            .open
-            .last()
-            .is_some_and(|block| block.contains(&number));
+        let here = self.open.last().is_some_and(|block| block.contains(&number));
         here.then_some(local)
     }
 
@@ -97,13 +94,8 @@ impl Scopes {
 
     /// All variables by number; `None` if the type of one is unknown.
     pub(super) fn into_variables(self) -> Option<Vec<Variable>> {
-        let variable = |local: Local| {
-            Some(Variable {
-                name: local.name,
-                ty: local.ty?,
-                span: local.span,
-            })
-        };
+        let variable =
+            |local: Local| Some(Variable { name: local.name, ty: local.ty?, span: local.span });
         self.locals.into_iter().map(variable).collect()
     }
 }

@@ -94,13 +94,7 @@ impl<'a> Scripting<'a> {
             scopes.declare(local(param));
         }
         Self {
-            typing: Typing {
-                place: Place::Script,
-                declared,
-                scopes,
-                report,
-                may_change: false,
-            },
+            typing: Typing { place: Place::Script, declared, scopes, report, may_change: false },
             ops,
             loops: 0,
             updating: false,
@@ -128,15 +122,12 @@ impl Scripting<'_> {
                 // A block in a block is nothing but a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
                 _ if self.testing.is_some() => {
-                    statements.extend(self.tested(action).map(|kind| Statement {
-                        kind,
-                        span: action.span,
-                    }));
+                    statements.extend(
+                        self.tested(action).map(|kind| Statement { kind, span: action.span }),
+                    );
                 }
-                _ => statements.extend(self.action(action).map(|kind| Statement {
-                    kind,
-                    span: action.span,
-                })),
+                _ => statements
+                    .extend(self.action(action).map(|kind| Statement { kind, span: action.span })),
             }
         }
     }
@@ -159,41 +150,18 @@ impl Scripting<'_> {
             ActionKind::Assign { target, value } => self.assignment(target, value, action.span),
             ActionKind::Repeat { count, body } => self.repeat(count, body),
             ActionKind::While { condition, body } => self.repeat_while(condition, body),
-            ActionKind::For {
-                variable,
-                sequence,
-                filter,
-                body,
-            } => self.visit_each(Visit {
-                variable,
-                sequence,
-                filter: filter.as_ref(),
-                body,
-            }),
-            ActionKind::Update {
-                variable,
-                sequence,
-                filter,
-                body,
-            } => self.update_each(Visit {
-                variable,
-                sequence,
-                filter: filter.as_ref(),
-                body,
-            }),
-            ActionKind::Drain {
-                variable,
-                sequence,
-                key,
-                condition,
-                body,
-            } => self.drain(variable, sequence, (key, condition.as_ref()), body),
-            ActionKind::If {
-                binding,
-                condition,
-                then,
-                otherwise,
-            } => self.choice(binding.as_ref(), condition, then, otherwise.as_ref()),
+            ActionKind::For { variable, sequence, filter, body } => {
+                self.visit_each(Visit { variable, sequence, filter: filter.as_ref(), body })
+            }
+            ActionKind::Update { variable, sequence, filter, body } => {
+                self.update_each(Visit { variable, sequence, filter: filter.as_ref(), body })
+            }
+            ActionKind::Drain { variable, sequence, key, condition, body } => {
+                self.drain(variable, sequence, (key, condition.as_ref()), body)
+            }
+            ActionKind::If { binding, condition, then, otherwise } => {
+                self.choice(binding.as_ref(), condition, then, otherwise.as_ref())
+            }
             ActionKind::Print(values) => self.print(values),
             ActionKind::Assert { condition, reason } => {
                 let reason = reason.as_ref().map(|(text, _)| text.as_str());
@@ -277,9 +245,7 @@ impl Scripting<'_> {
         reason: Option<&str>,
         span: Span,
     ) -> Option<StatementKind> {
-        let typed = self
-            .typing
-            .expression_as(condition, Type::Bool, "`require`");
+        let typed = self.typing.expression_as(condition, Type::Bool, "`require`");
         let Some(op) = self.steps_of else {
             let message =
                 "`require` stands where an op can refuse: in its steps, or beside its drawings";
@@ -326,13 +292,7 @@ impl Scripting<'_> {
             Some(condition) => Some(condition?),
             None => None,
         };
-        Some(StatementKind::Drain {
-            variable,
-            collection: collection?,
-            key: key?,
-            condition,
-            body,
-        })
+        Some(StatementKind::Drain { variable, collection: collection?, key: key?, condition, body })
     }
 
     fn visit(&mut self, visit: Visit) -> Option<Visited> {
@@ -344,20 +304,14 @@ impl Scripting<'_> {
             ty: collection.as_ref().map(Collection::element),
             binding: Binding::Head,
         });
-        let filter = visit
-            .filter
-            .map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
+        let filter =
+            visit.filter.map(|filter| self.typing.expression_as(filter, Type::Bool, "`where`"));
         let body = self.repeated(visit.body);
         self.typing.scopes.leave();
         let filter = match filter {
             Some(filter) => Some(filter?),
             None => None,
         };
-        Some(Visited {
-            variable,
-            collection: collection?,
-            filter,
-            body,
-        })
+        Some(Visited { variable, collection: collection?, filter, body })
     }
 }

@@ -67,9 +67,7 @@ fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
 pub(super) fn is_sequence(expr: &tree::Expr) -> bool {
     let around = [Type::Vertex, Type::Edge, Type::Face];
     match &expr.kind {
-        tree::ExprKind::Name(name) => WHOLE_MESH
-            .iter()
-            .any(|(known, _)| *known == name.ident.text),
+        tree::ExprKind::Name(name) => WHOLE_MESH.iter().any(|(known, _)| *known == name.ident.text),
         tree::ExprKind::Field(_, field) => {
             let word = field.text.as_str();
             around.iter().any(|ty| sequences_of(*ty).contains(&word))
@@ -121,8 +119,7 @@ impl Typing<'_> {
                 format!("a default cannot look at the `{word}` of a mesh")
             }
         };
-        self.report
-            .add(Diagnostic::error("whole-mesh", message, span));
+        self.report.add(Diagnostic::error("whole-mesh", message, span));
         None
     }
 
@@ -141,24 +138,14 @@ impl Typing<'_> {
                 let words = WHOLE_MESH.map(|(known, _)| known);
                 error.note(format!("the sequences of the mesh are {}", quoted(&words)))
             }
-            words => error.note(format!(
-                "the sequences of {} are {}",
-                a_type(of),
-                quoted(words)
-            )),
+            words => error.note(format!("the sequences of {} are {}", a_type(of), quoted(words))),
         });
         None
     }
 
     /// `mean(x for e in edges where c)`
     pub(super) fn aggregate(&mut self, expr: &tree::Expr) -> Option<Expr> {
-        let tree::ExprKind::Aggregate {
-            function,
-            body,
-            variable,
-            sequence,
-            filter,
-        } = &expr.kind
+        let tree::ExprKind::Aggregate { function, body, variable, sequence, filter } = &expr.kind
         else {
             return None;
         };
@@ -171,9 +158,8 @@ impl Typing<'_> {
             ty: collection.as_ref().map(Collection::element),
             binding: Binding::Head,
         });
-        let filter = filter
-            .as_ref()
-            .map(|filter| self.expression_as(filter, Type::Bool, "`where`"));
+        let filter =
+            filter.as_ref().map(|filter| self.expression_as(filter, Type::Bool, "`where`"));
         let value = self.expression(body);
         self.scopes.leave();
         let filter = match filter {
@@ -186,13 +172,8 @@ impl Typing<'_> {
             (FoldFunction::ArgMin | FoldFunction::ArgMax, Some(of)) => of.element(),
             _ => ty,
         };
-        let fold = Fold {
-            function: fold,
-            variable: number,
-            collection: collection?,
-            filter,
-            body: value,
-        };
+        let fold =
+            Fold { function: fold, variable: number, collection: collection?, filter, body: value };
         Some(typed(ty, ExprKind::Fold(Box::new(fold)), expr.span))
     }
 
@@ -206,12 +187,9 @@ impl Typing<'_> {
         self.right_count(function, 1, args.len(), span)?;
         let collection = self.sequence(args.first()?)?;
         if function.text != "count" {
-            let message = format!(
-                "`{0}` wants a value for each element: `{0}(… for x in …)`",
-                function.text
-            );
-            self.report
-                .add(Diagnostic::error("type-mismatch", message, span));
+            let message =
+                format!("`{0}` wants a value for each element: `{0}(… for x in …)`", function.text);
+            self.report.add(Diagnostic::error("type-mismatch", message, span));
             return None;
         }
         self.scopes.enter();
@@ -297,13 +275,9 @@ impl Typing<'_> {
                 _,
             ) => "numbers",
         };
-        let message = format!(
-            "{whose} wants {wants}, but {} is {}",
-            subject(written),
-            a_type(value.ty)
-        );
-        self.report
-            .add(Diagnostic::error("type-mismatch", message, written.span));
+        let message =
+            format!("{whose} wants {wants}, but {} is {}", subject(written), a_type(value.ty));
+        self.report.add(Diagnostic::error("type-mismatch", message, written.span));
         None
     }
 }

@@ -18,13 +18,7 @@ use super::words::{a_type, subject};
 impl Scripting<'_> {
     /// `let x = …`, `var x = …`
     pub(super) fn declaration(&mut self, action: &Action) -> Option<StatementKind> {
-        let ActionKind::Let {
-            mutable,
-            name,
-            ty,
-            value,
-        } = &action.kind
-        else {
+        let ActionKind::Let { mutable, name, ty, value } = &action.kind else {
             return None;
         };
         if let Some(first) = self.typing.scopes.find_here(&name.text) {
@@ -54,10 +48,8 @@ impl Scripting<'_> {
                 (value.as_ref().map(|value| value.ty), Ok(value))
             }
         };
-        let keyword = Span {
-            end: action.span.start.saturating_add(3).min(name.span.start),
-            ..action.span
-        };
+        let keyword =
+            Span { end: action.span.start.saturating_add(3).min(name.span.start), ..action.span };
         let variable = self.typing.scopes.declare(Local {
             name: name.text.clone(),
             span: name.span,
@@ -198,11 +190,7 @@ impl Scripting<'_> {
         let (attribute, ty) = self.typing.attribute_of(target.ty, field)?;
         let whose = format!("`{}`", field.text);
         let value = self.typing.expression_as(value, ty, &whose)?;
-        Some(StatementKind::Write {
-            target,
-            attribute,
-            value,
-        })
+        Some(StatementKind::Write { target, attribute, value })
     }
 
     /// `if c { … } else { … }`, also with an op
@@ -220,11 +208,7 @@ impl Scripting<'_> {
         let condition = self.typing.expression_as(condition, Type::Bool, "`if`");
         let then = self.block(then);
         let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
-        Some(StatementKind::If {
-            condition: condition?,
-            then,
-            otherwise,
-        })
+        Some(StatementKind::If { condition: condition?, then, otherwise })
     }
 
     /// `print a, "b {c:.3}"`
@@ -275,9 +259,7 @@ impl Scripting<'_> {
     ) -> Option<StatementKind> {
         if self.loops == 0 {
             let message = format!("`{word}` stands inside of a loop");
-            self.typing
-                .report
-                .add(Diagnostic::error("outside-loop", message, span));
+            self.typing.report.add(Diagnostic::error("outside-loop", message, span));
             return None;
         }
         Some(kind)
@@ -296,11 +278,7 @@ impl Scripting<'_> {
                     || self.typing.declared.op(&function.text).is_some() =>
             {
                 let (op, args) = self.application(function, args, expr.span)?;
-                Some(StatementKind::Apply {
-                    op,
-                    args,
-                    must: false,
-                })
+                Some(StatementKind::Apply { op, args, must: false })
             }
             tree::ExprKind::Must(inner) => {
                 let tree::ExprKind::Call { function, args } = &inner.kind else {
@@ -308,11 +286,7 @@ impl Scripting<'_> {
                     return None;
                 };
                 let (op, args) = self.application(function, args, inner.span)?;
-                Some(StatementKind::Apply {
-                    op,
-                    args,
-                    must: true,
-                })
+                Some(StatementKind::Apply { op, args, must: true })
             }
             _ => {
                 let value: Expr = self.typing.expression(expr)?;
@@ -329,9 +303,7 @@ impl Scripting<'_> {
                 tree::ExprKind::Must(_) => value.span,
                 _ => return true,
             },
-            ActionKind::If {
-                binding, condition, ..
-            } => {
+            ActionKind::If { binding, condition, .. } => {
                 if binding.is_none() && !self.is_op_call(condition) {
                     return true;
                 }

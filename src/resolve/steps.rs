@@ -53,19 +53,12 @@ pub(super) fn steps_signature(
         if matches!(property, Property::Level(kept) if kept <= level) {
             continue;
         }
-        let message = format!(
-            "an op in steps does not keep `{}` by itself",
-            property.word()
-        );
+        let message = format!("an op in steps does not keep `{}` by itself", property.word());
         let error = Diagnostic::error("property-not-kept", message, span)
             .note("of its steps each keeps what it keeps; the whole, the level that it guards");
         report.add(error);
     }
-    let signature = Signature {
-        name: op.name.text.clone(),
-        params,
-        result,
-    };
+    let signature = Signature { name: op.name.text.clone(), params, result };
     let resolved = signature.op(op.name.span, None);
     (signature, resolved)
 }

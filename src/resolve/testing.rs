@@ -85,10 +85,7 @@ pub(super) fn resolve_test(
     if report.failed() {
         return None;
     }
-    let span = Span {
-        end: test.body.span.start.max(test.span.start),
-        ..test.span
-    };
+    let span = Span { end: test.body.span.start.max(test.span.start), ..test.span };
     Some(Test {
         begin: begin?,
         meshes,
@@ -149,11 +146,7 @@ impl Scripting<'_> {
     /// `let start = mesh`
     fn kept(&mut self, name: &Ident) -> Option<StatementKind> {
         let meshes = self.testing.as_mut()?;
-        if let Some((first, _)) = meshes
-            .kept
-            .iter()
-            .find(|(known, _)| known.text == name.text)
-        {
+        if let Some((first, _)) = meshes.kept.iter().find(|(known, _)| known.text == name.text) {
             let error = duplicate("a mesh", name, first.span);
             self.typing.report.add(error);
             return None;
@@ -189,11 +182,7 @@ impl Scripting<'_> {
             true => "the mesh is another",
             false => "the mesh is the same",
         });
-        Some(StatementKind::AssertMesh {
-            mesh,
-            same,
-            reason: reason.to_owned(),
-        })
+        Some(StatementKind::AssertMesh { mesh, same, reason: reason.to_owned() })
     }
 
     /// `assert refuses(flip(e), "the edge is there")`
@@ -222,9 +211,7 @@ impl Scripting<'_> {
 
     fn wrong_refuses(&mut self, span: Span) {
         let message = "`refuses` wants the call of an op, and perhaps the reason as a text";
-        self.typing
-            .report
-            .add(Diagnostic::error("not-an-op", message, span));
+        self.typing.report.add(Diagnostic::error("not-an-op", message, span));
     }
 
     /// What makes a mesh: `cube()`, `load("cube.obj")`.
@@ -238,15 +225,9 @@ impl Scripting<'_> {
         let word = function.text.as_str();
         if word == "load" {
             return match args.as_slice() {
-                [
-                    tree::Expr {
-                        kind: ExprKind::Text(path),
-                        span,
-                    },
-                ] => Some(TestMesh::Loaded {
-                    path: path.clone(),
-                    span: *span,
-                }),
+                [tree::Expr { kind: ExprKind::Text(path), span }] => {
+                    Some(TestMesh::Loaded { path: path.clone(), span: *span })
+                }
                 _ => {
                     let message = "`load` wants the path of a mesh as a text";
                     let error = Diagnostic::error("test-mesh", message, expr.span);
@@ -266,16 +247,10 @@ impl Scripting<'_> {
         };
         if least.len() != args.len() {
             let message = format!("`{word}` takes {}", arguments(least.len()));
-            self.typing
-                .report
-                .add(Diagnostic::error("wrong-count", message, expr.span));
+            self.typing.report.add(Diagnostic::error("wrong-count", message, expr.span));
             return None;
         }
-        let most = if word == "icosphere" {
-            MOST_SPLIT
-        } else {
-            MOST
-        };
+        let most = if word == "icosphere" { MOST_SPLIT } else { MOST };
         let mut sizes = Vec::new();
         for (arg, &least) in args.iter().zip(*least) {
             match arg.kind {
@@ -288,10 +263,7 @@ impl Scripting<'_> {
                 }
             }
         }
-        Some(TestMesh::Made {
-            constructor: word.to_owned(),
-            sizes,
-        })
+        Some(TestMesh::Made { constructor: word.to_owned(), sizes })
     }
 }
 

@@ -58,9 +58,7 @@ pub(super) fn to_real(expr: Expr) -> Expr {
 impl Typing<'_> {
     /// A whole expression of any type.
     pub(super) fn whole(&mut self, expr: &tree::Expr) -> Option<Expr> {
-        shallow_expr(expr, self.report)
-            .then(|| self.expression(expr))
-            .flatten()
+        shallow_expr(expr, self.report).then(|| self.expression(expr)).flatten()
     }
 
     /// A whole expression of the type that `whose` wants.
@@ -121,11 +119,9 @@ impl Typing<'_> {
                 let value = self.expression(inner)?;
                 self.unary(*op, (inner, value), span)
             }
-            tree::ExprKind::If {
-                condition,
-                then,
-                otherwise,
-            } => self.choice(condition, [then, otherwise], span),
+            tree::ExprKind::If { condition, then, otherwise } => {
+                self.choice(condition, [then, otherwise], span)
+            }
             tree::ExprKind::Aggregate { .. } => self.aggregate(expr),
             // Chains are taken apart before; the parser has spoken about what is broken.
             tree::ExprKind::Binary(..) | tree::ExprKind::Field(..) | tree::ExprKind::Broken => {
@@ -230,12 +226,9 @@ impl Typing<'_> {
         match &action.kind {
             tree::ActionKind::Expr(value) => self.expression(value),
             // A nested `if` with a value reads as a statement to the parser.
-            tree::ActionKind::If {
-                binding: None,
-                condition,
-                then,
-                otherwise: Some(otherwise),
-            } => self.choice(condition, [then, otherwise], action.span),
+            tree::ActionKind::If { binding: None, condition, then, otherwise: Some(otherwise) } => {
+                self.choice(condition, [then, otherwise], action.span)
+            }
             tree::ActionKind::Broken => {
                 self.report.fail();
                 None
@@ -249,23 +242,15 @@ impl Typing<'_> {
 
     /// `let x = …` in a block that is a value.
     fn named(&mut self, action: &tree::Action) -> Option<(u32, Expr)> {
-        let tree::ActionKind::Let {
-            mutable: false,
-            name,
-            ty,
-            value,
-        } = &action.kind
-        else {
+        let tree::ActionKind::Let { mutable: false, name, ty, value } = &action.kind else {
             let message = "before the value of a block there may be `let`, and nothing else";
             let error = Diagnostic::error("not-a-value", message, action.span);
-            self.report
-                .add(error.note("a function (`fn`) can hold any statements"));
+            self.report.add(error.note("a function (`fn`) can hold any statements"));
             return None;
         };
         if matches!(self.place, Place::Default) {
             let message = "in a default, a block holds one value";
-            self.report
-                .add(Diagnostic::error("not-a-value", message, action.span));
+            self.report.add(Diagnostic::error("not-a-value", message, action.span));
             return None;
         }
         let wanted = match ty {
@@ -276,10 +261,8 @@ impl Typing<'_> {
             Some(ty) => self.expression_as(value, ty, &format!("`{}`", name.text)),
             None => self.expression(value),
         };
-        let keyword = Span {
-            end: action.span.start.saturating_add(3).min(name.span.start),
-            ..action.span
-        };
+        let keyword =
+            Span { end: action.span.start.saturating_add(3).min(name.span.start), ..action.span };
         let variable = self.scopes.declare(Local {
             name: name.text.clone(),
             span: name.span,
@@ -291,7 +274,6 @@ impl Typing<'_> {
 
     fn no_value_at(&mut self, span: Span) {
         let message = "this block is a value, so a value stands at its end";
-        self.report
-            .add(Diagnostic::error("not-a-value", message, span));
+        self.report.add(Diagnostic::error("not-a-value", message, span));
     }
 }

@@ -126,10 +126,7 @@ impl Open {
 }
 
 fn shifted(mention: Ref, by: i32) -> Ref {
-    Ref {
-        shift: mention.shift.saturating_add(by),
-        ..mention
-    }
+    Ref { shift: mention.shift.saturating_add(by), ..mention }
 }
 
 /// The pairs of halfedges that run in opposite directions, if each fits just one other.
@@ -143,9 +140,7 @@ fn pairs(open: &[Open], names: &Names) -> Vec<Pair> {
         };
         if at < other {
             let two = shifted(open[other].half, by);
-            pairs.push(Pair {
-                halfedges: [one.half, two],
-            });
+            pairs.push(Pair { halfedges: [one.half, two] });
         }
     }
     pairs

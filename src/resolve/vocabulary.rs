@@ -80,22 +80,11 @@ fn word(wanted: Wanted) -> &'static str {
 /// What may stand behind the dot of a value of a type.
 pub fn fields(ty: Type) -> Vec<FieldWord> {
     let values = entries_of(ty).into_iter().map(|entry| {
-        let Entry {
-            name,
-            ty,
-            is_attribute,
-        } = entry;
-        FieldWord {
-            name,
-            ty: Some(ty),
-            is_attribute,
-        }
+        let Entry { name, ty, is_attribute } = entry;
+        FieldWord { name, ty: Some(ty), is_attribute }
     });
-    let sequences = sequences_of(ty).iter().map(|name| FieldWord {
-        name,
-        ty: None,
-        is_attribute: false,
-    });
+    let sequences =
+        sequences_of(ty).iter().map(|name| FieldWord { name, ty: None, is_attribute: false });
     values.chain(sequences).collect()
 }
 

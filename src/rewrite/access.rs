@@ -105,9 +105,7 @@ pub(super) fn lives(mesh: &Mesh, of: Elements, id: u32) -> bool {
 pub(super) fn next_living(mesh: &Mesh, of: Elements, id: u64) -> Option<u32> {
     // Every id is below the capacity, which is below `u32::MAX`.
     let capacity = mesh.capacity(of.kind()) as u64;
-    (id..capacity)
-        .map(|id| id as u32)
-        .find(|&id| lives(mesh, of, id))
+    (id..capacity).map(|id| id as u32).find(|&id| lives(mesh, of, id))
 }
 
 /// Appends all living elements.
@@ -185,9 +183,7 @@ pub(super) fn store_all(
     halfedges: &[u64],
     value: u32,
 ) -> Result<(), Message> {
-    halfedges
-        .iter()
-        .try_for_each(|&id| store(mesh, field, id as u32, value))
+    halfedges.iter().try_for_each(|&id| store(mesh, field, id as u32, value))
 }
 
 /// A living vertex and a position that it may have.

@@ -88,12 +88,9 @@ mod tests {
 
     #[test]
     fn division_rounds_down_and_the_rest_follows_the_divisor() {
-        for (a, b, quotient, rest) in [
-            (7, 2, 3, 1),
-            (-7, 2, -4, 1),
-            (7, -2, -4, -1),
-            (-7, -2, 3, -1),
-        ] {
+        for (a, b, quotient, rest) in
+            [(7, 2, 3, 1), (-7, 2, -4, 1), (7, -2, -4, -1), (-7, -2, 3, -1)]
+        {
             assert_eq!(divide(a, b), Ok(quotient));
             assert_eq!(modulo(a, b), Ok(rest));
         }

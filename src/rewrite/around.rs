@@ -57,11 +57,7 @@ pub(super) fn meets_all(mesh: &Mesh, walk: Walk, halfedges: &[u64]) -> Result<bo
     for _ in 0..mesh.capacity(ElementKind::Halfedge) {
         at = match walk {
             Walk::Loop => load(mesh, HalfedgeField::Next, at)?,
-            Walk::Star => load(
-                mesh,
-                HalfedgeField::Twin,
-                load(mesh, HalfedgeField::Prev, at)?,
-            )?,
+            Walk::Star => load(mesh, HalfedgeField::Twin, load(mesh, HalfedgeField::Prev, at)?)?,
         };
         if u64::from(at) == first {
             return Ok(open.next().is_none());
@@ -92,11 +88,7 @@ mod tests {
 
     #[test]
     fn a_part_ends_where_the_next_begins() {
-        let span = |shift| Span {
-            buffer: 0,
-            ends: 1,
-            shift,
-        };
+        let span = |shift| Span { buffer: 0, ends: 1, shift };
         let part = |index, shift| part(&[7, 8, 9], &[1, 1, 3], index, span(shift)).ok();
         assert_eq!(part(0, 0), Some(&[7][..]));
         assert_eq!(part(1, 0), Some(&[][..]));

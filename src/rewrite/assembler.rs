@@ -186,10 +186,8 @@ impl Assembler {
         }
         let shift = prologue as u32;
         let consts = self.constants.iter();
-        let mut insts: Vec<Inst> = consts
-            .map(|&(to, bits)| Inst::Const { to, bits })
-            .chain(self.insts)
-            .collect();
+        let mut insts: Vec<Inst> =
+            consts.map(|&(to, bits)| Inst::Const { to, bits }).chain(self.insts).collect();
         for label in insts.iter_mut().filter_map(Inst::target_mut) {
             let bound = self.labels.get(label.0 as usize).copied().flatten();
             *label = Label(bound.map_or(length as u32, |at| at + shift));
@@ -281,11 +279,7 @@ mod tests {
         asm.release(mark);
         assert_eq!((param, a, b, seven), (Reg(0), Reg(1), Reg(4), Reg(5)));
         let eight = asm.constant_int(8);
-        assert_eq!(
-            eight,
-            Reg(6),
-            "a free register may have been written to before"
-        );
+        assert_eq!(eight, Reg(6), "a free register may have been written to before");
         assert_eq!(asm.block(5), Reg(7), "five in a row fit only behind");
         assert_eq!(asm.vec(), Reg(1));
         assert_eq!(asm.constant_int(7), seven);
@@ -298,24 +292,12 @@ mod tests {
         let (head, end) = (asm.label(), asm.label());
         let yes = asm.constant_bool(true);
         asm.bind(head);
-        asm.trap_at(
-            9,
-            Inst::JumpUnless {
-                condition: yes,
-                to: end,
-            },
-        );
+        asm.trap_at(9, Inst::JumpUnless { condition: yes, to: end });
         asm.emit(Inst::Jump { to: head });
         let code = asm.finish().unwrap();
         assert_eq!(
             code.insts[1..],
-            [
-                Inst::JumpUnless {
-                    condition: yes,
-                    to: Label(3)
-                },
-                Inst::Jump { to: Label(1) }
-            ]
+            [Inst::JumpUnless { condition: yes, to: Label(3) }, Inst::Jump { to: Label(1) }]
         );
         assert_eq!((code.place(1), code.place(2)), (Some(9), None));
     }

@@ -89,9 +89,7 @@ pub(super) fn store(
     value: Reg,
 ) -> Result<(), Message> {
     let at = index(mesh, column, id)?;
-    put(mesh, column, at, |part| {
-        w.bits(Reg(value.0.wrapping_add(part)))
-    })
+    put(mesh, column, at, |part| w.bits(Reg(value.0.wrapping_add(part))))
 }
 
 /// Writes a value whose slots are asked for one by one.

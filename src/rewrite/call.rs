@@ -127,11 +127,7 @@ impl Trap {
     /// The trap seen from a call: the instruction at `at` did it.
     #[cold]
     pub(super) fn through(mut self, call: &Call<'_>, at: usize) -> Self {
-        self.trace.push(Site {
-            op: call.op,
-            function: call.function,
-            place: call.code.place(at),
-        });
+        self.trace.push(Site { op: call.op, function: call.function, place: call.code.place(at) });
         self
     }
 }

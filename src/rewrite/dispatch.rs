@@ -95,12 +95,7 @@ impl Machine<'_> {
                 Const { to, bits } => w.set_bits(to, bits),
                 Copy { to, from } => w.set_bits(to, w.bits(from)),
                 CopyVec { to, from } => w.set_vector(to, w.vector(from)),
-                Select {
-                    to,
-                    condition,
-                    then,
-                    otherwise,
-                } => {
+                Select { to, condition, then, otherwise } => {
                     let from = if w.truth(condition) { then } else { otherwise };
                     w.set_bits(to, w.bits(from));
                 }
@@ -164,27 +159,17 @@ impl Machine<'_> {
                 LengthVec { to, from } => w.set_real(to, w.vector(from).length()),
                 Normalize { to, from } => w.set_vector(to, direction(w.vector(from))),
                 CopyWide { to, from, width } => wide::copy(&mut w, to, from, width),
-                Wide {
-                    operation,
-                    width,
-                    to,
-                    left,
-                    right,
-                } => wide::lanes(&mut w, operation, width, [to, left, right]),
-                Matrix {
-                    operation,
-                    size,
-                    to,
-                    left,
-                    right,
-                } => wide::matrix(&mut w, operation, size, [to, left, right]),
+                Wide { operation, width, to, left, right } => {
+                    wide::lanes(&mut w, operation, width, [to, left, right])
+                }
+                Matrix { operation, size, to, left, right } => {
+                    wide::matrix(&mut w, operation, size, [to, left, right])
+                }
 
                 // Loads.
-                Load {
-                    field,
-                    to,
-                    halfedge,
-                } => w.set_id(to, or_trap!(access::load(mesh, field, w.id(halfedge)))),
+                Load { field, to, halfedge } => {
+                    w.set_id(to, or_trap!(access::load(mesh, field, w.id(halfedge))))
+                }
                 LoadHalfedge { of, to, element } => {
                     w.set_id(to, or_trap!(access::load_halfedge(mesh, of, w.id(element))));
                 }
@@ -198,23 +183,17 @@ impl Machine<'_> {
                     };
                     w.set_vector(to, position);
                 }
-                LoadAttribute {
-                    attribute,
-                    to,
-                    element,
-                } => {
+                LoadAttribute { attribute, to, element } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     or_trap!(attribute::load(mesh, column, w.id(element), &mut w, to));
                 }
                 Capacity { kind, to } => w.set_int(to, mesh.capacity(kind) as i64),
-                NextLiving {
-                    of,
-                    element,
-                    otherwise,
-                } => match access::next_living(mesh, of, w.bits(element)) {
-                    Some(id) => w.set_id(element, id),
-                    None => at = otherwise.0 as usize,
-                },
+                NextLiving { of, element, otherwise } => {
+                    match access::next_living(mesh, of, w.bits(element)) {
+                        Some(id) => w.set_id(element, id),
+                        None => at = otherwise.0 as usize,
+                    }
+                }
                 JumpUnlessLiving { of, element, to } => {
                     if !access::lives(mesh, of, w.id(element)) {
                         at = to.0 as usize;
@@ -225,11 +204,9 @@ impl Machine<'_> {
                 }
 
                 // Questions.
-                Ask {
-                    question,
-                    to,
-                    elements: [first, second],
-                } => or_trap!(ask(mesh, question, &mut w, [to, first, second])),
+                Ask { question, to, elements: [first, second] } => {
+                    or_trap!(ask(mesh, question, &mut w, [to, first, second]))
+                }
                 Count { kind, to } => w.set_int(to, mesh.count(kind) as i64),
                 CountHoles { to } => w.set_int(to, mesh.hole_count() as i64),
 
@@ -257,109 +234,56 @@ impl Machine<'_> {
                 }
 
                 // Matching.
-                ExpectEqual {
-                    left,
-                    right,
-                    refusal,
-                    otherwise,
-                } => {
+                ExpectEqual { left, right, refusal, otherwise } => {
                     if w.bits(left) != w.bits(right) {
                         refuse!(refusal, otherwise);
                     }
                 }
-                ExpectDistinct {
-                    left,
-                    right,
-                    refusal,
-                    otherwise,
-                } => {
+                ExpectDistinct { left, right, refusal, otherwise } => {
                     if w.bits(left) == w.bits(right) {
                         refuse!(refusal, otherwise);
                     }
                 }
-                Expect {
-                    condition,
-                    refusal,
-                    otherwise,
-                } => {
+                Expect { condition, refusal, otherwise } => {
                     if !w.truth(condition) {
                         refuse!(refusal, otherwise);
                     }
                 }
-                ExpectFinite {
-                    vector,
-                    refusal,
-                    otherwise,
-                } => {
+                ExpectFinite { vector, refusal, otherwise } => {
                     if !w.vector(vector).is_finite() {
                         refuse!(refusal, otherwise);
                     }
                 }
-                ExpectRoom {
-                    room,
-                    refusal,
-                    otherwise,
-                } => {
-                    let Room {
-                        vertices,
-                        halfedges,
-                        edges,
-                        faces,
-                    } = room;
+                ExpectRoom { room, refusal, otherwise } => {
+                    let Room { vertices, halfedges, edges, faces } = room;
                     let [v, h, e, f] = [vertices, halfedges, edges, faces].map(usize::from);
                     if !mesh.can_add(v, h, e, f) {
                         refuse!(refusal, otherwise);
                     }
                 }
-                Collect {
-                    walk,
-                    buffer,
-                    from,
-                    until,
-                    whole,
-                } => {
+                Collect { walk, buffer, from, until, whole } => {
                     let ends = [w.id(from), w.id(until)];
                     if whole || ends[0] != ends[1] {
                         or_trap!(access::collect(mesh, walk, ends, buffer!(buffer)));
                     }
                 }
-                Meets {
-                    walk,
-                    to,
-                    from,
-                    goal,
-                    stop,
-                } => {
+                Meets { walk, to, from, goal, stop } => {
                     let ends = [w.id(goal), w.id(stop)];
                     w.set_truth(to, or_trap!(access::meets(mesh, walk, w.id(from), ends)));
                 }
-                NextIndex {
-                    buffer,
-                    index,
-                    otherwise,
-                } => {
+                NextIndex { buffer, index, otherwise } => {
                     let next = w.int(index).wrapping_add(1);
                     match usize::try_from(next) {
                         Ok(place) if place < buffer!(buffer).len() => w.set_int(index, next),
                         _ => at = otherwise.0 as usize,
                     }
                 }
-                Member {
-                    buffer,
-                    index,
-                    shift,
-                    to,
-                } => {
+                Member { buffer, index, shift, to } => {
                     let members = buffer!(buffer);
                     let place = or_trap!(around::place(members.len(), w.int(index), shift));
                     w.set_bits(to, members[place]);
                 }
-                BufferGetWide {
-                    buffer,
-                    index,
-                    width,
-                    to,
-                } => {
+                BufferGetWide { buffer, index, width, to } => {
                     let width = usize::from(width);
                     let index = usize::try_from(w.int(index)).unwrap_or(usize::MAX);
                     let start = index.saturating_mul(width);
@@ -376,32 +300,17 @@ impl Machine<'_> {
                     buffer!(to).extend_from_slice(&slots);
                     *buffer!(from) = slots;
                 }
-                BufferDeal {
-                    from,
-                    to,
-                    place,
-                    period,
-                    turn,
-                } => {
+                BufferDeal { from, to, place, period, turn } => {
                     let slots = std::mem::take(buffer!(from));
                     around::deal(&slots, [place, period], turn, buffer!(to));
                     *buffer!(from) = slots;
                 }
-                ExpectAllDistinct {
-                    buffer,
-                    refusal,
-                    otherwise,
-                } => {
+                ExpectAllDistinct { buffer, refusal, otherwise } => {
                     if !around::are_distinct(buffer!(buffer)) {
                         refuse!(refusal, otherwise);
                     }
                 }
-                ExpectRoomFor {
-                    kind,
-                    count,
-                    refusal,
-                    otherwise,
-                } => {
+                ExpectRoomFor { kind, count, refusal, otherwise } => {
                     let count = usize::try_from(w.int(count)).unwrap_or(usize::MAX);
                     if !access::has_room(mesh, kind, count) {
                         refuse!(refusal, otherwise);
@@ -413,11 +322,7 @@ impl Machine<'_> {
                 }
                 PreviewClear => self.preview.clear(mesh),
                 PreviewNew { to } => w.set_id(to, self.preview.add()),
-                PreviewStore {
-                    field,
-                    halfedge,
-                    value,
-                } => {
+                PreviewStore { field, halfedge, value } => {
                     let (halfedge, value) = (w.id(halfedge), w.id(value));
                     or_trap!(self.preview.store(mesh, field, halfedge, value));
                 }
@@ -425,30 +330,17 @@ impl Machine<'_> {
                     self.preview.store_halfedge(of, w.id(element), w.id(value));
                 }
                 PreviewStoreHole { face, hole } => self.preview.store_hole(w.id(face), hole),
-                PreviewStoreAll {
-                    field,
-                    buffer,
-                    value,
-                } => {
+                PreviewStoreAll { field, buffer, value } => {
                     let halfedges = buffer!(buffer);
                     let all = self.preview.store_all(mesh, field, halfedges, w.id(value));
                     or_trap!(all);
                 }
-                Foresee {
-                    condition,
-                    to,
-                    element,
-                    at: place,
-                } => {
+                Foresee { condition, to, element, at: place } => {
                     let (element, place) = (w.id(element), w.id(place));
                     let holds = self.preview.foresees(mesh, condition, element, place);
                     w.set_truth(to, or_trap!(holds));
                 }
-                ForeseeAlong {
-                    condition,
-                    to,
-                    buffer,
-                } => {
+                ForeseeAlong { condition, to, buffer } => {
                     let halfedges = buffer!(buffer);
                     let holds = self.preview.foresees_along(mesh, condition, halfedges);
                     w.set_truth(to, or_trap!(holds));
@@ -473,12 +365,7 @@ impl Machine<'_> {
                     };
                     w.set_bits(to, bits);
                 }
-                BufferNext {
-                    buffer,
-                    index,
-                    to,
-                    otherwise,
-                } => {
+                BufferNext { buffer, index, to, otherwise } => {
                     let place = w.bits(index);
                     match buffer!(buffer).get(place as usize) {
                         Some(&bits) => {
@@ -497,11 +384,9 @@ impl Machine<'_> {
                 NewHalfedge { to } => create!(ElementKind::Halfedge, to),
                 NewEdge { to } => create!(ElementKind::Edge, to),
                 NewFace { to } => create!(ElementKind::Face, to),
-                Store {
-                    field,
-                    halfedge,
-                    value,
-                } => or_trap!(access::store(mesh, field, w.id(halfedge), w.id(value))),
+                Store { field, halfedge, value } => {
+                    or_trap!(access::store(mesh, field, w.id(halfedge), w.id(value)))
+                }
                 StoreHalfedge { of, element, value } => {
                     or_trap!(access::store_halfedge(mesh, of, w.id(element), w.id(value)));
                 }
@@ -514,66 +399,34 @@ impl Machine<'_> {
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
                     mesh.set_position(v, position);
                 }
-                HoldPosition {
-                    buffer,
-                    vertex,
-                    value,
-                } => {
+                HoldPosition { buffer, vertex, value } => {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
                     attribute::hold_position(v, position, buffer!(buffer));
                 }
-                StoreAttribute {
-                    attribute,
-                    element,
-                    value,
-                } => {
+                StoreAttribute { attribute, element, value } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     or_trap!(attribute::store(mesh, column, w.id(element), &w, value));
                 }
-                HoldAttribute {
-                    buffer,
-                    attribute,
-                    element,
-                    value,
-                } => {
+                HoldAttribute { buffer, attribute, element, value } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     let target = (attribute, w.id(element));
-                    or_trap!(attribute::hold(
-                        mesh,
-                        column,
-                        target,
-                        &w,
-                        value,
-                        buffer!(buffer)
-                    ));
+                    or_trap!(attribute::hold(mesh, column, target, &w, value, buffer!(buffer)));
                 }
                 ReleaseHeld { buffer } => {
                     let held = buffer!(buffer);
                     or_trap!(attribute::release(mesh, &self.columns, held));
                 }
-                StoreAll {
-                    field,
-                    buffer,
-                    value,
-                } => or_trap!(access::store_all(mesh, field, buffer!(buffer), w.id(value))),
-                StoreSpan {
-                    field,
-                    span,
-                    index,
-                    value,
-                } => {
+                StoreAll { field, buffer, value } => {
+                    or_trap!(access::store_all(mesh, field, buffer!(buffer), w.id(value)))
+                }
+                StoreSpan { field, span, index, value } => {
                     let ends = std::mem::take(buffer!(span.ends));
                     let part = around::part(buffer!(span.buffer), &ends, w.int(index), span);
                     or_trap!(access::store_all(mesh, field, or_trap!(part), w.id(value)));
                     *buffer!(span.ends) = ends;
                 }
-                PreviewStoreSpan {
-                    field,
-                    span,
-                    index,
-                    value,
-                } => {
+                PreviewStoreSpan { field, span, index, value } => {
                     let ends = std::mem::take(buffer!(span.ends));
                     let part = around::part(buffer!(span.buffer), &ends, w.int(index), span);
                     let part = or_trap!(part);
@@ -609,12 +462,7 @@ impl Machine<'_> {
                 DrainClose => self.drains.close(),
 
                 // Calls.
-                Call {
-                    function,
-                    args,
-                    to,
-                    holds,
-                } => {
+                Call { function, args, to, holds } => {
                     let Some(called) = call.functions.get(usize::from(function)) else {
                         break Message::Malformed;
                     };
@@ -628,12 +476,7 @@ impl Machine<'_> {
                     self.pass(call.base, args, inner.base, called.params);
                     self.clear_buffers(&inner);
                     self.holding += u32::from(holds);
-                    returns.push(Frame {
-                        call,
-                        at,
-                        to,
-                        holds,
-                    });
+                    returns.push(Frame { call, at, to, holds });
                     call = inner;
                     (insts, at) = (called.code.insts.as_slice(), 0);
                     match Window::at(&mut self.stack, call.base) {
@@ -645,12 +488,7 @@ impl Machine<'_> {
                     let Some(back) = returns.pop() else {
                         return Ok(Outcome::Applied { result: None });
                     };
-                    self.pass(
-                        call.base,
-                        from,
-                        back.call.base + usize::from(back.to.0),
-                        width,
-                    );
+                    self.pass(call.base, from, back.call.base + usize::from(back.to.0), width);
                     self.holding -= u32::from(back.holds);
                     call = back.call;
                     (insts, at) = (call.code.insts.as_slice(), back.at);
@@ -661,12 +499,7 @@ impl Machine<'_> {
                 }
 
                 // Operations, progress and output.
-                Apply {
-                    op,
-                    args,
-                    applied,
-                    result,
-                } => {
+                Apply { op, args, applied, result } => {
                     let outcome = match self.call::<OBSERVED>(mesh, &call, [op, args.0], watch) {
                         Ok(outcome) => outcome,
                         Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
@@ -719,15 +552,9 @@ impl Machine<'_> {
                 PrintVec { from, digits } => {
                     append(&mut self.line, VectorText(w.vector(from), digits));
                 }
-                PrintWide {
-                    from,
-                    size,
-                    columns,
-                    digits,
-                } => append(
-                    &mut self.line,
-                    WideText(wide::columns(&w, from, size, columns), digits),
-                ),
+                PrintWide { from, size, columns, digits } => {
+                    append(&mut self.line, WideText(wide::columns(&w, from, size, columns), digits))
+                }
                 ExpectAlive { kind, from } => {
                     or_trap!(access::expect_alive(mesh, kind, w.id(from)))
                 }
@@ -798,8 +625,6 @@ impl Machine<'_> {
         if self.buffers.len() < end {
             self.buffers.resize_with(end, Vec::new);
         }
-        self.buffers[call.buffers..end]
-            .iter_mut()
-            .for_each(Vec::clear);
+        self.buffers[call.buffers..end].iter_mut().for_each(Vec::clear);
     }
 }

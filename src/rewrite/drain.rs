@@ -45,12 +45,7 @@ impl Drain {
     }
 
     fn touch(&mut self, place: Place) {
-        let Self {
-            readers,
-            stale,
-            is_stale,
-            ..
-        } = self;
+        let Self { readers, stale, is_stale, .. } = self;
         let mut make_stale = |reader: u32| {
             // Whoever reads has been stale before.
             if !std::mem::replace(&mut is_stale[reader as usize], true) {

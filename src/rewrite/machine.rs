@@ -57,10 +57,7 @@ impl<'p> Machine<'p> {
     /// not been proved; calling it traps.
     pub fn new(plans: &'p [Option<Plan>]) -> Self {
         let refusals = |plan: &Option<Plan>| plan.as_ref().map_or(0, |plan| plan.refusals.len());
-        let count = |plan| Count {
-            applied: 0,
-            refused: vec![0; refusals(plan)],
-        };
+        let count = |plan| Count { applied: 0, refused: vec![0; refusals(plan)] };
         Self {
             plans,
             columns: Vec::new(),
@@ -188,10 +185,7 @@ impl<'p> Machine<'p> {
         let call = caller.calling(op, plan);
         reserve(&mut self.stack, call.base);
         let from = caller.base + usize::from(args);
-        let width: u16 = plan
-            .params
-            .iter()
-            .fold(0, |sum, &one| sum.saturating_add(one));
+        let width: u16 = plan.params.iter().fold(0, |sum, &one| sum.saturating_add(one));
         let end = self.stack.len().min(from + usize::from(width));
         self.stack.copy_within(from.min(end)..end, call.base);
         let outcome = self.carry_out::<OBSERVED>(mesh, plan, call, watch)?;
@@ -246,9 +240,6 @@ impl<'p> Machine<'p> {
 impl Trap {
     /// A trap that no call has put its place to yet.
     pub(super) fn new(message: Message) -> Self {
-        Self {
-            message,
-            trace: Vec::new(),
-        }
+        Self { message, trace: Vec::new() }
     }
 }

@@ -15,10 +15,7 @@ pub(super) struct Notes<K, V> {
 
 impl<K, V> Default for Notes<K, V> {
     fn default() -> Self {
-        Self {
-            few: Vec::new(),
-            many: HashMap::new(),
-        }
+        Self { few: Vec::new(), many: HashMap::new() }
     }
 }
 

@@ -46,26 +46,15 @@ impl Drains {
     fn observe_write(&mut self, inst: &Inst, scene: &Scene) {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
-            Inst::Store {
-                field,
-                halfedge,
-                value,
-            } => self.pointer_set(mesh, field, w.id(halfedge), w.id(value)),
-            Inst::StoreAll {
-                field,
-                buffer,
-                value,
-            } => {
+            Inst::Store { field, halfedge, value } => {
+                self.pointer_set(mesh, field, w.id(halfedge), w.id(value))
+            }
+            Inst::StoreAll { field, buffer, value } => {
                 for &halfedge in scene.buffers.get(usize::from(buffer)).into_iter().flatten() {
                     self.pointer_set(mesh, field, halfedge as u32, w.id(value));
                 }
             }
-            Inst::StoreSpan {
-                field,
-                span,
-                index,
-                value,
-            } => {
+            Inst::StoreSpan { field, span, index, value } => {
                 let [all, ends] = [span.buffer, span.ends]
                     .map(|buffer| scene.buffers.get(usize::from(buffer)).map(Vec::as_slice));
                 let all = all.unwrap_or_default();
@@ -83,9 +72,7 @@ impl Drains {
                 self.turned(w.id(face));
             }
             Inst::StorePosition { vertex, .. } => self.touch(Place::Vertex(w.id(vertex))),
-            Inst::StoreAttribute {
-                attribute, element, ..
-            } => {
+            Inst::StoreAttribute { attribute, element, .. } => {
                 if let Ok(column) = attribute::column(scene.columns, attribute) {
                     self.touch_element(mesh, column.kind, w.id(element));
                 }
@@ -217,9 +204,7 @@ impl Drains {
             Inst::LoadHalfedge { of, element, .. } => self.read(of.place(w.id(element))),
             Inst::LoadHole { face, .. } => self.read(Place::Face(w.id(face))),
             Inst::LoadPosition { vertex, .. } => self.read(Place::Vertex(w.id(vertex))),
-            Inst::LoadAttribute {
-                attribute, element, ..
-            } => {
+            Inst::LoadAttribute { attribute, element, .. } => {
                 if let Ok(column) = attribute::column(scene.columns, attribute) {
                     self.read_element(mesh, column.kind, w.id(element));
                 }
@@ -233,24 +218,16 @@ impl Drains {
             | Inst::BufferLiving { .. }
             | Inst::Count { .. }
             | Inst::CountHoles { .. } => self.read(Place::Whole),
-            Inst::Ask {
-                question,
-                elements: [first, second],
-                ..
-            } => self.read_for(question, mesh, [w.id(first), w.id(second)]),
-            Inst::Collect {
-                walk, from, until, ..
-            } => {
+            Inst::Ask { question, elements: [first, second], .. } => {
+                self.read_for(question, mesh, [w.id(first), w.id(second)])
+            }
+            Inst::Collect { walk, from, until, .. } => {
                 let until = w.id(until);
                 self.read_walk(mesh, walk, w.id(from), [until, until]);
             }
-            Inst::Meets {
-                walk,
-                from,
-                goal,
-                stop,
-                ..
-            } => self.read_walk(mesh, walk, w.id(from), [w.id(goal), w.id(stop)]),
+            Inst::Meets { walk, from, goal, stop, .. } => {
+                self.read_walk(mesh, walk, w.id(from), [w.id(goal), w.id(stop)])
+            }
             // Registers, buffers and output alone; writes, and what only ops do.
             #[rustfmt::skip]
             Inst::Const { .. } | Inst::Copy { .. } | Inst::CopyVec { .. } | Inst::CopyWide { .. }

@@ -95,9 +95,7 @@ impl Preview {
         halfedges: &[u64],
         value: u32,
     ) -> Result<(), Message> {
-        halfedges
-            .iter()
-            .try_for_each(|&id| self.store(mesh, field, id as u32, value))
+        halfedges.iter().try_for_each(|&id| self.store(mesh, field, id as u32, value))
     }
 
     /// Sets the halfedge of an element.
@@ -151,9 +149,7 @@ impl Preview {
     fn is_hole(&self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
         match self.holes.get(face) {
             Some(hole) => Ok(hole),
-            None => mesh
-                .get_is_hole(FaceId(face))
-                .ok_or_else(|| gone(ElementKind::Face, face)),
+            None => mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face)),
         }
     }
 
@@ -303,10 +299,7 @@ impl Preview {
     }
 
     fn single_edge(&mut self, mesh: &Mesh, halfedge: u32) -> Result<bool, Message> {
-        let ends = (
-            self.record(mesh, halfedge)?.vertex.0,
-            self.target(mesh, halfedge)?,
-        );
+        let ends = (self.record(mesh, halfedge)?.vertex.0, self.target(mesh, halfedge)?);
         self.walk_star(mesh, ends.0)?;
         let mut edges = 0;
         for &spoke in &self.walked {
@@ -394,13 +387,9 @@ mod tests {
         let spoke = mesh.vertex_halfedge(VertexId(0));
         let twin = mesh.twin(spoke).0;
         let other = mesh.vertex(HalfedgeId(mesh.prev(spoke).0)).0;
-        preview
-            .store(&mesh, HalfedgeField::Vertex, twin, other)
-            .unwrap();
+        preview.store(&mesh, HalfedgeField::Vertex, twin, other).unwrap();
         let neighbors = |preview: &mut Preview| {
-            preview
-                .foresees(&mesh, Foreseen::NeighborsDiffer, 0, 0)
-                .unwrap()
+            preview.foresees(&mesh, Foreseen::NeighborsDiffer, 0, 0).unwrap()
         };
         assert!(!neighbors(&mut preview), "two spokes lead to {other}");
         preview.clear(&mesh);

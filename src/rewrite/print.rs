@@ -151,9 +151,6 @@ mod tests {
             VectorText(DVec3::new(0.0, 0.5, 1.0), RealDigits::Few).to_string(),
             "(0, 0.5, 1)"
         );
-        assert_eq!(
-            ElementText(ElementKind::Edge, u32::MAX).to_string(),
-            "no edge"
-        );
+        assert_eq!(ElementText(ElementKind::Edge, u32::MAX).to_string(), "no edge");
     }
 }

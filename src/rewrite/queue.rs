@@ -101,9 +101,7 @@ mod tests {
     fn it_gives_what_sorting_gives() {
         let mut seed = 7_u64;
         let mut random = |below: u64| {
-            seed = seed
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (seed >> 33) % below
         };
         let mut keys = vec![0.0; 40];

@@ -42,11 +42,7 @@ struct List {
     limit: u32,
 }
 
-const EMPTY: List = List {
-    first: NOTHING,
-    length: 0,
-    limit: 32,
-};
+const EMPTY: List = List { first: NOTHING, length: 0, limit: 32 };
 
 #[derive(Clone, Copy, Debug)]
 struct Entry {
@@ -91,10 +87,7 @@ impl Readers {
         if list.first != NOTHING && self.pool[list.first as usize].reader == reader {
             return;
         }
-        let entry = Entry {
-            reader,
-            next: list.first,
-        };
+        let entry = Entry { reader, next: list.first };
         list.first = match self.free {
             NOTHING => {
                 self.pool.push(entry);

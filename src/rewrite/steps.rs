@@ -51,9 +51,7 @@ impl Steps {
     /// The refusal of an operation that it calls, as its own.
     pub(super) fn refusal_of(&self, op: u16, reason: Option<u16>) -> Option<u16> {
         let called = self.calls.iter().find(|(called, _)| *called == op);
-        called
-            .zip(reason)
-            .map(|((_, first), reason)| first.saturating_add(reason))
+        called.zip(reason).map(|((_, first), reason)| first.saturating_add(reason))
     }
 }
 

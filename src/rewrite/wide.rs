@@ -69,20 +69,14 @@ pub(super) fn copy(w: &mut Window, to: Reg, from: Reg, width: u8) {
     };
     match to.0 <= from.0 {
         true => (0..u16::from(width)).for_each(|part| move_one(w, part)),
-        false => (0..u16::from(width))
-            .rev()
-            .for_each(|part| move_one(w, part)),
+        false => (0..u16::from(width)).rev().for_each(|part| move_one(w, part)),
     }
 }
 
 /// The columns of a vector or matrix.
 pub(super) fn columns(w: &Window, from: Reg, size: u8, columns: u8) -> Vec<Vec<f64>> {
     let size = usize::from(size);
-    let column = |at: usize| {
-        (0..size)
-            .map(|part| real(w, from, at * size + part))
-            .collect()
-    };
+    let column = |at: usize| (0..size).map(|part| real(w, from, at * size + part)).collect();
     (0..usize::from(columns)).map(column).collect()
 }
 
@@ -125,9 +119,7 @@ pub(super) fn lanes(w: &mut Window, operation: Lanes, width: u8, [to, left, righ
 /// Scaled first: the square of a small length is zero, that of a large one infinite.
 fn normalize(w: &mut Window, to: Reg, from: Reg, width: usize) {
     let parts = (0..width).map(|part| real(w, from, part));
-    let largest = parts
-        .clone()
-        .fold(0.0, |most: f64, part| most.max(part.abs()));
+    let largest = parts.clone().fold(0.0, |most: f64, part| most.max(part.abs()));
     let scaled = parts.map(|part| part / largest);
     let length = scaled.map(|part| part * part).sum::<f64>().sqrt();
     for part in 0..width {
@@ -202,10 +194,7 @@ fn eliminate<const N: usize, const M: usize>(
     mut a: [[f64; N]; N],
     mut b: [[f64; N]; M],
 ) -> [[f64; N]; M] {
-    let largest = a
-        .as_flattened()
-        .iter()
-        .fold(0.0, |most: f64, x| most.max(x.abs()));
+    let largest = a.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let least = N as f64 * f64::EPSILON * largest;
     for k in 0..N {
         let smaller = |&i: &usize, &j: &usize| a[k][i].abs().total_cmp(&a[k][j].abs());
@@ -217,8 +206,7 @@ fn eliminate<const N: usize, const M: usize>(
         b.iter_mut().for_each(|side| side.swap(k, pivot));
         for row in k + 1..N {
             let factor = a[k][row] / a[k][k];
-            a.iter_mut()
-                .for_each(|column| column[row] -= factor * column[k]);
+            a.iter_mut().for_each(|column| column[row] -= factor * column[k]);
             b.iter_mut().for_each(|side| side[row] -= factor * side[k]);
         }
     }

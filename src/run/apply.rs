@@ -49,9 +49,7 @@ pub fn attributes(
     let columns = plan.map(|plan| columns(program, plan, plans));
     let columns = columns.and_then(Result::ok).unwrap_or_default();
     let public = columns.public();
-    public
-        .map(|(kind, name, default)| (kind, name.to_owned(), default))
-        .collect()
+    public.map(|(kind, name, default)| (kind, name.to_owned(), default)).collect()
 }
 
 /// The columns that an operation and its steps need.
@@ -133,9 +131,7 @@ impl<'p> Application<'p> {
         let prepared = prepare(&self.parameters, 0, &[]);
         let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
         let mut code = prepared.code().clone();
-        let slots = prepared
-            .slots(mesh, arguments, &mut code.texts)
-            .map_err(failure)?;
+        let slots = prepared.slots(mesh, arguments, &mut code.texts).map_err(failure)?;
         let mut machine = Machine::new(plans);
         machine.trust_level(level_for_steps(plans, &[self.op], plan.level, mesh));
         machine.use_columns(self.columns.bind(mesh).map_err(failure)?);
@@ -150,10 +146,7 @@ impl<'p> Application<'p> {
         Ok(match outcome? {
             Outcome::Applied { result } => {
                 let created = machine.created().to_vec();
-                Applied::Done {
-                    result: plan.result.zip(result),
-                    created,
-                }
+                Applied::Done { result: plan.result.zip(result), created }
             }
             Outcome::Refused { reason } => {
                 let known = reason.and_then(|reason| plan.refusals.get(usize::from(reason)));
@@ -165,10 +158,7 @@ impl<'p> Application<'p> {
 }
 
 fn failure(diagnostic: Diagnostic) -> Box<Failure> {
-    Box::new(Failure {
-        diagnostic,
-        report: Report::default(),
-    })
+    Box::new(Failure { diagnostic, report: Report::default() })
 }
 
 /// A script that has the parameters of an operation, and does nothing: running it leaves
@@ -182,11 +172,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
         variables: op
             .params
             .iter()
-            .map(|param| Variable {
-                name: param.name.clone(),
-                ty: param.ty,
-                span: param.span,
-            })
+            .map(|param| Variable { name: param.name.clone(), ty: param.ty, span: param.span })
             .collect(),
         body: Vec::new(),
     });
@@ -200,11 +186,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
 
 /// A trap in the code of the operation itself, at its place there.
 fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared) -> Diagnostic {
-    let place = trap
-        .trace
-        .first()
-        .and_then(|site| plan.places.get(site.place? as usize))
-        .copied();
+    let place = trap.trace.first().and_then(|site| plan.places.get(site.place? as usize)).copied();
     let message = trap.message.to_string();
     match place {
         Some(span) => Diagnostic::error("run-time-error", message, span),

@@ -100,17 +100,12 @@ pub(super) fn example(ty: Type) -> &'static str {
 }
 
 fn real(text: &str) -> Option<f64> {
-    text.trim()
-        .parse()
-        .ok()
-        .filter(|value: &f64| value.is_finite())
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// With or without parentheses.
 fn reals(text: &str, ty: Type) -> Option<Vec<f64>> {
-    let inner = text
-        .strip_prefix('(')
-        .map_or(Some(text), |rest| rest.strip_suffix(')'))?;
+    let inner = text.strip_prefix('(').map_or(Some(text), |rest| rest.strip_suffix(')'))?;
     let parts: Option<Vec<f64>> = inner.split(',').map(real).collect();
     parts.filter(|parts| parts.len() == usize::from(width(ty)))
 }

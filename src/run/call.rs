@@ -23,12 +23,7 @@ impl Lowering<'_> {
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
         let slots = self.arguments(args);
-        let inst = Inst::Apply {
-            op: number(op),
-            args: slots,
-            applied,
-            result,
-        };
+        let inst = Inst::Apply { op: number(op), args: slots, applied, result };
         self.trap_at(span, inst);
         self.asm.release(mark);
         (applied, result)
@@ -58,10 +53,7 @@ impl Lowering<'_> {
     /// The script ends here if the operation just called has refused.
     pub(super) fn insist(&mut self, op: usize, applied: Reg, span: Span) {
         let to = self.asm.label();
-        self.asm.emit(Inst::JumpIf {
-            condition: applied,
-            to,
-        });
+        self.asm.emit(Inst::JumpIf { condition: applied, to });
         self.stop_refused(op, span);
         self.asm.bind(to);
     }

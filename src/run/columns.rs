@@ -113,10 +113,7 @@ fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
     let (mut asm, mut names) = (Assembler::new(), Names::default());
     let from = lower(&mut asm, &mut names, default);
     let failed = |message: String| {
-        let message = format!(
-            "the default of `{}` has no value: {message}",
-            attribute.name
-        );
+        let message = format!("the default of `{}` has no value: {message}", attribute.name);
         Diagnostic::error("attribute-default", message, default.span)
     };
     let code = asm.finish().map_err(|error| failed(error.to_string()))?;

@@ -22,13 +22,7 @@ use crate::rewrite::{Inst, Reg};
 impl Lowering<'_> {
     /// `drain x in xs by key while c { … }`
     pub(super) fn drain(&mut self, statement: &Statement, exits: Option<&Exits>) {
-        let StatementKind::Drain {
-            variable,
-            collection,
-            key,
-            condition,
-            body,
-        } = &statement.kind
+        let StatementKind::Drain { variable, collection, key, condition, body } = &statement.kind
         else {
             return;
         };
@@ -42,10 +36,7 @@ impl Lowering<'_> {
         let (stale, first) = (self.asm.label(), self.asm.label());
         let [zero, one, unknown] = [0, 1, -1].map(|n| self.asm.constant_int(n));
         let done = self.asm.reg();
-        self.asm.emit(Inst::Copy {
-            to: done,
-            from: zero,
-        });
+        self.asm.emit(Inst::Copy { to: done, from: zero });
         let element = self.names.local(*variable);
         let changing = self.changing(key, body);
         self.copy_slots(&changing);
@@ -64,10 +55,7 @@ impl Lowering<'_> {
         }
         self.all_stale_if_changed(&changing);
         self.asm.bind(stale);
-        self.asm.emit(Inst::DrainStale {
-            to: element,
-            otherwise: first,
-        });
+        self.asm.emit(Inst::DrainStale { to: element, otherwise: first });
         self.trap_at(span, Inst::Tick);
         let mark = self.asm.mark();
         let value = self.value(key);
@@ -76,10 +64,7 @@ impl Lowering<'_> {
         self.asm.emit(Inst::Jump { to: stale });
 
         self.asm.bind(first);
-        self.asm.emit(Inst::DrainLeast {
-            to: element,
-            otherwise: end,
-        });
+        self.asm.emit(Inst::DrainLeast { to: element, otherwise: end });
         if let Some(condition) = condition {
             let mark = self.asm.mark();
             let condition = self.value(condition);
@@ -88,11 +73,7 @@ impl Lowering<'_> {
         }
         self.asm.emit(Inst::DrainTake);
         self.turn(span, done, unknown);
-        self.asm.emit(Inst::AddInt {
-            to: done,
-            left: done,
-            right: one,
-        });
+        self.asm.emit(Inst::AddInt { to: done, left: done, right: one });
         self.drains += 1;
         self.turns(Loop { again, end }, body, exits.as_ref());
         self.drains -= 1;
@@ -162,19 +143,12 @@ fn variables_set(block: &[Statement], set: &mut BTreeSet<u32>) {
     for statement in block {
         match &statement.kind {
             StatementKind::Set { variable, .. } => drop(set.insert(*variable)),
-            StatementKind::IfApply {
-                variable,
-                then,
-                otherwise,
-                ..
-            } => {
+            StatementKind::IfApply { variable, then, otherwise, .. } => {
                 set.extend(variable);
                 variables_set(then, set);
                 variables_set(otherwise, set);
             }
-            StatementKind::If {
-                then, otherwise, ..
-            } => {
+            StatementKind::If { then, otherwise, .. } => {
                 variables_set(then, set);
                 variables_set(otherwise, set);
             }

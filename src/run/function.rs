@@ -112,17 +112,10 @@ impl Functions {
 
 /// The code of a script with the functions that it calls.
 pub(super) fn with_functions(code: Code, functions: &Functions) -> Code {
-    Code {
-        functions: Arc::clone(&functions.code),
-        ..code
-    }
+    Code { functions: Arc::clone(&functions.code), ..code }
 }
 
 /// A script as a routine.
 pub(super) fn routine(script: &Script) -> Routine<'_> {
-    Routine {
-        params: &script.params,
-        variables: &script.variables,
-        block: &script.body,
-    }
+    Routine { params: &script.params, variables: &script.variables, block: &script.body }
 }

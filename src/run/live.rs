@@ -28,19 +28,12 @@ pub(super) struct Exits {
 impl Exits {
     /// The same, but that other variables are live when going on.
     pub(super) fn going_on(&self, next: Live) -> Self {
-        Self {
-            next,
-            ..self.clone()
-        }
+        Self { next, ..self.clone() }
     }
 
     /// The exits of the body of a loop that these are the exits of.
     pub(super) fn of_body(&self, head: Live) -> Self {
-        Self {
-            next: head.clone(),
-            broken: self.next.clone(),
-            continued: head,
-        }
+        Self { next: head.clone(), broken: self.next.clone(), continued: head }
     }
 }
 
@@ -92,38 +85,18 @@ impl Liveness<'_> {
                 self.reading([count], self.at_head(&[], body, exits))
             }
             StatementKind::While { condition, body } => self.at_head(&[condition], body, exits),
-            StatementKind::For {
-                variable,
-                collection,
-                filter,
-                body,
-            }
-            | StatementKind::Update {
-                variable,
-                collection,
-                filter,
-                body,
-            } => {
+            StatementKind::For { variable, collection, filter, body }
+            | StatementKind::Update { variable, collection, filter, body } => {
                 let filter: Vec<&Expr> = filter.iter().collect();
                 let live = self.at_head(&filter, body, exits);
                 self.reading(collection.base(), without(live, *variable))
             }
-            StatementKind::Drain {
-                variable,
-                collection,
-                key,
-                condition,
-                body,
-            } => {
+            StatementKind::Drain { variable, collection, key, condition, body } => {
                 let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
                 let live = self.at_head(&asked, body, exits);
                 self.reading(collection.base(), without(live, *variable))
             }
-            StatementKind::If {
-                condition,
-                then,
-                otherwise,
-            } => {
+            StatementKind::If { condition, then, otherwise } => {
                 let live = self.before_block(then, exits);
                 let live = union(live, &self.before_block(otherwise, exits));
                 self.reading([condition], live)
@@ -131,13 +104,7 @@ impl Liveness<'_> {
             StatementKind::Apply { args, .. } | StatementKind::AssertRefuses { args, .. } => {
                 self.reading(args, exits.next.clone())
             }
-            StatementKind::IfApply {
-                args,
-                variable,
-                then,
-                otherwise,
-                ..
-            } => {
+            StatementKind::IfApply { args, variable, then, otherwise, .. } => {
                 let mut live = self.before_block(then, exits);
                 if let Some(variable) = variable {
                     live.remove(variable);
@@ -244,9 +211,7 @@ pub(super) fn calls(statement: &Statement) -> bool {
         | StatementKind::For { body, .. }
         | StatementKind::Drain { body, .. }
         | StatementKind::Update { body, .. } => body.iter().any(calls),
-        StatementKind::If {
-            then, otherwise, ..
-        } => then.iter().chain(otherwise).any(calls),
+        StatementKind::If { then, otherwise, .. } => then.iter().chain(otherwise).any(calls),
         StatementKind::Write { .. }
         | StatementKind::Print(_)
         | StatementKind::Assert { .. }
@@ -267,22 +232,14 @@ mod tests {
     use crate::resolve::Digits;
     use crate::source::Span;
 
-    const SPAN: Span = Span {
-        file: crate::source::FileId(0),
-        start: 0,
-        end: 0,
-    };
+    const SPAN: Span = Span { file: crate::source::FileId(0), start: 0, end: 0 };
 
     fn statement(kind: StatementKind) -> Statement {
         Statement { kind, span: SPAN }
     }
 
     fn vertex(variable: u32) -> Expr {
-        Expr {
-            ty: Type::Vertex,
-            kind: ExprKind::Local(variable),
-            span: SPAN,
-        }
+        Expr { ty: Type::Vertex, kind: ExprKind::Local(variable), span: SPAN }
     }
 
     fn set(variable: u32, from: u32) -> Statement {
@@ -291,35 +248,20 @@ mod tests {
     }
 
     fn read(variable: u32) -> Statement {
-        statement(StatementKind::Print(vec![Print::Value(
-            vertex(variable),
-            Digits::Few,
-        )]))
+        statement(StatementKind::Print(vec![Print::Value(vertex(variable), Digits::Few)]))
     }
 
     fn repeat(body: Vec<Statement>) -> Statement {
-        let count = Expr {
-            ty: Type::Int,
-            kind: ExprKind::Int(2),
-            span: SPAN,
-        };
+        let count = Expr { ty: Type::Int, kind: ExprKind::Int(2), span: SPAN };
         statement(StatementKind::Repeat { count, body })
     }
 
     fn before_each(block: &[Statement]) -> Vec<Vec<u32>> {
-        let variable = |ty| Variable {
-            name: String::new(),
-            ty,
-            span: SPAN,
-        };
+        let variable = |ty| Variable { name: String::new(), ty, span: SPAN };
         let variables = [Type::Vertex, Type::Edge, Type::Face, Type::Int].map(variable);
-        let liveness = Liveness {
-            variables: &variables,
-        };
+        let liveness = Liveness { variables: &variables };
         let live = liveness.before_each(block, &Exits::default());
-        live.into_iter()
-            .map(|live| live.into_iter().collect())
-            .collect()
+        live.into_iter().map(|live| live.into_iter().collect()).collect()
     }
 
     #[test]
@@ -333,10 +275,7 @@ mod tests {
     fn what_a_loop_reads_is_live_all_through_it() {
         let again = repeat(vec![read(0), set(0, 1)]);
         let own = repeat(vec![set(2, 1), read(2)]);
-        assert_eq!(
-            before_each(&[again, own, read(3)]),
-            [vec![0, 1], vec![1], vec![]]
-        );
+        assert_eq!(before_each(&[again, own, read(3)]), [vec![0, 1], vec![1], vec![]]);
     }
 
     #[test]
@@ -345,10 +284,7 @@ mod tests {
         let stop = [statement(StatementKind::Return(None)), read(1)];
         assert!(before_each(&[leave])[0].is_empty());
         assert_eq!(before_each(&stop), [vec![], vec![1]]);
-        let exits = Exits {
-            continued: Live::from([2]),
-            ..Exits::default()
-        };
+        let exits = Exits { continued: Live::from([2]), ..Exits::default() };
         let liveness = Liveness { variables: &[] };
         let go_on = [statement(StatementKind::Continue)];
         assert_eq!(liveness.before_each(&go_on, &exits), [Live::from([2])]);
@@ -357,11 +293,7 @@ mod tests {
     #[test]
     fn writes_read_their_target() {
         let (target, value, attribute) = (vertex(0), vertex(1), Access::Position);
-        let write = statement(StatementKind::Write {
-            target,
-            attribute,
-            value,
-        });
+        let write = statement(StatementKind::Write { target, attribute, value });
         assert_eq!(before_each(&[write]), [vec![0, 1]]);
     }
 }

@@ -132,10 +132,7 @@ impl<'p> Lowering<'p> {
             refusal: self.refusals.len() as u16,
             otherwise: self.refuses,
         });
-        self.refusals.push(Refusal {
-            reason: reason.to_owned(),
-            phase: Phase::Require,
-        });
+        self.refusals.push(Refusal { reason: reason.to_owned(), phase: Phase::Require });
     }
 
     /// The end of the steps that is come to without a `return`, and where they refuse.
@@ -152,9 +149,7 @@ impl<'p> Lowering<'p> {
             refuses: asm.label(),
             asm,
             names: Names::default(),
-            liveness: Liveness {
-                variables: routine.variables,
-            },
+            liveness: Liveness { variables: routine.variables },
             loops: Vec::new(),
             drains: 0,
             held: None,
@@ -179,10 +174,7 @@ impl<'p> Lowering<'p> {
 
     /// The end of a function that is come to without a `return`.
     pub(super) fn end(&mut self) {
-        self.asm.emit(Inst::Give {
-            from: Reg(0),
-            width: 0,
-        });
+        self.asm.emit(Inst::Give { from: Reg(0), width: 0 });
     }
 
     /// The whole script.
@@ -223,11 +215,7 @@ impl<'p> Lowering<'p> {
                 }
                 _ => self.set(*variable, value),
             },
-            StatementKind::Call {
-                function,
-                args,
-                result,
-            } => {
+            StatementKind::Call { function, args, result } => {
                 let call = FunctionCall {
                     function: *function,
                     args,
@@ -236,11 +224,9 @@ impl<'p> Lowering<'p> {
                 };
                 self.call(call, span);
             }
-            StatementKind::Write {
-                target,
-                attribute,
-                value,
-            } => self.write(target, *attribute, value, span),
+            StatementKind::Write { target, attribute, value } => {
+                self.write(target, *attribute, value, span)
+            }
             StatementKind::Repeat { count, body } => self.repeat(count, body, span, exits),
             StatementKind::While { condition, body } => {
                 self.repeat_while(condition, body, span, exits);
@@ -248,11 +234,7 @@ impl<'p> Lowering<'p> {
             StatementKind::For { .. } => self.visit(statement),
             StatementKind::Update { .. } => self.update(statement),
             StatementKind::Drain { .. } => self.drain(statement, exits),
-            StatementKind::If {
-                condition,
-                then,
-                otherwise,
-            } => {
+            StatementKind::If { condition, then, otherwise } => {
                 let condition = self.value(condition);
                 self.choose(condition, [then, otherwise], exits);
             }
@@ -262,13 +244,7 @@ impl<'p> Lowering<'p> {
                     self.insist(*op, applied, span);
                 }
             }
-            StatementKind::IfApply {
-                op,
-                args,
-                variable,
-                then,
-                otherwise,
-            } => {
+            StatementKind::IfApply { op, args, variable, then, otherwise } => {
                 let (applied, from) = self.apply(*op, args, span);
                 if let Some(variable) = variable {
                     // Where the op refused, nobody reads it.
@@ -323,12 +299,7 @@ impl<'p> Lowering<'p> {
     /// [`FunctionCall`].
     fn given(&mut self, function: u32, args: &[Expr], value: &Expr, holds: bool) -> Reg {
         let to = self.asm.block(width(value.ty));
-        let call = FunctionCall {
-            function,
-            args,
-            to,
-            holds,
-        };
+        let call = FunctionCall { function, args, to, holds };
         self.call(call, value.span);
         to
     }
@@ -352,9 +323,7 @@ impl<'p> Lowering<'p> {
         self.asm.emit(match self.ending {
             Ending::Function => Inst::Give { from, width },
             Ending::Script => Inst::Return { result: None },
-            Ending::Steps => Inst::Return {
-                result: given.map(|_| from),
-            },
+            Ending::Steps => Inst::Return { result: given.map(|_| from) },
         });
     }
 
@@ -366,9 +335,7 @@ impl<'p> Lowering<'p> {
                 found.push(function);
             }
         });
-        found
-            .into_iter()
-            .for_each(|function| self.note_function(function));
+        found.into_iter().for_each(|function| self.note_function(function));
     }
 
     pub(super) fn note_function(&mut self, function: u32) {
@@ -407,23 +374,14 @@ impl<'p> Lowering<'p> {
         let value = self.value(value);
         let vertex = element;
         let inst = match (access, self.held) {
-            (Access::Position, Some(buffer)) => Inst::HoldPosition {
-                buffer,
-                vertex,
-                value,
-            },
+            (Access::Position, Some(buffer)) => Inst::HoldPosition { buffer, vertex, value },
             (Access::Position, None) => Inst::StorePosition { vertex, value },
-            (Access::Declared(number), Some(buffer)) => Inst::HoldAttribute {
-                buffer,
-                attribute: attribute(number),
-                element,
-                value,
-            },
-            (Access::Declared(number), None) => Inst::StoreAttribute {
-                attribute: attribute(number),
-                element,
-                value,
-            },
+            (Access::Declared(number), Some(buffer)) => {
+                Inst::HoldAttribute { buffer, attribute: attribute(number), element, value }
+            }
+            (Access::Declared(number), None) => {
+                Inst::StoreAttribute { attribute: attribute(number), element, value }
+            }
         };
         self.trap_at(span, inst);
     }
@@ -431,10 +389,7 @@ impl<'p> Lowering<'p> {
     fn choose(&mut self, condition: Reg, blocks: [&[Statement]; 2], exits: Option<&Exits>) {
         let (second, end) = (self.asm.label(), self.asm.label());
         let [then, otherwise] = blocks;
-        self.asm.emit(Inst::JumpUnless {
-            condition,
-            to: second,
-        });
+        self.asm.emit(Inst::JumpUnless { condition, to: second });
         self.block(then, exits);
         if !otherwise.is_empty() {
             self.asm.emit(Inst::Jump { to: end });

@@ -43,11 +43,7 @@ pub fn prepare<'p>(
 ) -> Result<Prepared<'p>, Vec<Diagnostic>> {
     let Some(script) = program.scripts.get(script) else {
         let message = "there is no such script";
-        return Err(vec![Diagnostic::error(
-            "unknown-script",
-            message,
-            Span::default(),
-        )]);
+        return Err(vec![Diagnostic::error("unknown-script", message, Span::default())]);
     };
     let (functions, too_large) = Functions::of(program);
     if !too_large.is_empty() {
@@ -75,23 +71,16 @@ pub(super) fn prepare_script<'p>(
     }
     called.sort_by_key(|&(op, _)| op);
     called.dedup_by_key(|&mut (op, _)| op);
-    let unproved = called
-        .iter()
-        .filter(|&&(op, _)| plans.get(op).is_none_or(Option::is_none));
-    let unproved: Vec<_> = unproved
-        .map(|&(op, call)| not_proved(program, op, call))
-        .collect();
+    let unproved = called.iter().filter(|&&(op, _)| plans.get(op).is_none_or(Option::is_none));
+    let unproved: Vec<_> = unproved.map(|&(op, call)| not_proved(program, op, call)).collect();
     if !unproved.is_empty() {
         return Err(unproved);
     }
     let last = called.last().map_or(0, |&(op, _)| op);
-    let code = lowering
-        .asm
-        .finish()
-        .and_then(|code| match u16::try_from(last) {
-            Ok(_) => Ok(code),
-            Err(_) => Err(TooLarge),
-        });
+    let code = lowering.asm.finish().and_then(|code| match u16::try_from(last) {
+        Ok(_) => Ok(code),
+        Err(_) => Err(TooLarge),
+    });
     let code = code.map_err(|too_large| vec![does_not_fit(script, too_large)])?;
     let code = with_functions(code, &functions);
     let called_plans = called.iter().filter_map(|&(op, _)| plans.get(op)?.as_ref());
@@ -125,10 +114,7 @@ fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
 }
 
 fn not_understood(program: &Program, function: usize) -> Diagnostic {
-    let span = program
-        .functions
-        .get(function)
-        .map(|function| function.span);
+    let span = program.functions.get(function).map(|function| function.span);
     let message = "this function has an error, so it cannot be called";
     Diagnostic::error("unproved-op", message, span.unwrap_or_default())
 }

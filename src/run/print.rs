@@ -53,24 +53,13 @@ pub(super) fn print_value(ty: Type, from: Reg, digits: Digits) -> Inst {
         Type::Int => Inst::PrintInt { from },
         Type::Real => Inst::PrintReal { from, digits },
         Type::Vec3 => Inst::PrintVec { from, digits },
-        Type::Vec2 | Type::Vec4 => Inst::PrintWide {
-            from,
-            size: ty.size(),
-            columns: 1,
-            digits,
-        },
-        Type::Mat3 | Type::Mat4 => Inst::PrintWide {
-            from,
-            size: ty.size(),
-            columns: ty.size(),
-            digits,
-        },
+        Type::Vec2 | Type::Vec4 => Inst::PrintWide { from, size: ty.size(), columns: 1, digits },
+        Type::Mat3 | Type::Mat4 => {
+            Inst::PrintWide { from, size: ty.size(), columns: ty.size(), digits }
+        }
         Type::Text => Inst::PrintTextOf { from },
         Type::Vertex => Inst::PrintElement { kind: Vertex, from },
-        Type::Halfedge => Inst::PrintElement {
-            kind: Halfedge,
-            from,
-        },
+        Type::Halfedge => Inst::PrintElement { kind: Halfedge, from },
         Type::Edge => Inst::PrintElement { kind: Edge, from },
         Type::Face => Inst::PrintElement { kind: Face, from },
     }

@@ -58,24 +58,14 @@ pub(super) fn run_with(
 ) -> Result<Report, Box<Failure>> {
     let mut code = prepared.code.clone();
     let slots = prepared.slots(mesh, arguments, &mut code.texts);
-    let slots = slots.map_err(|diagnostic| {
-        Box::new(Failure {
-            diagnostic,
-            report: Report::default(),
-        })
-    })?;
-    let level = level(prepared, mesh).map_err(|diagnostic| {
-        Box::new(Failure {
-            diagnostic,
-            report: Report::default(),
-        })
-    })?;
-    let columns = prepared.columns.bind(mesh).map_err(|diagnostic| {
-        Box::new(Failure {
-            diagnostic,
-            report: Report::default(),
-        })
-    })?;
+    let slots =
+        slots.map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
+    let level = level(prepared, mesh)
+        .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
+    let columns = prepared
+        .columns
+        .bind(mesh)
+        .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let mut machine = Machine::new(prepared.plans);
     machine.trust_level(level);
     machine.use_columns(columns);
@@ -85,10 +75,7 @@ pub(super) fn run_with(
     let report = report(prepared, machine.counts());
     match outcome {
         Ok(_) => Ok(report),
-        Err(trap) => Err(Box::new(Failure {
-            diagnostic: diagnostic(prepared, trap),
-            report,
-        })),
+        Err(trap) => Err(Box::new(Failure { diagnostic: diagnostic(prepared, trap), report })),
     }
 }
 
@@ -103,12 +90,7 @@ fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
             level = plan.level;
         }
     }
-    Ok(level_for_steps(
-        prepared.plans,
-        &prepared.called,
-        level,
-        mesh,
-    ))
+    Ok(level_for_steps(prepared.plans, &prepared.called, level, mesh))
 }
 
 /// The level of a mesh that has one, or what it has of what some operations call in steps.
@@ -160,20 +142,13 @@ fn report(prepared: &Prepared, counts: &[Count]) -> Report {
 fn op_report(plan: &Plan, count: &Count) -> OpReport {
     let mut refused: Vec<(String, u64)> = Vec::new();
     for (refusal, &times) in plan.refusals.iter().zip(&count.refused) {
-        match refused
-            .iter_mut()
-            .find(|(known, _)| *known == refusal.reason)
-        {
+        match refused.iter_mut().find(|(known, _)| *known == refusal.reason) {
             Some((_, sum)) => *sum += times,
             None => refused.push((refusal.reason.clone(), times)),
         }
     }
     refused.retain(|&(_, times)| times > 0);
-    OpReport {
-        name: plan.name.clone(),
-        applied: count.applied,
-        refused,
-    }
+    OpReport { name: plan.name.clone(), applied: count.applied, refused }
 }
 
 /// How many calls are shown that led to a failure.
@@ -181,11 +156,8 @@ const MOST_CALLERS: usize = 8;
 
 /// The diagnostic of a trap: it points at the innermost place that is known.
 pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
-    let known: Vec<(&Site, Span)> = trap
-        .trace
-        .iter()
-        .filter_map(|site| Some((site, span(prepared, site)?)))
-        .collect();
+    let known: Vec<(&Site, Span)> =
+        trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
     let (first, calls) = match known.split_first() {
         Some(((_, span), calls)) => (*span, calls),
         None => (prepared.script.span, known.as_slice()),
@@ -207,12 +179,7 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         diagnostic = diagnostic.note(format!("{} calls led here", calls.len()));
     }
     let unknown = |site: &&Site| site.op.is_some() && span(prepared, site).is_none();
-    match trap
-        .trace
-        .iter()
-        .find(unknown)
-        .and_then(|site| name(prepared, site))
-    {
+    match trap.trace.iter().find(unknown).and_then(|site| name(prepared, site)) {
         Some(name) => diagnostic.note(format!("it happened inside of `{name}`")),
         None => diagnostic,
     }
@@ -263,12 +230,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
 }
 
 fn asserted(prepared: &Prepared, trap: &Trap) -> bool {
-    let Some(Site {
-        op,
-        function,
-        place: Some(place),
-    }) = trap.trace.first()
-    else {
+    let Some(Site { op, function, place: Some(place) }) = trap.trace.first() else {
         return false;
     };
     let assertions = match (function, op) {

@@ -81,10 +81,7 @@ pub(super) fn with_steps<'p>(
     while let Some(plan) = all.get(at) {
         let calls = plan.steps.iter().flat_map(|steps| &steps.calls);
         let new: Vec<_> = calls.filter(|&&(op, _)| seen.insert(op)).collect();
-        all.extend(
-            new.iter()
-                .filter_map(|(op, _)| plans.get(usize::from(*op))?.as_ref()),
-        );
+        all.extend(new.iter().filter_map(|(op, _)| plans.get(usize::from(*op))?.as_ref()));
         at += 1;
     }
     all
@@ -100,11 +97,8 @@ struct Lowered<'p> {
 }
 
 fn lowered<'p>(op: &'p ResolvedOp, steps: &'p Steps, functions: &Functions) -> Lowered<'p> {
-    let routine = Routine {
-        params: &op.params,
-        variables: &steps.body.variables,
-        block: &steps.body.block,
-    };
+    let routine =
+        Routine { params: &op.params, variables: &steps.body.variables, block: &steps.body.block };
     let mut lowering = Lowering::of_steps(routine, functions.texts());
     for require in &steps.requires {
         let mark = lowering.asm.mark();
@@ -148,10 +142,8 @@ impl Lowered<'_> {
             refusals.extend(plan.refusals.iter().map(|refusal| within(plan, refusal)));
         }
         let below = number(refusals.len())?;
-        refusals.extend(BELOW.map(|reason| Refusal {
-            reason: reason.to_owned(),
-            phase: Phase::Guard,
-        }));
+        refusals
+            .extend(BELOW.map(|reason| Refusal { reason: reason.to_owned(), phase: Phase::Guard }));
         number(refusals.len())?;
         let keeps = [Level::Surface, Level::Simple];
         Ok(Some(Plan {
@@ -159,14 +151,8 @@ impl Lowered<'_> {
             params: op.params.iter().map(|param| width(param.ty)).collect(),
             result: op.result.and_then(element_kind),
             level: self.level,
-            keeps: keeps
-                .into_iter()
-                .filter(|&kept| kept <= self.level)
-                .collect(),
-            code: Code {
-                functions: Arc::clone(&functions.code),
-                ..lowering.asm.finish()?
-            },
+            keeps: keeps.into_iter().filter(|&kept| kept <= self.level).collect(),
+            code: Code { functions: Arc::clone(&functions.code), ..lowering.asm.finish()? },
             places: lowering.names.places,
             refusals,
             stages: Vec::new(),

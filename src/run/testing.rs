@@ -27,12 +27,7 @@ pub fn test(
     load: &mut Load,
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
-    let failure = |diagnostic| {
-        Box::new(Failure {
-            diagnostic,
-            report: Report::default(),
-        })
-    };
+    let failure = |diagnostic| Box::new(Failure { diagnostic, report: Report::default() });
     let Some(test) = program.tests.get(test) else {
         let message = "there is no such test";
         let error = Diagnostic::error("unknown-script", message, Span::default());
@@ -95,10 +90,7 @@ impl Lowering<'_> {
         let mark = self.asm.mark();
         let test = self.value(condition);
         let to = self.asm.label();
-        self.asm.emit(Inst::JumpIf {
-            condition: test,
-            to,
-        });
+        self.asm.emit(Inst::JumpIf { condition: test, to });
         if let Some([left, right]) = sides(condition) {
             self.show("the left side is ", left);
             self.show(", the right side ", right);
@@ -114,14 +106,8 @@ impl Lowering<'_> {
         self.trap_at(span, Inst::MeshSame { mesh, to });
         let fine = self.asm.label();
         self.asm.emit(match same {
-            true => Inst::JumpIf {
-                condition: to,
-                to: fine,
-            },
-            false => Inst::JumpUnless {
-                condition: to,
-                to: fine,
-            },
+            true => Inst::JumpIf { condition: to, to: fine },
+            false => Inst::JumpUnless { condition: to, to: fine },
         });
         if same {
             self.asm.emit(Inst::PrintDifference { mesh });
@@ -140,20 +126,14 @@ impl Lowering<'_> {
     ) {
         let (applied, _) = self.apply(op, args, span);
         let (refused, fine) = (self.asm.label(), self.asm.label());
-        self.asm.emit(Inst::JumpUnless {
-            condition: applied,
-            to: refused,
-        });
+        self.asm.emit(Inst::JumpUnless { condition: applied, to: refused });
         self.fail("the operation was applied", span);
         self.asm.bind(refused);
         if let Some(reason) = reason {
             let (to, text) = (self.asm.reg(), self.asm.text(reason));
             let op = u16::try_from(op).unwrap_or(u16::MAX);
             self.asm.emit(Inst::RefusedFor { op, text, to });
-            self.asm.emit(Inst::JumpIf {
-                condition: to,
-                to: fine,
-            });
+            self.asm.emit(Inst::JumpIf { condition: to, to: fine });
             self.print_text("the reason is: ");
             self.asm.emit(Inst::PrintReason { op });
             self.fail("the operation was refused for another reason", span);
@@ -165,8 +145,7 @@ impl Lowering<'_> {
         self.print_text(text);
         let mark = self.asm.mark();
         let from = self.value(value);
-        self.asm
-            .emit(super::print::print_value(value.ty, from, Digits::All));
+        self.asm.emit(super::print::print_value(value.ty, from, Digits::All));
         self.asm.release(mark);
     }
 

@@ -21,29 +21,15 @@ impl Lowering<'_> {
         let (zero, one) = (self.asm.constant_int(0), self.asm.constant_int(1));
         let (head, again, end) = (self.asm.label(), self.asm.label(), self.asm.label());
         self.value_into(count, total);
-        self.asm.emit(Inst::Copy {
-            to: done,
-            from: zero,
-        });
+        self.asm.emit(Inst::Copy { to: done, from: zero });
         self.asm.bind(head);
-        self.asm.emit(Inst::LessInt {
-            to: more,
-            left: done,
-            right: total,
-        });
-        self.asm.emit(Inst::JumpUnless {
-            condition: more,
-            to: end,
-        });
+        self.asm.emit(Inst::LessInt { to: more, left: done, right: total });
+        self.asm.emit(Inst::JumpUnless { condition: more, to: end });
         self.turn(span, done, total);
         let exits = self.exits_of_body(&[], body, exits);
         self.turns(Loop { again, end }, body, exits.as_ref());
         self.asm.bind(again);
-        self.asm.emit(Inst::AddInt {
-            to: done,
-            left: done,
-            right: one,
-        });
+        self.asm.emit(Inst::AddInt { to: done, left: done, right: one });
         self.asm.emit(Inst::Jump { to: head });
         self.asm.bind(end);
     }
@@ -59,24 +45,14 @@ impl Lowering<'_> {
         let (again, end) = (self.asm.label(), self.asm.label());
         let [zero, one, unknown] = [0, 1, -1].map(|n| self.asm.constant_int(n));
         let done = self.asm.reg();
-        self.asm.emit(Inst::Copy {
-            to: done,
-            from: zero,
-        });
+        self.asm.emit(Inst::Copy { to: done, from: zero });
         self.asm.bind(again);
         let mark = self.asm.mark();
         let test = self.value(condition);
-        self.asm.emit(Inst::JumpUnless {
-            condition: test,
-            to: end,
-        });
+        self.asm.emit(Inst::JumpUnless { condition: test, to: end });
         self.asm.release(mark);
         self.turn(span, done, unknown);
-        self.asm.emit(Inst::AddInt {
-            to: done,
-            left: done,
-            right: one,
-        });
+        self.asm.emit(Inst::AddInt { to: done, left: done, right: one });
         let exits = self.exits_of_body(&[condition], body, exits);
         self.turns(Loop { again, end }, body, exits.as_ref());
         self.asm.emit(Inst::Jump { to: again });
@@ -85,18 +61,8 @@ impl Lowering<'_> {
 
     /// `for x in xs where c { … }`
     pub(super) fn visit(&mut self, statement: &Statement) {
-        let (StatementKind::For {
-            variable,
-            collection,
-            filter,
-            body,
-        }
-        | StatementKind::Update {
-            variable,
-            collection,
-            filter,
-            body,
-        }) = &statement.kind
+        let (StatementKind::For { variable, collection, filter, body }
+        | StatementKind::Update { variable, collection, filter, body }) = &statement.kind
         else {
             return;
         };
@@ -108,30 +74,15 @@ impl Lowering<'_> {
         let zero = self.asm.constant_int(0);
         let element = self.names.local(*variable);
         self.asm.emit(Inst::BufferLength { buffer, to: total });
-        self.asm.emit(Inst::Copy {
-            to: index,
-            from: zero,
-        });
+        self.asm.emit(Inst::Copy { to: index, from: zero });
         self.asm.bind(again);
-        self.asm.emit(Inst::BufferNext {
-            buffer,
-            index,
-            to: element,
-            otherwise: end,
-        });
+        self.asm.emit(Inst::BufferNext { buffer, index, to: element, otherwise: end });
         self.turn(span, index, total);
-        self.asm.emit(Inst::JumpUnlessLiving {
-            of: kind(collection),
-            element,
-            to: again,
-        });
+        self.asm.emit(Inst::JumpUnlessLiving { of: kind(collection), element, to: again });
         if let Some(filter) = filter {
             let mark = self.asm.mark();
             let condition = self.value(filter);
-            self.asm.emit(Inst::JumpUnless {
-                condition,
-                to: again,
-            });
+            self.asm.emit(Inst::JumpUnless { condition, to: again });
             self.asm.release(mark);
         }
         self.turns(Loop { again, end }, body, None);

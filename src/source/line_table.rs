@@ -23,9 +23,7 @@ impl LineTable {
 
     /// The 0-based line that holds the byte at `offset`.
     pub fn line(&self, offset: usize) -> usize {
-        self.starts
-            .partition_point(|&start| start as usize <= offset)
-            - 1
+        self.starts.partition_point(|&start| start as usize <= offset) - 1
     }
 
     /// The first byte of a 0-based line, or `None` behind the last line.

@@ -88,11 +88,7 @@ mod tests {
         let source = sources.get(file);
         assert_eq!(source.line_column(2), (2, 1));
         assert_eq!(source.line_column(8), (2, 3));
-        assert_eq!(
-            source.line_column(3),
-            (2, 1),
-            "inside a character: its start"
-        );
+        assert_eq!(source.line_column(3), (2, 1), "inside a character: its start");
         assert_eq!(sources.slice(Span::new(file, 4, 8)), "𝄞");
     }
 }

@@ -124,8 +124,7 @@ impl Lexed {
             let message = "a value in a text ends with `}`";
             let found = Diagnostic::error("unterminated-text", message, tail);
             let literally = "a brace that stands for itself is written `\\{`";
-            self.diagnostics
-                .push(found.saying("no closing `}`").note(literally));
+            self.diagnostics.push(found.saying("no closing `}`").note(literally));
         }
         self.text(tail, TokenKind::TextTail, &word[begin..]);
     }
@@ -285,14 +284,8 @@ mod tests {
     #[test]
     fn numbers_names_and_arrows_end_where_they_should() {
         use TokenKind::{Arrow, Dot, FatArrow, Int, Minus, Real, Slash, Star, Word};
-        assert_eq!(
-            kinds("4/3 0.5 1e-3 2E5"),
-            [Int, Slash, Int, Real, Real, Real]
-        );
-        assert_eq!(
-            kinds("h'' *S ñandú_1 edges"),
-            [Word, Star, Word, Word, Word]
-        );
+        assert_eq!(kinds("4/3 0.5 1e-3 2E5"), [Int, Slash, Int, Real, Real, Real]);
+        assert_eq!(kinds("h'' *S ñandú_1 edges"), [Word, Star, Word, Word, Word]);
         assert_eq!(kinds("-a->"), [Minus, Word, Arrow]);
         assert_eq!(kinds("=P=>"), [TokenKind::Equals, Word, FatArrow]);
         assert_eq!(kinds("1.x 1.0.x"), [Int, Dot, Word, Real, Dot, Word]);
@@ -303,17 +296,9 @@ mod tests {
         let text = "\u{FEFF}// a \r\n\t/// b\r\n//!c\r//\r\n";
         let lexed = lex(FileId(0), text);
         assert_eq!((lexed.tokens.len(), lexed.diagnostics.len()), (0, 0));
-        let said: Vec<_> = lexed
-            .comments
-            .iter()
-            .map(|c| (c.kind, c.text(text)))
-            .collect();
+        let said: Vec<_> = lexed.comments.iter().map(|c| (c.kind, c.text(text))).collect();
         let plain = CommentKind::Plain;
-        let kinds = [
-            (plain, "a"),
-            (CommentKind::Doc, "b"),
-            (CommentKind::FileDoc, "c\r//"),
-        ];
+        let kinds = [(plain, "a"), (CommentKind::Doc, "b"), (CommentKind::FileDoc, "c\r//")];
         assert_eq!(said, kinds);
     }
 

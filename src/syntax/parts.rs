@@ -26,21 +26,12 @@ impl Expr {
                 look(Part::Expr(left));
                 look(Part::Expr(right));
             }
-            ExprKind::If {
-                condition,
-                then,
-                otherwise,
-            } => {
+            ExprKind::If { condition, then, otherwise } => {
                 look(Part::Expr(condition));
                 look(Part::Block(then));
                 look(Part::Block(otherwise));
             }
-            ExprKind::Aggregate {
-                body,
-                sequence,
-                filter,
-                ..
-            } => {
+            ExprKind::Aggregate { body, sequence, filter, .. } => {
                 look(Part::Expr(body));
                 look(Part::Expr(sequence));
                 filter.iter().for_each(|filter| look(Part::Expr(filter)));
@@ -65,47 +56,23 @@ impl Action {
                 look(Part::Expr(value));
             }
             ActionKind::Repeat { count: head, body }
-            | ActionKind::While {
-                condition: head,
-                body,
-            } => {
+            | ActionKind::While { condition: head, body } => {
                 look(Part::Expr(head));
                 look(Part::Block(body));
             }
-            ActionKind::For {
-                sequence,
-                filter,
-                body,
-                ..
-            }
-            | ActionKind::Update {
-                sequence,
-                filter,
-                body,
-                ..
-            } => {
+            ActionKind::For { sequence, filter, body, .. }
+            | ActionKind::Update { sequence, filter, body, .. } => {
                 look(Part::Expr(sequence));
                 filter.iter().for_each(|filter| look(Part::Expr(filter)));
                 look(Part::Block(body));
             }
-            ActionKind::Drain {
-                sequence,
-                key,
-                condition,
-                body,
-                ..
-            } => {
+            ActionKind::Drain { sequence, key, condition, body, .. } => {
                 look(Part::Expr(sequence));
                 look(Part::Expr(key));
                 condition.iter().for_each(|inner| look(Part::Expr(inner)));
                 look(Part::Block(body));
             }
-            ActionKind::If {
-                condition,
-                then,
-                otherwise,
-                ..
-            } => {
+            ActionKind::If { condition, then, otherwise, .. } => {
                 look(Part::Expr(condition));
                 look(Part::Block(then));
                 otherwise.iter().for_each(|block| look(Part::Block(block)));

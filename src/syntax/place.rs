@@ -123,11 +123,7 @@ impl Shift for Item {
 impl Shift for Condition {
     fn shift(&mut self, by: i32) {
         match self {
-            Condition::Require {
-                condition,
-                reason,
-                span,
-            } => {
+            Condition::Require { condition, reason, span } => {
                 condition.shift(by);
                 reason.shift(by);
                 span.shift(by);
@@ -149,11 +145,7 @@ impl Shift for Statement {
         match self {
             Statement::Loop(orbit) => orbit.shift(by),
             Statement::Vertex(star) => star.shift(by),
-            Statement::Edge {
-                name,
-                halfedges,
-                span,
-            } => {
+            Statement::Edge { name, halfedges, span } => {
                 name.shift(by);
                 halfedges.shift(by);
                 span.shift(by);
@@ -164,12 +156,7 @@ impl Shift for Statement {
                 names.shift(by);
                 span.shift(by);
             }
-            Statement::Assign {
-                target,
-                attribute,
-                value,
-                span,
-            } => {
+            Statement::Assign { target, attribute, value, span } => {
                 target.shift(by);
                 attribute.shift(by);
                 value.shift(by);
@@ -204,9 +191,7 @@ impl Shift for Spoke {
 impl Shift for ActionKind {
     fn shift(&mut self, by: i32) {
         match self {
-            ActionKind::Let {
-                name, ty, value, ..
-            } => {
+            ActionKind::Let { name, ty, value, .. } => {
                 name.shift(by);
                 ty.shift(by);
                 value.shift(by);
@@ -216,49 +201,25 @@ impl Shift for ActionKind {
                 value.shift(by);
             }
             ActionKind::Repeat { count: head, body }
-            | ActionKind::While {
-                condition: head,
-                body,
-            } => {
+            | ActionKind::While { condition: head, body } => {
                 head.shift(by);
                 body.shift(by);
             }
-            ActionKind::For {
-                variable,
-                sequence,
-                filter,
-                body,
-            }
-            | ActionKind::Update {
-                variable,
-                sequence,
-                filter,
-                body,
-            } => {
+            ActionKind::For { variable, sequence, filter, body }
+            | ActionKind::Update { variable, sequence, filter, body } => {
                 variable.shift(by);
                 sequence.shift(by);
                 filter.shift(by);
                 body.shift(by);
             }
-            ActionKind::Drain {
-                variable,
-                sequence,
-                key,
-                condition,
-                body,
-            } => {
+            ActionKind::Drain { variable, sequence, key, condition, body } => {
                 variable.shift(by);
                 sequence.shift(by);
                 key.shift(by);
                 condition.shift(by);
                 body.shift(by);
             }
-            ActionKind::If {
-                binding,
-                condition,
-                then,
-                otherwise,
-            } => {
+            ActionKind::If { binding, condition, then, otherwise } => {
                 binding.shift(by);
                 condition.shift(by);
                 then.shift(by);
@@ -295,22 +256,12 @@ impl Shift for ExprKind {
                 left.shift(by);
                 right.shift(by);
             }
-            ExprKind::If {
-                condition,
-                then,
-                otherwise,
-            } => {
+            ExprKind::If { condition, then, otherwise } => {
                 condition.shift(by);
                 then.shift(by);
                 otherwise.shift(by);
             }
-            ExprKind::Aggregate {
-                function,
-                body,
-                variable,
-                sequence,
-                filter,
-            } => {
+            ExprKind::Aggregate { function, body, variable, sequence, filter } => {
                 function.shift(by);
                 body.shift(by);
                 variable.shift(by);

@@ -12,10 +12,7 @@ pub(super) struct ReadText {
 
 /// Undoes the escapes of a text token; the closing quote may be missing.
 pub(super) fn read_text(token: &str) -> ReadText {
-    let mut read = ReadText {
-        value: String::with_capacity(token.len()),
-        unknown: Vec::new(),
-    };
+    let mut read = ReadText { value: String::with_capacity(token.len()), unknown: Vec::new() };
     let mut chars = token.char_indices().skip(1).peekable();
     while let Some((at, character)) = chars.next() {
         match character {
@@ -48,10 +45,7 @@ pub(super) struct Holes {
 
 /// Finds the values in a text token: `"mean {mean(len):.3}"` has one.
 pub(super) fn holes(token: &str) -> Holes {
-    let mut holes = Holes {
-        values: Vec::new(),
-        is_open: false,
-    };
+    let mut holes = Holes { values: Vec::new(), is_open: false };
     let mut begun: Option<Hole> = None;
     let mut chars = token.char_indices();
     while let Some((at, character)) = chars.next() {
@@ -60,11 +54,7 @@ pub(super) fn holes(token: &str) -> Holes {
                 chars.next();
             }
             (None, '{') => {
-                begun = Some(Hole {
-                    start: at + 1,
-                    depth: 0,
-                    format: None,
-                });
+                begun = Some(Hole { start: at + 1, depth: 0, format: None });
             }
             (Some(hole), '{') => hole.depth += 1,
             (Some(hole), '}') if hole.depth > 0 => hole.depth -= 1,
@@ -112,10 +102,7 @@ mod tests {
             (values.collect::<Vec<_>>(), holes.is_open)
         };
         let none: [&str; 0] = [];
-        assert_eq!(
-            found(r#""a \{b\} }""#),
-            (none.map(String::from).to_vec(), false)
-        );
+        assert_eq!(found(r#""a \{b\} }""#), (none.map(String::from).to_vec(), false));
         let two = ["x.y", "if c { 1 } else { 2 }"].map(String::from).to_vec();
         assert_eq!(found(r#""{x.y:.3}{if c { 1 } else { 2 }}""#), (two, false));
         assert_eq!(found(r#""a {b""#), (vec!["b".to_owned()], true));

@@ -99,9 +99,7 @@ fn with_aliases(op: &Op, most: usize) -> Vec<Op> {
     let span = rule.after.span;
     let mut all = Vec::new();
     let found = identifications(op, rule);
-    let fine = found
-        .iter()
-        .filter(|one| matches!(one.verdict, Verdict::Fine));
+    let fine = found.iter().filter(|one| matches!(one.verdict, Verdict::Fine));
     for one in fine.take(most) {
         let mut with = op.clone();
         let alias = |class: &Vec<_>| Alias {
@@ -132,11 +130,7 @@ fn apply(op: &Op, plan: &Plan, mesh: &Mesh, place: &[u32], level: Level) -> Foun
             names.collect::<Vec<_>>()
         });
         let aliases = words(rule, &aliases.collect::<Vec<_>>());
-        format!(
-            "{} with {aliases} at {place:?} of\n{}",
-            op.name,
-            mesh_text(mesh)
-        )
+        format!("{} with {aliases} at {place:?} of\n{}", op.name, mesh_text(mesh))
     };
     match outcome.expect("nothing traps") {
         Outcome::Applied { .. } => {
@@ -147,20 +141,12 @@ fn apply(op: &Op, plan: &Plan, mesh: &Mesh, place: &[u32], level: Level) -> Foun
             let agreed = literal.iter().any(agrees) || found.len() == MOST;
             assert!(agreed, "{} it makes\n{}", told(), mesh_text(&result));
             let one = found.iter().any(|at| !one_in(rule, at).is_empty());
-            if one {
-                Found::AppliedWhereOne
-            } else {
-                Found::Applied
-            }
+            if one { Found::AppliedWhereOne } else { Found::Applied }
         }
         Outcome::Refused { .. } => {
             assert!(identical(mesh, &result));
             assert!(literal.is_empty(), "refused: {}", told());
-            if found.is_empty() {
-                Found::Nothing
-            } else {
-                Found::Refused
-            }
+            if found.is_empty() { Found::Nothing } else { Found::Refused }
         }
     }
 }

@@ -11,10 +11,7 @@ fn verdicts_are_printed_and_meshes_written() {
     let out = folder.path().join("out");
     let run = |more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_hedgerow"));
-        command
-            .args(["check", "--aliases"])
-            .args(more)
-            .arg(&program);
+        command.args(["check", "--aliases"]).args(more).arg(&program);
         let output = command.output().unwrap();
         assert!(output.status.success());
         String::from_utf8(output.stdout).unwrap()
@@ -28,10 +25,7 @@ fn verdicts_are_printed_and_meshes_written() {
         .collect();
     written.sort();
     let name = "contract-alias-breaks-1";
-    assert!(
-        written.contains(&format!("{name}.halfedges")),
-        "{written:?}"
-    );
+    assert!(written.contains(&format!("{name}.halfedges")), "{written:?}");
     assert!(written.contains(&format!("{name}.svg")), "{written:?}");
     let json: serde_json::Value = serde_json::from_str(&run(&["--format", "json"])).unwrap();
     let sets = json["files"][0]["aliases"][0]["sets"].as_array().unwrap();

@@ -52,10 +52,8 @@ pub fn wrong() -> Vec<Op> {
 
 /// The ops to start from.
 fn bases() -> Vec<Op> {
-    let mut texts: Vec<_> = examples()
-        .iter()
-        .map(|path| std::fs::read_to_string(path).expect("an example"))
-        .collect();
+    let mut texts: Vec<_> =
+        examples().iter().map(|path| std::fs::read_to_string(path).expect("an example")).collect();
     texts.extend([MORE, MORE_FAMILIES, ODD].map(str::to_owned));
     rules_of(&texts)
 }
@@ -68,15 +66,9 @@ fn rules_of(texts: &[String]) -> Vec<Op> {
         let mut sources = Sources::new();
         let file = sources.add("an example", text.clone());
         let analysis = Analysis::of(&sources, file);
-        assert!(
-            !analysis.program.ops.is_empty(),
-            "no ops: {:?}",
-            analysis.diagnostics
-        );
+        assert!(!analysis.program.ops.is_empty(), "no ops: {:?}", analysis.diagnostics);
         for op in analysis.program.ops {
-            let op = op
-                .diagram
-                .unwrap_or_else(|| panic!("{} is not understood", op.name));
+            let op = op.diagram.unwrap_or_else(|| panic!("{} is not understood", op.name));
             for rule in &op.rules {
                 let base = alone(&op, rule);
                 let text = op_text(&base, &base.rules[0]);
@@ -97,10 +89,7 @@ pub fn read_back(text: &str) -> Option<(Sources, Op)> {
     let parsed = parse(file, text);
     let mut resolved = resolve(&parsed.tree);
     let faulty = !parsed.diagnostics.is_empty()
-        || resolved
-            .diagnostics
-            .iter()
-            .any(|diagnostic| diagnostic.is_error());
+        || resolved.diagnostics.iter().any(|diagnostic| diagnostic.is_error());
     let op = resolved.program.ops.pop()?.diagram?;
     (!faulty).then_some((sources, op))
 }

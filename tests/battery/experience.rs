@@ -31,11 +31,7 @@ impl Experience {
     fn breaks(&mut self, mesh: &Mesh, place: &[u32], what: String) {
         self.broken += 1;
         let size = mesh.halfedge_count();
-        if self
-            .smallest
-            .as_ref()
-            .is_none_or(|(known, _)| size < *known)
-        {
+        if self.smallest.as_ref().is_none_or(|(known, _)| size < *known) {
             let text = format!("at {place:?} of\n{}{what}", mesh_text(mesh));
             self.smallest = Some((size, text));
         }

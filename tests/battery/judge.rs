@@ -96,9 +96,7 @@ pub fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
             accepted(&proved, &sources, &sizes, pool, random, &mut judged);
         }
         Err(diagnostics) => {
-            let code = diagnostics
-                .first()
-                .map_or("none", |diagnostic| diagnostic.code);
+            let code = diagnostics.first().map_or("none", |diagnostic| diagnostic.code);
             let sizes = sizes(&op, &judged.text, TRIED);
             let rules: Vec<_> = sizes.iter().map(|op| &op.rules[0]).collect();
             let experience = experience(&rules, None, pool.trials(&sizes, random));
@@ -132,9 +130,7 @@ fn sizes(op: &Op, text: &str, most: usize) -> Vec<Op> {
         return vec![op.clone()];
     }
     let written = (1..=most).map(|size| unrolled(text, size as i64));
-    written
-        .filter_map(|text| Some(read_back(&text)?.1))
-        .collect()
+    written.filter_map(|text| Some(read_back(&text)?.1)).collect()
 }
 
 /// Whether a rule with families matches on cycles of 1 and 2 alone: there `h[i+1]` and `h[i-1]`
@@ -160,18 +156,14 @@ fn accepted(
         experience(&rules, Some(&plan), pool.trials(tried, random))
     }));
     let Ok(experience) = run else {
-        judged
-            .complaints
-            .push("compiling or running it panics".into());
+        judged.complaints.push("compiling or running it panics".into());
         return;
     };
     judged.matches = experience.matches;
     judged.applied = experience.applied;
     if let Some((_, smallest)) = experience.smallest {
         let times = experience.broken;
-        judged
-            .complaints
-            .push(format!("accepted, but breaks {times} meshes: {smallest}"));
+        judged.complaints.push(format!("accepted, but breaks {times} meshes: {smallest}"));
     }
     let smallest = experience.differences.into_iter().min_by_key(String::len);
     judged.complaints.extend(smallest);

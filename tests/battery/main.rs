@@ -38,10 +38,7 @@ fn the_prover_tells_the_truth() {
     let judged = battery(&bases::plain(), wanted);
     let unfounded = unfounded(&judged);
     // A drawing may imply more than the checker sees, but next to none does.
-    assert!(
-        unfounded * 5000 <= judged.len(),
-        "{unfounded} rejections that no mesh bears out"
-    );
+    assert!(unfounded * 5000 <= judged.len(), "{unfounded} rejections that no mesh bears out");
 }
 
 /// A tenth as many, since each is written out for cycles of several sizes.
@@ -50,10 +47,7 @@ fn the_prover_tells_the_truth_of_families() {
     let wanted = number("HEDGEROW_MUTANTS", 2_000) / 10;
     let judged = battery(&bases::with_families(), wanted);
     let unfounded = unfounded(&judged);
-    assert!(
-        unfounded * 100 <= judged.len(),
-        "{unfounded} rejections that no mesh bears out"
-    );
+    assert!(unfounded * 100 <= judged.len(), "{unfounded} rejections that no mesh bears out");
 }
 
 /// A person has thought about these: each is unusual in its own way, right or wrong by a little.
@@ -76,20 +70,12 @@ fn unusual_ops_are_told_apart() {
     for op in &wrong {
         let judged = judged(op);
         println!("{}: {:?}", op.name, judged.verdict);
-        if !matches!(
-            judged.verdict,
-            Verdict::Rejected(_, Meshes::Broke | Meshes::Lied)
-        ) {
+        if !matches!(judged.verdict, Verdict::Rejected(_, Meshes::Broke | Meshes::Lied)) {
             untold.push(judged);
         }
     }
     for judged in &untold {
-        println!(
-            "{:?} {}{}",
-            judged.verdict,
-            judged.text,
-            judged.complaints.join("\n")
-        );
+        println!("{:?} {}{}", judged.verdict, judged.text, judged.complaints.join("\n"));
     }
     assert!(untold.is_empty(), "{} ops are judged wrongly", untold.len());
     assert!(odd.len() > 18 && wrong.len() > 18);
@@ -105,16 +91,10 @@ fn battery(bases: &[Op], wanted: usize) -> Vec<Judged> {
         let text = op_text(base, &base.rules[0]);
         judged.push(judge(text.clone(), &pool, &mut random).unwrap_or_else(|| panic!("{text}")));
     }
-    let sound = judged
-        .iter()
-        .filter(|judged| judged.verdict == Verdict::Accepted)
-        .count();
+    let sound = judged.iter().filter(|judged| judged.verdict == Verdict::Accepted).count();
     println!("{sound} of {} ops to start from are accepted", judged.len());
     if std::env::var_os("HEDGEROW_SURVIVORS").is_some() {
-        for judged in judged
-            .iter()
-            .filter(|judged| judged.verdict != Verdict::Accepted)
-        {
+        for judged in judged.iter().filter(|judged| judged.verdict != Verdict::Accepted) {
             println!("{:?} {}", judged.verdict, judged.text);
         }
     }
@@ -133,18 +113,11 @@ fn battery(bases: &[Op], wanted: usize) -> Vec<Judged> {
                         judge(mutant(bases, &mut random)?, pool, &mut random)
                     };
                     let share = wanted / threads + usize::from(worker < wanted % threads);
-                    numbers
-                        .filter_map(judge_one)
-                        .take(share)
-                        .collect::<Vec<_>>()
+                    numbers.filter_map(judge_one).take(share).collect::<Vec<_>>()
                 })
             })
             .collect();
-        judged.extend(
-            workers
-                .into_iter()
-                .flat_map(|worker| worker.join().expect("a worker")),
-        );
+        judged.extend(workers.into_iter().flat_map(|worker| worker.join().expect("a worker")));
     });
     let _ = std::panic::take_hook();
     report(&judged);
@@ -153,22 +126,10 @@ fn battery(bases: &[Op], wanted: usize) -> Vec<Judged> {
         .filter(|judged| !judged.complaints.is_empty())
         .map(|judged| format!("{}{}\n", judged.text, judged.complaints.join("\n")))
         .collect();
-    let shown = complaints
-        .iter()
-        .take(number("HEDGEROW_SHOW", 5))
-        .cloned()
-        .collect::<Vec<_>>();
-    assert!(
-        complaints.is_empty(),
-        "{} complaints:\n{}",
-        complaints.len(),
-        shown.join("\n")
-    );
+    let shown = complaints.iter().take(number("HEDGEROW_SHOW", 5)).cloned().collect::<Vec<_>>();
+    assert!(complaints.is_empty(), "{} complaints:\n{}", complaints.len(), shown.join("\n"));
     let matches: usize = judged.iter().map(|judged| judged.matches).sum();
-    assert!(
-        matches > 50 * wanted,
-        "only {matches} matches: that proves nothing"
-    );
+    assert!(matches > 50 * wanted, "only {matches} matches: that proves nothing");
     judged
 }
 

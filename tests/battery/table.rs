@@ -6,9 +6,7 @@ use crate::judge::{BY_RULE, Judged, Meshes, Verdict};
 use crate::number;
 
 pub fn report(judged: &[Judged]) {
-    let accepted = judged
-        .iter()
-        .filter(|judged| judged.verdict == Verdict::Accepted);
+    let accepted = judged.iter().filter(|judged| judged.verdict == Verdict::Accepted);
     let (mut sound, mut unmatched, mut applied, mut runs) = (0, 0, 0, 0);
     for judged in accepted {
         sound += usize::from(judged.complaints.is_empty());
@@ -49,26 +47,16 @@ pub fn report(judged: &[Judged]) {
     let mut total = [0; 5];
     for (code, counts) in &codes {
         let [broke, lied, unwritable, unmatched, survived] = counts;
-        let rule = if BY_RULE.contains(code) {
-            "   by rule"
-        } else {
-            ""
-        };
+        let rule = if BY_RULE.contains(code) { "   by rule" } else { "" };
         println!(
             "    {code:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}{rule}"
         );
         (0..5).for_each(|at| total[at] += counts[at]);
     }
     let [broke, lied, unwritable, unmatched, survived] = total;
-    println!(
-        "    {:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}",
-        "all"
-    );
+    println!("    {:<36}{broke:>7}{lied:>10}{unwritable:>12}{unmatched:>10}{survived:>10}", "all");
     println!("    matches rewritten literally         {rejected_runs:>7}");
-    let slowest = judged
-        .iter()
-        .max_by_key(|judged| judged.time)
-        .expect("some op");
+    let slowest = judged.iter().max_by_key(|judged| judged.time).expect("some op");
     println!("  slowest proof: {} ms", slowest.time.as_millis());
     if std::env::var_os("HEDGEROW_SURVIVORS").is_some() {
         println!("slowest:\n{}", slowest.text);

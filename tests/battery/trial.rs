@@ -23,19 +23,11 @@ pub struct Pool {
 
 /// All choices of the elements given; of two or more only some.
 fn places(op: &Op, mesh: &Mesh, random: &mut Random) -> Vec<Vec<u32>> {
-    let choices: Vec<_> = op
-        .params
-        .iter()
-        .map(|param| elements(mesh, param.ty))
-        .collect();
+    let choices: Vec<_> = op.params.iter().map(|param| elements(mesh, param.ty)).collect();
     match choices.as_slice() {
         [only] => only.iter().map(|&element| vec![element]).collect(),
         many => {
-            let mut pick = || {
-                many.iter()
-                    .map(|choice| random.pick(choice).copied())
-                    .collect()
-            };
+            let mut pick = || many.iter().map(|choice| random.pick(choice).copied()).collect();
             (0..12).filter_map(|_| pick()).collect()
         }
     }
@@ -44,9 +36,7 @@ fn places(op: &Op, mesh: &Mesh, random: &mut Random) -> Vec<Vec<u32>> {
 impl Pool {
     pub fn new(maps: usize, completions: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
-        let maps = (0..maps)
-            .map(|_| random_map(2 + 2 * random.below(7), &mut random))
-            .collect();
+        let maps = (0..maps).map(|_| random_map(2 + 2 * random.below(7), &mut random)).collect();
         Self { maps, completions }
     }
 
@@ -67,10 +57,7 @@ impl Pool {
             }
             let completion = complete(rule, random)?;
             let mut places = places(op, &completion.mesh, random);
-            let meant = rule
-                .params
-                .iter()
-                .map(|name| completion.elements[(*name)?.index()]);
+            let meant = rule.params.iter().map(|name| completion.elements[(*name)?.index()]);
             if let Some(meant) = meant.collect::<Option<Vec<_>>>() {
                 // Where it is meant to match, and where it nearly does.
                 if op.params.iter().all(|param| param.ty == op.params[0].ty) {
@@ -83,10 +70,7 @@ impl Pool {
                 places.retain(|place| *place != meant);
                 places.insert(0, meant);
             }
-            Some(Trial {
-                mesh: completion.mesh,
-                places,
-            })
+            Some(Trial { mesh: completion.mesh, places })
         })
     }
 }

@@ -40,10 +40,7 @@ fn corners_of_obj_files_are_values() {
     run(&bench, "print count(edges)", "m.obj", "n.obj");
     assert_eq!(bench.read("n.obj"), TWO);
     let told = bench.succeeds(&["info", "m.obj"]);
-    assert!(
-        told.contains("  attributes            uv: halfedge vec2\n"),
-        "{told}"
-    );
+    assert!(told.contains("  attributes            uv: halfedge vec2\n"), "{told}");
 }
 
 #[test]
@@ -75,10 +72,7 @@ fn what_a_file_cannot_hold_is_said_in_one_line() {
     assert_eq!(err, "");
     bench.write("g.obj", format!("g wing\n{SQUARE}"));
     let (_, err) = run(&bench, body, "g.obj", "n.halfedges");
-    assert!(
-        err.contains("cannot hold the groups and materials"),
-        "{err}"
-    );
+    assert!(err.contains("cannot hold the groups and materials"), "{err}");
 }
 
 #[test]
@@ -98,10 +92,7 @@ fn tables_hold_all_attributes_after_erasing() {
     let tables = bench.read("a.halfedges");
     assert!(!tables.contains("scratch"), "{tables}");
     for told in ["face int", "edge real", "vertex vec3", "halfedge vec2"] {
-        assert!(
-            bench.succeeds(&["info", "a.halfedges"]).contains(told),
-            "{told}"
-        );
+        assert!(bench.succeeds(&["info", "a.halfedges"]).contains(told), "{told}");
     }
     let same = "assert all(e.crease == length(e) / 3 for e in edges)\n\
         assert all(f.part == 7 for f in faces)\n\
@@ -134,34 +125,18 @@ fn a_default_that_used_files_need_is_asked_for_once() {
     let program = "use \"std/polygon.hedge\"\nattr w: vertex vec3\nscript s() { }\n";
     bench.write("s.hedge", program);
     let said = bench.run(&["check", "s.hedge"]);
-    assert_eq!(
-        (said.code, said.err.matches("error[").count()),
-        (1, 1),
-        "{said:?}"
-    );
+    assert_eq!((said.code, said.err.matches("error[").count()), (1, 1), "{said:?}");
     let way_out = "give it a default: `attr w: vertex vec3 = vec3(0)`";
     assert!(said.err.contains(way_out), "{}", said.err);
-    bench.write(
-        "s.hedge",
-        program.replace("attr w: vertex vec3", "attr w: vertex vec3 = vec3(0)"),
-    );
+    bench.write("s.hedge", program.replace("attr w: vertex vec3", "attr w: vertex vec3 = vec3(0)"));
     bench.succeeds(&["check", "s.hedge"]);
 }
 
 #[test]
 fn what_of_a_file_is_lost_is_told() {
     let bench = Bench::new();
-    bench.write(
-        "m.obj",
-        TWO.replace("f 1/1/1 2/2/1", "l 1 2\np 3\nf 1/1/1 2/2/1"),
-    );
-    let flip = [
-        "apply",
-        "std/triangle.hedge::flip",
-        "m.obj",
-        "--at",
-        "edge:1-3",
-    ];
+    bench.write("m.obj", TWO.replace("f 1/1/1 2/2/1", "l 1 2\np 3\nf 1/1/1 2/2/1"));
+    let flip = ["apply", "std/triangle.hedge::flip", "m.obj", "--at", "edge:1-3"];
     let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
     assert_eq!(said.code, 0, "{said:?}");
     for words in [
@@ -175,9 +150,5 @@ fn what_of_a_file_is_lost_is_told() {
     // A file whose corners have none has none to lose.
     bench.write("m.obj", SQUARE);
     let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
-    assert_eq!(
-        (said.code, said.err.contains("warning")),
-        (0, false),
-        "{said:?}"
-    );
+    assert_eq!((said.code, said.err.contains("warning")), (0, false), "{said:?}");
 }

@@ -40,18 +40,11 @@ fn explain_tells_of_codes_words_and_functions() {
 #[test]
 fn a_test_tells_how_meshes_differ() {
     let bench = Bench::new();
-    bench.write(
-        "differ.hedge",
-        "test \"a\" { mesh = cube()  assert mesh == octahedron() }",
-    );
+    bench.write("differ.hedge", "test \"a\" { mesh = cube()  assert mesh == octahedron() }");
     let said = bench.run(&["test", "differ.hedge"]);
     assert_eq!(said.code, 1);
     let counts = "the mesh has 8 vertices, the other 6; the mesh has 6 faces, the other 8";
-    assert!(
-        said.out.contains(counts) || said.err.contains(counts),
-        "{}",
-        said.err
-    );
+    assert!(said.out.contains(counts) || said.err.contains(counts), "{}", said.err);
 }
 
 #[test]
@@ -89,11 +82,7 @@ fn run_writes_a_mesh_and_a_table() {
         "iterations=1",
     ];
     let told = bench.succeeds(&arguments);
-    for words in [
-        "op        applied  refused",
-        "boundary loops",
-        "seconds: load ",
-    ] {
+    for words in ["op        applied  refused", "boundary loops", "seconds: load "] {
         assert!(told.contains(words), "{told}");
     }
     let summary = bench.json(&["info", "out.obj"]);
@@ -113,15 +102,8 @@ fn run_writes_a_mesh_and_a_table() {
 #[test]
 fn a_script_that_fails_points_at_the_place_and_writes_nothing() {
     let bench = Bench::with_square();
-    bench.write(
-        "s.hedge",
-        "script s() { print 1 div (count(vertices) - 4) }",
-    );
-    bench.fails(
-        1,
-        &["run", "s.hedge", "square.obj", "-o", "out.obj"],
-        "s.hedge:1:20",
-    );
+    bench.write("s.hedge", "script s() { print 1 div (count(vertices) - 4) }");
+    bench.fails(1, &["run", "s.hedge", "square.obj", "-o", "out.obj"], "s.hedge:1:20");
     assert_eq!(bench.files(), ["s.hedge", "square.obj"]);
 }
 
@@ -130,15 +112,8 @@ fn apply_does_one_thing_at_one_place() {
     let bench = Bench::with_square();
     let at = ["--at", "edge:1-3", "-o", "out.obj"];
     let told = bench.succeeds(&[&["apply", &flip(), "square.obj"], &at[..]].concat());
-    assert_eq!(
-        told,
-        "applied flip\nnow      4 vertices, 5 edges, 2 faces\n"
-    );
-    assert!(
-        bench.read("out.obj").contains("f 4 2 3\n"),
-        "{}",
-        bench.read("out.obj")
-    );
+    assert_eq!(told, "applied flip\nnow      4 vertices, 5 edges, 2 faces\n");
+    assert!(bench.read("out.obj").contains("f 4 2 3\n"), "{}", bench.read("out.obj"));
 
     let split = example("split.hedge");
     let told = bench.json(&[&["apply", &split, "square.obj"], &at[..]].concat());
@@ -153,22 +128,10 @@ fn apply_does_one_thing_at_one_place() {
 fn a_refusal_has_a_code_a_reason_and_no_output() {
     let bench = Bench::new();
     bench.write("t.obj", TETRAHEDRON);
-    let arguments = [
-        "apply",
-        &flip(),
-        "t.obj",
-        "--at",
-        "edge:1-2",
-        "-o",
-        "out.obj",
-    ];
+    let arguments = ["apply", &flip(), "t.obj", "--at", "edge:1-2", "-o", "out.obj"];
     let said = bench.fails(3, &arguments, "refused: the edge v2 v3 is already there\n");
     assert_eq!(said.out, "");
-    let said = bench.fails(
-        3,
-        &[&arguments[..], &["--format", "json"]].concat(),
-        "refused: ",
-    );
+    let said = bench.fails(3, &[&arguments[..], &["--format", "json"]].concat(), "refused: ");
     let told: serde_json::Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!(told["applied"], false);
     assert_eq!(told["refused"], "the edge v2 v3 is already there");
@@ -186,19 +149,10 @@ fn an_edge_is_taken_the_way_it_is_written() {
            after { keep f e  v0.position = v1.position }
          }",
     );
-    for (at, moved) in [
-        ("edge:1-3", "v 1 1 0\nv 1 0 0\n"),
-        ("edge:3-1", "v 0 0 0\nv 1 0 0\nv 0 0 0\n"),
-    ] {
-        bench.succeeds(&[
-            "apply",
-            "from.hedge",
-            "square.obj",
-            "--at",
-            at,
-            "-o",
-            "out.obj",
-        ]);
+    for (at, moved) in
+        [("edge:1-3", "v 1 1 0\nv 1 0 0\n"), ("edge:3-1", "v 0 0 0\nv 1 0 0\nv 0 0 0\n")]
+    {
+        bench.succeeds(&["apply", "from.hedge", "square.obj", "--at", at, "-o", "out.obj"]);
         let out = bench.read("out.obj");
         assert!(out.starts_with(moved), "{at}: {out}");
     }
@@ -207,10 +161,7 @@ fn an_edge_is_taken_the_way_it_is_written() {
 #[test]
 fn several_elements_are_given_by_name_or_in_order() {
     let bench = Bench::new();
-    bench.write(
-        "quad.obj",
-        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
-    );
+    bench.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     let connect = example("connect.hedge");
     let with = |places: &[&str]| {
         let places = places.iter().flat_map(|place| ["--at", place]);
@@ -245,10 +196,7 @@ fn plan_prints_four_phases() {
     let told = bench.succeeds(&["plan", &flip()]);
     let phases = ["1. collect", "2. allocate", "3. reassign", "4. erase"];
     let places: Vec<_> = phases.iter().map(|phase| told.find(phase)).collect();
-    assert!(
-        places.iter().all(Option::is_some) && places.is_sorted(),
-        "{told}"
-    );
+    assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{told}");
     assert!(told.contains("\n   a.next       = c\n"), "{told}");
     assert!(told.contains("\n · a.face       = f0\n"), "{told}");
     let widest = told.lines().map(|line| line.chars().count()).max();
@@ -259,11 +207,9 @@ fn plan_prints_four_phases() {
 fn info_describes_a_mesh() {
     let bench = Bench::with_square();
     let told = bench.succeeds(&["info", "square.obj"]);
-    for words in [
-        "vertices              4\n",
-        "valid, of level simple",
-        "boundary loops        1\n",
-    ] {
+    for words in
+        ["vertices              4\n", "valid, of level simple", "boundary loops        1\n"]
+    {
         assert!(told.contains(words), "{told}");
     }
     let told = bench.json(&["info", "square.obj"]);
@@ -274,9 +220,7 @@ fn info_describes_a_mesh() {
 #[test]
 fn every_line_of_help_fits_a_terminal() {
     let bench = Bench::new();
-    for command in [
-        "", "check", "run", "apply", "plan", "draw", "view", "explain", "info",
-    ] {
+    for command in ["", "check", "run", "apply", "plan", "draw", "view", "explain", "info"] {
         let arguments = [command, "--help"];
         let arguments = arguments.into_iter().filter(|word| !word.is_empty());
         let told = bench.succeeds(&arguments.collect::<Vec<_>>());
@@ -289,10 +233,7 @@ fn every_line_of_help_fits_a_terminal() {
 #[test]
 fn a_script_may_only_print() {
     let bench = Bench::with_square();
-    bench.write(
-        "s.hedge",
-        "script s() { print \"{count(vertices)} vertices\" }\n",
-    );
+    bench.write("s.hedge", "script s() { print \"{count(vertices)} vertices\" }\n");
     let files = bench.files();
     let said = bench.run(&["run", "s.hedge", "square.obj"]);
     assert_eq!(said.code, 0, "{}", said.err);
@@ -323,14 +264,7 @@ fn what_no_obj_file_can_hold_stays_unwritten() {
     let solid = "v 0 0 0\nv 2 0 0\nv 1 2 0\nv 1 1 1\nv 1 1 -1\n\
         f 1 2 4\nf 2 3 4\nf 3 1 4\nf 2 1 5\nf 3 2 5\nf 1 3 5\n";
     bench.write("solid.obj", solid);
-    let collapse = [
-        "apply",
-        "std/polygon.hedge::collapse",
-        "solid.obj",
-        "--at",
-        "edge:1-2",
-        "-o",
-    ];
+    let collapse = ["apply", "std/polygon.hedge::collapse", "solid.obj", "--at", "edge:1-2", "-o"];
     let into = |file| [&collapse[..], &[file]].concat();
     let said = bench.fails(2, &into("solid.obj"), "no list of polygons holds this mesh");
     assert!(said.err.contains("solid.halfedges"), "{}", said.err);
@@ -350,15 +284,7 @@ fn steps_may_call_what_is_for_a_higher_level() {
          script s() { for f in faces { must three(f) break } }\n",
     );
     bench.succeeds(&["run", "two.hedge::s", "square.obj", "-o", "o.obj"]);
-    bench.succeeds(&[
-        "apply",
-        "two.hedge::three",
-        "square.obj",
-        "--at",
-        "face:1",
-        "-o",
-        "o.obj",
-    ]);
+    bench.succeeds(&["apply", "two.hedge::three", "square.obj", "--at", "face:1", "-o", "o.obj"]);
 }
 
 #[test]
@@ -366,15 +292,7 @@ fn an_operation_is_not_run_and_a_script_not_applied() {
     let bench = Bench::with_square();
     bench.fails(2, &["run", &flip(), "square.obj"], "hedgerow apply");
     bench.write("s.hedge", "script s() { }\n");
-    let arguments = [
-        "apply",
-        "s.hedge::s",
-        "square.obj",
-        "--at",
-        "edge:1-2",
-        "-o",
-        "x.obj",
-    ];
+    let arguments = ["apply", "s.hedge::s", "square.obj", "--at", "edge:1-2", "-o", "x.obj"];
     bench.fails(2, &arguments, "hedgerow run");
 }
 
@@ -386,11 +304,7 @@ fn tests_that_cannot_be_read_are_told() {
     let said = bench.run(&["test", "t.hedge"]);
     assert_eq!(said.code, 1, "{}", said.out);
     assert!(said.out.contains("  broken  two\n"), "{}", said.out);
-    assert!(
-        said.out.ends_with("1 passed, 0 failed, 1 not run\n"),
-        "{}",
-        said.out
-    );
+    assert!(said.out.ends_with("1 passed, 0 failed, 1 not run\n"), "{}", said.out);
 }
 
 #[test]
@@ -412,8 +326,5 @@ fn the_help_of_a_script() {
     assert!(both.starts_with(told.trim_end()) && both.contains("It has no parameters."));
     bench.fails(2, &["run", "s.hedge::u", "--help"], "no script `u`");
     let own = bench.succeeds(&["run", "--help"]);
-    assert!(
-        own.contains("Usage: ") && own.contains("--picture"),
-        "{own}"
-    );
+    assert!(own.contains("Usage: ") && own.contains("--picture"), "{own}");
 }

@@ -8,10 +8,7 @@ fn a_plan_as_data() {
     let said = bench.succeeds(&["plan", &flip(), "--as", "json"]);
     let told: serde_json::Value = serde_json::from_str(&said).unwrap();
     let plan = &told["plans"][0];
-    assert_eq!(
-        (&plan["op"], &plan["params"][0]["type"]),
-        (&"flip".into(), &"edge".into())
-    );
+    assert_eq!((&plan["op"], &plan["params"][0]["type"]), (&"flip".into(), &"edge".into()));
     let rows = plan["rules"][0]["reassign"].as_array().unwrap();
     let sets = |row: &&serde_json::Value| row["kind"] == "set" && row["executed"] == true;
     assert!(rows.iter().filter(sets).count() > 10, "{said}");
@@ -22,32 +19,16 @@ fn a_plan_as_data() {
 fn a_plan_as_code() {
     let bench = Bench::new();
     let cpp = bench.succeeds(&["plan", &flip(), "--as", "cpp"]);
-    assert!(
-        cpp.contains("    a->next = c;\n    a->vertex = v3;\n"),
-        "{cpp}"
-    );
+    assert!(cpp.contains("    a->next = c;\n    a->vertex = v3;\n"), "{cpp}");
     let style = ["--style", "accessors", "--style", "member=yes"];
     let cpp = bench.succeeds(&[&["plan", &flip(), "--as", "cpp"], &style[..]].concat());
-    assert!(
-        cpp.contains("bool Halfedge_Mesh::flip(EdgeRef e) {"),
-        "{cpp}"
-    );
+    assert!(cpp.contains("bool Halfedge_Mesh::flip(EdgeRef e) {"), "{cpp}");
     assert!(cpp.contains("a->next() = c;"), "{cpp}");
     // Without an operation, all of the file.
-    bench.succeeds(&[
-        "plan",
-        &example("remesh.hedge"),
-        "--as",
-        "rust",
-        "-o",
-        "remesh.rs",
-    ]);
+    bench.succeeds(&["plan", &example("remesh.hedge"), "--as", "rust", "-o", "remesh.rs"]);
     let rust = std::fs::read_to_string(bench.path("remesh.rs")).unwrap();
     for op in ["split", "collapse", "flip"] {
-        assert!(
-            rust.contains(&format!("pub fn {op}(mesh: &mut Mesh, e: EdgeId")),
-            "{rust}"
-        );
+        assert!(rust.contains(&format!("pub fn {op}(mesh: &mut Mesh, e: EdgeId")), "{rust}");
     }
 }
 
@@ -97,16 +78,11 @@ fn steps_are_told_as_data() {
     let said = Bench::new().succeeds(&["plan", "std/polygon.hedge::bevel_vertex", "--as", "json"]);
     let told: serde_json::Value = serde_json::from_str(&said).unwrap();
     let plan = &told["plans"][0];
-    assert_eq!(
-        plan["calls"],
-        serde_json::json!(["bisect", "remove", "cut"])
-    );
+    assert_eq!(plan["calls"], serde_json::json!(["bisect", "remove", "cut"]));
     assert_eq!(plan["level"], "surface");
     assert_eq!(plan["rules"], serde_json::json!([]));
     let reasons = plan["refusals"].as_array().unwrap().iter();
-    let reasons: Vec<_> = reasons
-        .map(|refusal| refusal["reason"].as_str().unwrap())
-        .collect();
+    let reasons: Vec<_> = reasons.map(|refusal| refusal["reason"].as_str().unwrap()).collect();
     assert_eq!(reasons[0], "the vertex has fewer than three edges");
     assert!(reasons.contains(&"a vertex would keep a single edge"));
 }
@@ -123,11 +99,7 @@ fn steps_that_cannot_be_emitted_say_so() {
     for language in ["cpp", "rust"] {
         let arguments = ["plan", "s.hedge::part", "--as", language];
         let said = bench.fails(1, &arguments, "error[not-emitted]");
-        assert!(
-            said.err.contains("a `drain` cannot be emitted"),
-            "{}",
-            said.err
-        );
+        assert!(said.err.contains("a `drain` cannot be emitted"), "{}", said.err);
         assert!(said.err.contains("s.hedge:4:5"), "{}", said.err);
     }
 }
@@ -147,11 +119,7 @@ fn one_op_that_cannot_be_emitted_keeps_no_other_back() {
         let said = bench.run(&["plan", "two.hedge", "--as", language]);
         assert_eq!(said.code, 0, "{}", said.err);
         assert!(said.out.contains(" turn("), "{}", said.out);
-        assert!(
-            said.err.contains("left out: `f`, since a text cannot"),
-            "{}",
-            said.err
-        );
+        assert!(said.err.contains("left out: `f`, since a text cannot"), "{}", said.err);
     }
 }
 
@@ -162,18 +130,10 @@ fn what_cannot_be_emitted_has_a_place() {
         "text.hedge",
         "op f(e: edge) {\n  before { edge e: a | b  loop f: v -a-> w =P=> v }\n  require \"a\" == \"b\"\n  after { keep e f }\n}\n",
     );
-    let said = bench.fails(
-        1,
-        &["plan", "text.hedge", "--as", "cpp"],
-        "error[not-emitted]",
-    );
+    let said = bench.fails(1, &["plan", "text.hedge", "--as", "cpp"], "error[not-emitted]");
     assert!(said.err.contains("text.hedge:3:11"), "{}", said.err);
     assert_eq!(said.out, "");
-    bench.fails(
-        2,
-        &["plan", &flip(), "--as", "cpp", "--style", "x=y"],
-        "a style has no `x`",
-    );
+    bench.fails(2, &["plan", &flip(), "--as", "cpp", "--style", "x=y"], "a style has no `x`");
     bench.fails(2, &["plan", &flip(), "--style", "fields"], "--as cpp");
     bench.fails(
         2,
@@ -187,16 +147,9 @@ fn draw_writes_pictures() {
     let bench = Bench::new();
     bench.succeeds(&["draw", &flip(), "-o", "flip.svg"]);
     let svg = std::fs::read_to_string(bench.path("flip.svg")).unwrap();
-    assert!(
-        svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"),
-        "{svg}"
-    );
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
     bench.succeeds(&["draw", &flip(), "-o", "flip.png"]);
-    assert!(
-        std::fs::read(bench.path("flip.png"))
-            .unwrap()
-            .starts_with(b"\x89PNG")
-    );
+    assert!(std::fs::read(bench.path("flip.png")).unwrap().starts_with(b"\x89PNG"));
     let text = bench.succeeds(&["draw", &flip(), "--as", "text"]);
     assert!(text.contains("v0"), "{text}");
     let page = bench.succeeds(&["draw", &example("split.hedge"), "--html"]);
@@ -207,11 +160,7 @@ fn draw_writes_pictures() {
         &["draw", &flip(), "-o", "nowhere/p.svg"],
         "nowhere/p.svg: the folder `nowhere` does not exist",
     );
-    bench.fails(
-        2,
-        &["draw", &flip(), "-o", "flip.gif"],
-        "neither .svg nor .png",
-    );
+    bench.fails(2, &["draw", &flip(), "-o", "flip.gif"], "neither .svg nor .png");
     bench.fails(2, &["draw", &flip()], "where should the picture go?");
     assert_eq!(bench.files(), before);
 }
@@ -220,34 +169,13 @@ fn draw_writes_pictures() {
 fn run_writes_a_picture_of_the_result() {
     let bench = Bench::with_square();
     let remesh = example("remesh.hedge");
-    let run = [
-        "run",
-        &remesh,
-        "square.obj",
-        "-o",
-        "out.obj",
-        "--set",
-        "iterations=1",
-        "--picture",
-    ];
+    let run = ["run", &remesh, "square.obj", "-o", "out.obj", "--set", "iterations=1", "--picture"];
     bench.succeeds(&[&run[..], &["out.svg"]].concat());
-    assert!(
-        std::fs::read_to_string(bench.path("out.svg"))
-            .unwrap()
-            .starts_with("<svg")
-    );
+    assert!(std::fs::read_to_string(bench.path("out.svg")).unwrap().starts_with("<svg"));
     std::fs::remove_file(bench.path("out.obj")).unwrap();
     let before = bench.files();
-    bench.fails(
-        2,
-        &[&run[..], &["out.gif"]].concat(),
-        "neither .svg nor .png",
-    );
-    bench.fails(
-        2,
-        &[&run[..], &["no/out.png"]].concat(),
-        "the folder `no` does not exist",
-    );
+    bench.fails(2, &[&run[..], &["out.gif"]].concat(), "neither .svg nor .png");
+    bench.fails(2, &[&run[..], &["no/out.png"]].concat(), "the folder `no` does not exist");
     assert_eq!(bench.files(), before, "nothing is done in vain");
 }
 
@@ -261,11 +189,7 @@ fn view_writes_pictures() {
     let view = ["view", "square.obj", "-o", "v.png", "--from"];
     bench.succeeds(&[&view[..], &["-1,-2,3"]].concat());
     bench.fails(2, &[&view[..], &["0,0,0"]].concat(), "is no direction");
-    bench.fails(
-        2,
-        &["view", "square.obj", "-o", "no/v.png"],
-        "the folder `no` does not exist",
-    );
+    bench.fails(2, &["view", "square.obj", "-o", "no/v.png"], "the folder `no` does not exist");
     bench.fails(2, &["view", "nothing.obj", "-o", "w.png"], "nothing.obj");
 }
 

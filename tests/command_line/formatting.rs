@@ -20,11 +20,7 @@ fn through(bench: &Bench, arguments: &[&str], text: &[u8]) -> (Option<i32>, Stri
     child.stdin.take().unwrap().write_all(text).unwrap();
     let output = child.wait_with_output().unwrap();
     let said = |bytes| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        said(output.stdout),
-        said(output.stderr),
-    )
+    (output.status.code(), said(output.stdout), said(output.stderr))
 }
 
 #[test]
@@ -91,8 +87,6 @@ fn a_link_and_the_permissions_of_a_file_stay() {
     bench.succeeds(&["fmt", "b.hedge"]);
     assert_eq!(bench.read("a.hedge"), TIDY);
     assert!(bench.path("b.hedge").is_symlink());
-    let mode = std::fs::metadata(bench.path("a.hedge"))
-        .unwrap()
-        .permissions();
+    let mode = std::fs::metadata(bench.path("a.hedge")).unwrap().permissions();
     assert_eq!(mode.mode() & 0o777, 0o640);
 }

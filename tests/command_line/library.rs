@@ -27,10 +27,7 @@ fn tests_are_run_and_told() {
     let bench = Bench::new();
     let said = bench.run(&["test", "std/triangle.hedge"]);
     assert_eq!((said.code, said.err.as_str()), (0, ""), "{said:?}");
-    assert!(
-        said.out
-            .contains("ok      a tetrahedron refuses every flip")
-    );
+    assert!(said.out.contains("ok      a tetrahedron refuses every flip"));
     assert!(said.out.ends_with(" passed, 0 failed\n"), "{said:?}");
 
     bench.write("mesh.obj", TETRAHEDRON);
@@ -46,11 +43,7 @@ fn tests_are_run_and_told() {
         test \"missing\" { mesh = load(\"no.obj\") }
         test \"level\" { mesh = pillow(3) for e in edges { flip(e) } }",
     );
-    let said = bench.fails(
-        1,
-        &["test", "bad.hedge"],
-        "the left side is 2, the right side 3",
-    );
+    let said = bench.fails(1, &["test", "bad.hedge"], "the left side is 2, the right side 3");
     assert!(said.out.ends_with("1 passed, 7 failed\n"), "{said:?}");
     for words in [
         "the mesh is the same",
@@ -84,20 +77,9 @@ fn the_library_is_listed_printed_copied_and_run() {
     bench.fails(2, &["std", "triangle", "--copy", "own.hedge"], "already");
     bench.fails(2, &["std", "triangel"], "`std/triangle.hedge`");
 
-    let split = [
-        "apply",
-        "std/triangle.hedge::split",
-        "mesh.obj",
-        "--at",
-        "edge:1-2",
-        "-o",
-        "out.obj",
-    ];
+    let split =
+        ["apply", "std/triangle.hedge::split", "mesh.obj", "--at", "edge:1-2", "-o", "out.obj"];
     let said = bench.run(&split);
     assert_eq!((said.code, said.err.as_str()), (0, ""));
-    bench.fails(
-        2,
-        &["plan", "std/triangle.hedge::flipp"],
-        "did you mean `flip`?",
-    );
+    bench.fails(2, &["plan", "std/triangle.hedge::flipp"], "did you mean `flip`?");
 }

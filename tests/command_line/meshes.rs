@@ -13,15 +13,7 @@ fn refuses(name: &str, bytes: impl AsRef<[u8]>, words: &str) {
     for arguments in [
         &["info", "m.obj"][..],
         &["run", &remesh, "m.obj", "-o", "out.obj"],
-        &[
-            "apply",
-            &flip(),
-            "m.obj",
-            "--at",
-            "edge:1-2",
-            "-o",
-            "out.obj",
-        ],
+        &["apply", &flip(), "m.obj", "--at", "edge:1-2", "-o", "out.obj"],
     ] {
         let said = bench.fails(2, arguments, words);
         assert!(said.err.contains("m.obj"), "{name}: {said:?}");
@@ -34,11 +26,7 @@ fn refuses(name: &str, bytes: impl AsRef<[u8]>, words: &str) {
 #[test]
 fn no_surface() {
     for (name, faces, words) in [
-        (
-            "edge used thrice",
-            "f 1 2 3\nf 2 1 4\nf 1 2 5\n",
-            "m.obj:8: ",
-        ),
+        ("edge used thrice", "f 1 2 3\nf 2 1 4\nf 1 2 5\n", "m.obj:8: "),
         ("same direction twice", "f 1 2 3\nf 1 2 4\n", "m.obj:7: "),
         ("bow-tie", "f 1 2 3\nf 1 4 5\n", "pinched"),
         ("repeated corner", "f 1 2 2 3\n", "m.obj:6: "),
@@ -54,11 +42,7 @@ fn no_surface() {
 #[test]
 fn no_numbers() {
     for number in ["nan", "inf", "1e999", "x", ""] {
-        refuses(
-            number,
-            format!("v 0 0 {number}\n{POINTS}f 2 3 4\n"),
-            "m.obj:1: ",
-        );
+        refuses(number, format!("v 0 0 {number}\n{POINTS}f 2 3 4\n"), "m.obj:1: ");
     }
 }
 
@@ -67,11 +51,7 @@ fn no_mesh() {
     let noise = noise(5000);
     refuses("empty", "", "is it an OBJ file?");
     refuses("noise", &noise, "m.obj");
-    refuses(
-        "binary",
-        [&[0, 1, 2, 255, 254], SQUARE.as_bytes()].concat(),
-        "m.obj",
-    );
+    refuses("binary", [&[0, 1, 2, 255, 254], SQUARE.as_bytes()].concat(), "m.obj");
     refuses("text", "once upon a time\n", "is it an OBJ file?");
     refuses("long line", "v ".repeat(1_000_000), "m.obj");
     let nothing = Bench::new();

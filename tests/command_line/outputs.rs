@@ -28,11 +28,7 @@ fn fail(bench: &Bench, output: &str, words: &str) {
 #[test]
 fn a_folder_that_does_not_exist() {
     let bench = Bench::with_square();
-    fail(
-        &bench,
-        "nowhere/out.obj",
-        "the folder `nowhere` does not exist",
-    );
+    fail(&bench, "nowhere/out.obj", "the folder `nowhere` does not exist");
 }
 
 #[test]

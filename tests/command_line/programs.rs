@@ -20,15 +20,8 @@ fn not_a_text() {
 fn a_mesh_is_no_program() {
     let bench = Bench::with_square();
     bench.write("s.hedge", "script s() { }");
-    for arguments in [
-        &["run", "square.obj", "s.hedge"][..],
-        &["check", "square.obj"],
-    ] {
-        bench.fails(
-            2,
-            arguments,
-            "`square.obj` is a mesh; a program is wanted here",
-        );
+    for arguments in [&["run", "square.obj", "s.hedge"][..], &["check", "square.obj"]] {
+        bench.fails(2, arguments, "`square.obj` is a mesh; a program is wanted here");
     }
     bench.fails(2, &["run", "s.hedge", "s.hedge"], "is it an OBJ file?");
 }
@@ -38,21 +31,14 @@ fn an_empty_program_is_in_order() {
     let bench = Bench::new();
     for text in ["", "\n", "\u{feff}", "// nothing\n"] {
         bench.write("empty.hedge", text);
-        assert_eq!(
-            bench.succeeds(&["check", "empty.hedge"]),
-            "empty.hedge: no operations\n"
-        );
+        assert_eq!(bench.succeeds(&["check", "empty.hedge"]), "empty.hedge: no operations\n");
     }
 }
 
 #[test]
 fn the_other_files_are_looked_at_all_the_same() {
     let bench = Bench::new();
-    let said = bench.fails(
-        2,
-        &["check", "nothing.hedge", &example("flip.hedge")],
-        "nothing.hedge",
-    );
+    let said = bench.fails(2, &["check", "nothing.hedge", &example("flip.hedge")], "nothing.hedge");
     assert!(said.out.contains("proved  flip"), "{said:?}");
 }
 
@@ -99,11 +85,7 @@ fn a_program_cut_anywhere_has_a_message() {
             let said = bench.run(&["check", "cut.hedge"]);
             // A cut between two items leaves a whole program.
             assert!(matches!(said.code, 0 | 1), "{end}: {said:?}");
-            assert_eq!(
-                said.code == 1,
-                said.err.contains("error["),
-                "{end}: {said:?}"
-            );
+            assert_eq!(said.code == 1, said.err.contains("error["), "{end}: {said:?}");
             cut += said.code;
         }
         assert!(cut > 10, "{name}");
@@ -124,15 +106,7 @@ fn nothing_runs_that_is_not_proved() {
     let words = "error[missing-reassignment]";
     for arguments in [
         &["plan", "bad.hedge"][..],
-        &[
-            "apply",
-            "bad.hedge",
-            "square.obj",
-            "--at",
-            "edge:1-2",
-            "-o",
-            "out.obj",
-        ],
+        &["apply", "bad.hedge", "square.obj", "--at", "edge:1-2", "-o", "out.obj"],
         &["run", "bad.hedge", "square.obj", "-o", "out.obj"],
     ] {
         bench.fails(1, arguments, words);

@@ -22,11 +22,7 @@ fn a_reader_that_goes_away_is_no_failure() {
         &["--help"],
     ] {
         let mut command = bench.command(arguments);
-        let mut child = command
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let mut out = child.stdout.take().unwrap();
         let _ = out.read(&mut [0]);
         drop(out);
@@ -56,10 +52,7 @@ fn what_is_said_in_vain_is_a_failure() {
 #[test]
 fn no_colours_but_on_a_terminal() {
     let bench = Bench::new();
-    bench.write(
-        "bad.hedge",
-        "op f(e: edge) { before { edge e: a | d } after { } }",
-    );
+    bench.write("bad.hedge", "op f(e: edge) { before { edge e: a | d } after { } }");
     for colour in [None, Some(""), Some("1")] {
         let mut command = bench.command(&["check", "bad.hedge"]);
         match colour {
@@ -77,10 +70,7 @@ fn no_colours_but_on_a_terminal() {
 #[test]
 fn colours_on_a_terminal() {
     let bench = Bench::new();
-    bench.write(
-        "bad.hedge",
-        "op f(e: edge) { before { edge e: a | d } after { } }",
-    );
+    bench.write("bad.hedge", "op f(e: edge) { before { edge e: a | d } after { } }");
     let shown = |no_colour: &str| {
         let line = format!("{} check bad.hedge", env!("CARGO_BIN_EXE_hedgerow"));
         let mut command = std::process::Command::new("script");

@@ -30,15 +30,9 @@ fn no_such_operation_or_script() {
     for (arguments, words) in [
         (["plan", &part(&flip, "flop")], "did you mean `flip`?"),
         (["plan", &part(&flip, "knot")], "it has `flip`, `flip_any`"),
-        (
-            ["plan", &flip],
-            "write FILE::NAME with one of `flip`, `flip_any`",
-        ),
+        (["plan", &flip], "write FILE::NAME with one of `flip`, `flip_any`"),
         (["plan", "::"], "cannot read"),
-        (
-            ["plan", "std/polygn.hedge::flip"],
-            "did you mean `std/polygon.hedge`?",
-        ),
+        (["plan", "std/polygn.hedge::flip"], "did you mean `std/polygon.hedge`?"),
         (["plan", &part(&flip, "")], "no operation ``"),
     ] {
         bench.fails(2, &arguments, words);
@@ -87,30 +81,14 @@ fn of_several_edges_between_two_vertices_one_is_chosen() {
     let said = apply("pillow.obj", "edge:2-3", "lens.halfedges");
     assert_eq!((said.code, said.err.as_str()), (0, ""), "{said:?}");
     let op = "std/map.hedge::sprout";
-    let at = |at| {
-        bench.run(&[
-            "apply",
-            op,
-            "lens.halfedges",
-            "--at",
-            at,
-            "-o",
-            "x.halfedges",
-        ])
-    };
+    let at = |at| bench.run(&["apply", op, "lens.halfedges", "--at", at, "-o", "x.halfedges"]);
     let said = at("edge:0-1");
     assert_eq!(said.code, 0, "{said:?}");
     let words = "note: 2 edges join the vertices 0 and 1: halfedge:0-1#1 between face 0 and face 1, \
                  halfedge:0-1#2 between face 1 and face 0; the first is taken";
     assert!(said.err.contains(words), "{said:?}");
     let mut written = Vec::new();
-    for place in [
-        "edge:0-1#1",
-        "edge:0-1#2",
-        "halfedge:0",
-        "halfedge:1",
-        "halfedge:3",
-    ] {
+    for place in ["edge:0-1#1", "edge:0-1#2", "halfedge:0", "halfedge:1", "halfedge:3"] {
         let said = at(place);
         if said.code == 0 {
             assert_eq!(said.err, "", "{place}");
@@ -131,16 +109,10 @@ fn places() {
         ("", "is no place"),
         ("edge", "is no place"),
         ("edge:1", "does not number its edges: write edge:A-B"),
-        (
-            "edge:1-3#0",
-            "there is no edge:1-3#0; there is edge:1-3#1 between",
-        ),
+        ("edge:1-3#0", "there is no edge:1-3#0; there is edge:1-3#1 between"),
         ("edge:1-3#2", "there is no edge:1-3#2"),
         ("edge:1-3#", "is no place"),
-        (
-            "vertex:0",
-            "`e` is of type edge, but the place is of type vertex",
-        ),
+        ("vertex:0", "`e` is of type edge, but the place is of type vertex"),
         ("edge:1-2-3", "is no place"),
         ("edge:0-1", "no vertex 0; in an .obj file the first is 1"),
         ("edge:-1-2", "is no place"),
@@ -157,17 +129,7 @@ fn places() {
         let arguments = ["apply", &flip(), "square.obj", "-o", "out.obj", "--at", at];
         bench.fails(2, &arguments, words);
     }
-    let set = [
-        "apply",
-        &flip(),
-        "square.obj",
-        "-o",
-        "out.obj",
-        "--at",
-        "edge:1-3",
-        "--set",
-        "e=3",
-    ];
+    let set = ["apply", &flip(), "square.obj", "-o", "out.obj", "--at", "edge:1-3", "--set", "e=3"];
     bench.fails(2, &set, "give --at e=PLACE");
     assert!(!bench.has("out.obj"));
 }

@@ -61,10 +61,7 @@ fn every_named_element_has_an_id_and_a_title() {
                 seen += 1;
             }
         }
-        let ids = svg
-            .split(" id=\"")
-            .skip(1)
-            .map(|part| part.split('"').next());
+        let ids = svg.split(" id=\"").skip(1).map(|part| part.split('"').next());
         let ids: Vec<_> = ids.collect();
         let once: BTreeSet<_> = ids.iter().collect();
         assert_eq!(ids.len(), once.len(), "an id of {} stands twice", op.name);
@@ -82,11 +79,7 @@ fn no_two_texts_overlap() {
             for b in &texts[..at] {
                 let apart =
                     (0..2).any(|axis| a.to[axis] <= b.from[axis] || b.to[axis] <= a.from[axis]);
-                assert!(
-                    apart,
-                    "{stem}::{}: `{}` covers `{}`",
-                    op.name, a.text, b.text
-                );
+                assert!(apart, "{stem}::{}: `{}` covers `{}`", op.name, a.text, b.text);
                 pairs += 1;
             }
             let [width, height] = picture.size();
@@ -117,11 +110,7 @@ fn pictures_of_the_library_can_be_read() {
     let (mut seen, mut wrong) = (0, Vec::new());
     for (stem, op) in shipped_ops() {
         let (picture, name) = (draw_op(&op), format!("{stem}::{}", op.name));
-        assert_eq!(
-            draw_sheet(&op).texts().len(),
-            picture.texts().len(),
-            "{name}"
-        );
+        assert_eq!(draw_sheet(&op).texts().len(), picture.texts().len(), "{name}");
         if let Some(folder) = std::env::var_os("PICTURES") {
             let path = Path::new(&folder).join(format!("{stem}-{}", op.name));
             for (end, svg) in [("svg", picture.svg()), ("small.svg", picture.compact_svg())] {

@@ -53,9 +53,5 @@ fn ops_of(text: &str) -> Vec<Op> {
     let mut sources = Sources::new();
     let file = sources.add("test.hedge".to_string(), text.to_string());
     let program = Analysis::of(&sources, file).program;
-    program
-        .ops
-        .into_iter()
-        .filter_map(|op| op.diagram)
-        .collect()
+    program.ops.into_iter().filter_map(|op| op.diagram).collect()
 }

@@ -6,13 +6,7 @@ use hedgerow::mesh::{ElementKind, Mesh, Polygons, Value, VertexId, shape};
 
 /// How many pixels of a picture of 200 by 200 are of a colour, about.
 fn pixels(mesh: &Mesh, view: View, colour: [u8; 3]) -> usize {
-    let image = draw_mesh(
-        mesh,
-        &View {
-            size: 200.0,
-            ..view
-        },
-    );
+    let image = draw_mesh(mesh, &View { size: 200.0, ..view });
     let image = image.png(1.0).expect("small enough");
     let pixmap = tiny_skia::Pixmap::decode_png(&image).expect("an image");
     // Faces are a little darker than their colours.
@@ -28,10 +22,7 @@ const BOUNDARY: [u8; 3] = [0xc2, 0x41, 0x0c];
 
 #[test]
 fn a_boundary_is_strong() {
-    let above = View {
-        from: DVec3::Z,
-        ..View::default()
-    };
+    let above = View { from: DVec3::Z, ..View::default() };
     // Four sides of 180, about three wide, less where pixels are mixed.
     let open = pixels(&shape::grid(2, 2), above, BOUNDARY);
     assert!((4 * 180..4 * 180 * 3).contains(&open), "{open} pixels");
@@ -44,16 +35,9 @@ fn an_attribute_has_the_colours_of_its_values() {
     let column = mesh.add_column(ElementKind::Face, "side", Value::Int(3));
     let column = column.expect("the first of its name");
     assert!(mesh.set_value(column, 1, Value::Int(5)));
-    let view = View {
-        from: DVec3::Z,
-        attribute: Some(column),
-        ..View::default()
-    };
+    let view = View { from: DVec3::Z, attribute: Some(column), ..View::default() };
     let picture = draw_mesh(&mesh, &view);
-    assert!(
-        picture.size()[0] > picture.size()[1],
-        "no room for a legend"
-    );
+    assert!(picture.size()[0] > picture.size()[1], "no room for a legend");
     // Half of the picture is purple, and half yellow.
     for colour in [[0x44, 0x01, 0x54], [0xfd, 0xe7, 0x25]] {
         let count = pixels(&mesh, view, colour);
@@ -80,11 +64,7 @@ fn faces_hide_each_other_in_any_order() {
         let column = column.expect("the first of its name");
         let roof = u32::from(order[1] == high);
         assert!(mesh.set_value(column, roof, Value::Real(1.0)));
-        let view = View {
-            from: DVec3::Z,
-            attribute: Some(column),
-            ..View::default()
-        };
+        let view = View { from: DVec3::Z, attribute: Some(column), ..View::default() };
         let yellow = pixels(&mesh, view, [0xfd, 0xe7, 0x25]);
         assert!(yellow > 5000, "{yellow} pixels of the roof");
     }
@@ -92,29 +72,15 @@ fn faces_hide_each_other_in_any_order() {
 
 #[test]
 fn it_is_as_large_as_wished() {
-    let view = View {
-        size: 123.0,
-        ..View::default()
-    };
+    let view = View { size: 123.0, ..View::default() };
     let picture = draw_mesh(&shape::icosahedron(), &view);
     assert_eq!(picture.size(), [123.0, 123.0]);
-    assert!(
-        picture
-            .png(1.0)
-            .expect("small enough")
-            .starts_with(b"\x89PNG")
-    );
+    assert!(picture.png(1.0).expect("small enough").starts_with(b"\x89PNG"));
 }
 
 #[test]
 fn odd_meshes_and_directions_have_pictures() {
-    let directions = [
-        DVec3::ZERO,
-        DVec3::Y,
-        DVec3::NAN,
-        DVec3::splat(1e300),
-        -DVec3::Z,
-    ];
+    let directions = [DVec3::ZERO, DVec3::Y, DVec3::NAN, DVec3::splat(1e300), -DVec3::Z];
     let mut broken = shape::cube();
     broken.set_position(VertexId(0), DVec3::splat(f64::NAN));
     for mesh in [Mesh::default(), shape::single_polygon(3), broken] {
@@ -123,11 +89,7 @@ fn odd_meshes_and_directions_have_pictures() {
                 if size.is_nan() && from != DVec3::Y {
                     continue; // it is 800 then, which takes a while
                 }
-                let view = View {
-                    from,
-                    size,
-                    ..View::default()
-                };
+                let view = View { from, size, ..View::default() };
                 let svg = draw_mesh(&mesh, &view).svg();
                 let mut lines = svg.lines();
                 // Letters of an image may say anything.

@@ -16,11 +16,7 @@ fn another(rule: &Rule, of: Ref, dice: &mut Dice) -> Ref {
 fn mutate(rule: &mut Rule, dice: &mut Dice) {
     let names = rule.clone();
     let is_before = dice.below(2) == 0;
-    let side: &mut Side = if is_before {
-        &mut rule.before
-    } else {
-        &mut rule.after
-    };
+    let side: &mut Side = if is_before { &mut rule.before } else { &mut rule.after };
     let (loops, edges, stars) = (side.loops.len(), side.edges.len(), side.stars.len());
     match dice.below(9) {
         0 if loops > 0 => drop(side.loops.remove(dice.below(loops))),
@@ -136,11 +132,7 @@ fn odd_patterns_have_pictures() {
     assert!(ops.len() >= 5, "only {} operations were read", ops.len());
     for op in ops {
         let picture = draw_op(&op);
-        assert!(
-            picture.size().iter().all(|side| side.is_finite()),
-            "{}",
-            op.name
-        );
+        assert!(picture.size().iter().all(|side| side.is_finite()), "{}", op.name);
         assert!(!picture.svg().contains("NaN"), "{}", op.name);
         let texts = picture.texts();
         for (at, a) in texts.iter().enumerate() {

@@ -104,10 +104,6 @@ fn odd_ones_are_shown_or_it_is_said_why_not() {
 #[test]
 fn an_example_is_the_same_every_time() {
     let twice = [shipped(), show_shipped()];
-    let drawn = twice.map(|ops| {
-        ops.iter()
-            .map(|(_, op)| draw_op(op).svg())
-            .collect::<Vec<_>>()
-    });
+    let drawn = twice.map(|ops| ops.iter().map(|(_, op)| draw_op(op).svg()).collect::<Vec<_>>());
     assert_eq!(drawn[0], drawn[1]);
 }

@@ -74,11 +74,8 @@ fn answer(case: &Case) -> String {
                 out
             })
         }
-        "tokens" => ask(
-            "semanticTokens/full",
-            &json!({ "textDocument": document() }),
-        )
-        .map(|answer| tokens(&text, &legend, &answer["data"])),
+        "tokens" => ask("semanticTokens/full", &json!({ "textDocument": document() }))
+            .map(|answer| tokens(&text, &legend, &answer["data"])),
         "hints" => {
             let end = position(&text, text.len());
             let start = json!({ "line": 0, "character": 0 });
@@ -96,10 +93,7 @@ fn answer(case: &Case) -> String {
                 }
                 shown.sort();
                 shown.dedup();
-                shown
-                    .iter()
-                    .map(|&line| format!("{}\n", lines[line]))
-                    .collect()
+                shown.iter().map(|&line| format!("{}\n", lines[line])).collect()
             })
         }
         "links" => ask("documentLink", &json!({ "textDocument": document() })).map(|answer| {
@@ -113,10 +107,7 @@ fn answer(case: &Case) -> String {
         "snippet" => ask("completion", &here).map(|answer| {
             let items = answer["items"].as_array().unwrap();
             let item = items.iter().find(|item| item["label"] == argument).unwrap();
-            item["insertText"]
-                .as_str()
-                .unwrap_or("no snippet")
-                .to_owned()
+            item["insertText"].as_str().unwrap_or("no snippet").to_owned()
         }),
         "signature" => ask("signatureHelp", &here).map(|answer| signature(&answer)),
         "actions" | "action" => {
@@ -189,8 +180,7 @@ fn hover(text: &str, answer: &Value) -> String {
 
 fn ranges(text: &str, answer: &Value) -> String {
     let all = answer.as_array().unwrap().iter();
-    all.map(|found| range(text, &found["range"]) + "\n")
-        .collect()
+    all.map(|found| range(text, &found["range"]) + "\n").collect()
 }
 
 fn symbols(text: &str, answer: &Value, depth: usize) -> String {
@@ -212,29 +202,20 @@ fn tokens(text: &str, legend: &Value, data: &Value) -> String {
     let names = |what: &str| legend[what].as_array().unwrap().iter();
     let types: Vec<&str> = names("tokenTypes").flat_map(Value::as_str).collect();
     let modifiers: Vec<&str> = names("tokenModifiers").flat_map(Value::as_str).collect();
-    let numbers: Vec<usize> = data
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|number| number.as_u64().unwrap() as usize)
-        .collect();
+    let numbers: Vec<usize> =
+        data.as_array().unwrap().iter().map(|number| number.as_u64().unwrap() as usize).collect();
     let lines: Vec<_> = text.lines().collect();
     let (mut line, mut column) = (0, 0);
     let mut out = String::new();
     for token in numbers.chunks(5) {
-        let [down, right, length, kind, marks] = token else {
-            panic!("five numbers a token")
-        };
+        let [down, right, length, kind, marks] = token else { panic!("five numbers a token") };
         column = if *down == 0 { column + right } else { *right };
         line += down;
         if *down > 0 && !out.is_empty() {
             out.push('\n');
         }
         let word = &lines[line][column..column + length];
-        let marks = modifiers
-            .iter()
-            .enumerate()
-            .filter(|(bit, _)| marks >> bit & 1 == 1);
+        let marks = modifiers.iter().enumerate().filter(|(bit, _)| marks >> bit & 1 == 1);
         let marks: String = marks.map(|(_, name)| format!(".{name}")).collect();
         out.push_str(&format!("{word}:{}{marks} ", types[*kind]));
     }
@@ -247,20 +228,14 @@ pub fn completion(answer: &Value, most: usize) -> String {
     let mut ranks: std::collections::BTreeMap<&str, Vec<&str>> = Default::default();
     for item in items {
         let rank = &item["sortText"].as_str().unwrap()[..1];
-        ranks
-            .entry(rank)
-            .or_default()
-            .push(item["label"].as_str().unwrap());
+        ranks.entry(rank).or_default().push(item["label"].as_str().unwrap());
     }
     if ranks.is_empty() {
         return "nothing".into();
     }
     let lines = ranks.into_iter().map(|(rank, words)| {
         let more = if words.len() > most { " …" } else { "" };
-        format!(
-            "{rank}: {}{more}\n",
-            words[..words.len().min(most)].join(" ")
-        )
+        format!("{rank}: {}{more}\n", words[..words.len().min(most)].join(" "))
     });
     lines.collect()
 }
@@ -271,11 +246,7 @@ fn signature(answer: &Value) -> String {
     }
     let signatures = answer["signatures"].as_array().unwrap();
     let lines = signatures.iter().enumerate().map(|(at, signature)| {
-        let mark = if answer["activeSignature"] == json!(at) {
-            ">"
-        } else {
-            " "
-        };
+        let mark = if answer["activeSignature"] == json!(at) { ">" } else { " " };
         let active = &signature["parameters"][answer["activeParameter"].as_u64().unwrap() as usize];
         format!(
             "{mark} {} — {}\n",
@@ -297,11 +268,7 @@ fn actions(text: &str, answer: &Value, title: &str) -> String {
         return difference(text, &edited(text, &edits(&action["edit"])));
     }
     let lines = actions.iter().map(|action| {
-        let preferred = if action["isPreferred"] == true {
-            "*"
-        } else {
-            " "
-        };
+        let preferred = if action["isPreferred"] == true { "*" } else { " " };
         format!(
             "{preferred} {}: {}\n",
             action["kind"].as_str().unwrap(),

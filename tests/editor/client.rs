@@ -27,10 +27,7 @@ impl Client {
 
     /// One of a server that reads its files here.
     pub fn over(reader: Box<dyn Reader>, params: Value) -> Self {
-        let mut client = Self {
-            server: Server::new(reader),
-            ..Self::silent()
-        };
+        let mut client = Self { server: Server::new(reader), ..Self::silent() };
         client.hello = client.request("initialize", params).unwrap();
         client.notify("initialized", json!({}));
         client
@@ -77,8 +74,7 @@ impl Client {
 
     /// Sends a notification, and lets the server finish.
     pub fn notify(&mut self, method: &str, params: Value) {
-        self.server
-            .accept(Notification::new(method.into(), params).into());
+        self.server.accept(Notification::new(method.into(), params).into());
         assert!(self.settle(None).is_none());
     }
 
@@ -86,12 +82,9 @@ impl Client {
     pub fn request(&mut self, method: &str, params: Value) -> Result<Value, (i32, String)> {
         self.next_id += 1;
         let id = RequestId::from(self.next_id);
-        self.server
-            .accept(Request::new(id.clone(), method.into(), params).into());
+        self.server.accept(Request::new(id.clone(), method.into(), params).into());
         let answer = self.settle(Some(&id)).expect("every request is answered");
-        answer
-            .response_result
-            .map_err(|error| (error.code, error.message))
+        answer.response_result.map_err(|error| (error.code, error.message))
     }
 
     /// Lets the server work until it has nothing to do.
@@ -117,8 +110,7 @@ impl Client {
     pub fn published(&self) -> Option<&Value> {
         let all = self.told.iter().rev();
         let of = all.filter(|notice| notice.method == "textDocument/publishDiagnostics");
-        of.map(|notice| &notice.params)
-            .find(|params| params["uri"] == URI)
+        of.map(|notice| &notice.params).find(|params| params["uri"] == URI)
     }
 }
 

@@ -19,10 +19,7 @@ fn commands_that_run_are_handed_to_the_process() {
     client.request("workspace/executeCommand", all).unwrap();
     let errands = client.server.errands();
     assert_eq!(errands.len(), 1);
-    assert_eq!(
-        errands[0].arguments,
-        ["run", "/work/test.hedge::s", "a.obj", "-o", "b.obj"]
-    );
+    assert_eq!(errands[0].arguments, ["run", "/work/test.hedge::s", "a.obj", "-o", "b.obj"]);
     let unknown = json!({ "command": "hedgerow.dance", "arguments": [URI] });
     assert!(client.request("workspace/executeCommand", unknown).is_err());
 }
@@ -65,12 +62,7 @@ impl Process {
             .unwrap();
         let input = child.stdin.take().unwrap();
         let output = BufReader::new(child.stdout.take().unwrap());
-        Self {
-            child,
-            input,
-            output,
-            asked: 0,
-        }
+        Self { child, input, output, asked: 0 }
     }
 
     fn tell(&mut self, method: &str, params: Value) {

@@ -18,29 +18,14 @@ fn hello_and_goodbye() {
     let hello = client.request("initialize", null).unwrap();
     assert_eq!(hello["serverInfo"]["name"], "hedgerow");
     assert_eq!(hello["capabilities"]["positionEncoding"], "utf-16");
-    assert_eq!(
-        client.request("initialize", json!({})).unwrap_err().0,
-        -32600
-    );
+    assert_eq!(client.request("initialize", json!({})).unwrap_err().0, -32600);
     client.notify("initialized", json!({}));
     assert_eq!(client.request("no/such", json!({})).unwrap_err().0, -32601);
-    assert_eq!(
-        client
-            .request("textDocument/hover", json!(3))
-            .unwrap_err()
-            .0,
-        -32602
-    );
+    assert_eq!(client.request("textDocument/hover", json!(3)).unwrap_err().0, -32602);
     let closed = json!({ "textDocument": document(), "position": { "line": 0, "character": 0 } });
-    assert_eq!(
-        client.request("textDocument/hover", closed).unwrap_err().0,
-        -32602
-    );
+    assert_eq!(client.request("textDocument/hover", closed).unwrap_err().0, -32602);
     assert_eq!(client.request("shutdown", Value::Null), Ok(Value::Null));
-    assert_eq!(
-        client.request("shutdown", Value::Null).unwrap_err().0,
-        -32600
-    );
+    assert_eq!(client.request("shutdown", Value::Null).unwrap_err().0, -32600);
     assert_eq!(client.server.exit_code(), None);
     client.notify("exit", Value::Null);
     assert_eq!(client.server.exit_code(), Some(0));
@@ -64,10 +49,7 @@ fn the_encoding_is_one_that_the_client_offers() {
     ] {
         let mut client = Client::silent();
         let general = json!({ "positionEncodings": offered });
-        let hello = client.request(
-            "initialize",
-            json!({ "capabilities": { "general": general } }),
-        );
+        let hello = client.request("initialize", json!({ "capabilities": { "general": general } }));
         assert_eq!(hello.unwrap()["capabilities"]["positionEncoding"], agreed);
     }
 }
@@ -79,9 +61,7 @@ fn diagnostics_are_published_for_every_version_also_when_there_are_none() {
     let published = client.published().unwrap();
     assert_eq!(published["version"], 1);
     assert_eq!(published["diagnostics"][0]["code"], "missing-side");
-    let link = published["diagnostics"][0]["codeDescription"]["href"]
-        .as_str()
-        .unwrap();
+    let link = published["diagnostics"][0]["codeDescription"]["href"].as_str().unwrap();
     assert!(link.ends_with("#missing-side"), "{link}");
     let change = |version: i32, text: &str| {
         json!({ "textDocument": { "uri": URI, "version": version },
@@ -89,16 +69,10 @@ fn diagnostics_are_published_for_every_version_also_when_there_are_none() {
     };
     client.notify("textDocument/didChange", change(2, "// nothing\n"));
     let published = client.published().unwrap();
-    assert_eq!(
-        (&published["version"], &published["diagnostics"]),
-        (&json!(2), &json!([]))
-    );
+    assert_eq!((&published["version"], &published["diagnostics"]), (&json!(2), &json!([])));
     client.notify("textDocument/didChange", change(3, BROKEN));
     assert_eq!(client.published().unwrap()["version"], 3);
-    client.notify(
-        "textDocument/didClose",
-        json!({ "textDocument": document() }),
-    );
+    client.notify("textDocument/didClose", json!({ "textDocument": document() }));
     assert_eq!(client.published().unwrap()["diagnostics"], json!([]));
     assert_eq!(client.server.text(URI), None);
 }
@@ -112,9 +86,7 @@ fn nobody_is_shown_the_same_twice() {
         hello["capabilities"]["diagnosticProvider"].is_object()
     };
     assert!(offered(json!({ "diagnostic": {} })));
-    assert!(!offered(
-        json!({ "diagnostic": {}, "publishDiagnostics": {} })
-    ));
+    assert!(!offered(json!({ "diagnostic": {}, "publishDiagnostics": {} })));
 }
 
 #[test]
@@ -133,11 +105,7 @@ fn changes_of_one_notification_follow_each_other() {
         let document = json!({ "uri": URI, "version": 2 });
         let params = json!({ "textDocument": document, "contentChanges": changes });
         client.notify("textDocument/didChange", params);
-        assert_eq!(
-            client.server.text(URI),
-            Some("// 𝄞é\n// c\n// end"),
-            "{encoding}"
-        );
+        assert_eq!(client.server.text(URI), Some("// 𝄞é\n// c\n// end"), "{encoding}");
     }
 }
 
@@ -172,14 +140,8 @@ fn a_request_that_is_cancelled_in_time_is_not_answered() {
 fn one_bad_op_blinds_no_other() {
     let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
     let mut client = Client::able("utf-8");
-    client.open(&format!(
-        "op bad(e: edge) {{ before {{ face }}}} \n{flip}\nop worse(\n"
-    ));
-    let line = flip
-        .lines()
-        .position(|line| line.starts_with("op flip("))
-        .unwrap()
-        + 1;
+    client.open(&format!("op bad(e: edge) {{ before {{ face }}}} \n{flip}\nop worse(\n"));
+    let line = flip.lines().position(|line| line.starts_with("op flip(")).unwrap() + 1;
     let at = json!({ "line": line, "character": 4 });
     let params = json!({ "textDocument": document(), "position": at });
     let hover = client.request("textDocument/hover", params).unwrap();
@@ -192,10 +154,7 @@ fn the_diagram_is_there_on_request_and_on_a_page() {
     let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
     let mut client = Client::able("utf-8");
     client.open(&flip);
-    let line = flip
-        .lines()
-        .position(|line| line.starts_with("op flip("))
-        .unwrap();
+    let line = flip.lines().position(|line| line.starts_with("op flip(")).unwrap();
     let here =
         json!({ "textDocument": document(), "position": { "line": line + 2, "character": 3 } });
     let diagram = client.request("hedgerow/diagram", here.clone()).unwrap();
@@ -212,33 +171,20 @@ fn the_diagram_is_there_on_request_and_on_a_page() {
     assert!(get(&address, "/").contains("<title>hedgerow</title>"));
     assert!(get(&address, "/shown").contains("\"title\":\"flip_any\""));
     // The page follows the cursor, here the question what to highlight.
-    client
-        .request("textDocument/documentHighlight", here)
-        .unwrap();
+    client.request("textDocument/documentHighlight", here).unwrap();
     assert!(get(&address, "/shown?seen=1").contains("\"title\":\"flip\""));
     assert!(get(&address, "/shown?seen=2").contains("\"shown\":null"));
     assert!(get(&address, "/etc/passwd").starts_with("HTTP/1.1 404"));
-    let foreign = ask_page(
-        &address,
-        "GET /shown HTTP/1.1\r\nHost: evil.example\r\n\r\n",
-    );
+    let foreign = ask_page(&address, "GET /shown HTTP/1.1\r\nHost: evil.example\r\n\r\n");
     assert!(foreign.starts_with("HTTP/1.1 403"), "{foreign}");
     let told = client.told.iter().rev();
     let mut shown = told.filter(|notice| notice.method == "window/showMessage");
-    assert!(
-        shown.next().unwrap().params["message"]
-            .as_str()
-            .unwrap()
-            .contains(&address)
-    );
+    assert!(shown.next().unwrap().params["message"].as_str().unwrap().contains(&address));
 }
 
 fn get(address: &str, path: &str) -> String {
     let host = address.trim_start_matches("http://").trim_end_matches('/');
-    ask_page(
-        address,
-        &format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"),
-    )
+    ask_page(address, &format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"))
 }
 
 fn ask_page(address: &str, question: &str) -> String {
@@ -256,21 +202,12 @@ fn settings_are_asked_for_and_heeded() {
     let mut client = Client::new(json!({ "capabilities": {
         "workspace": { "configuration": true, "didChangeWatchedFiles": { "dynamicRegistration": true } },
     } }));
-    let methods: Vec<_> = client
-        .asked
-        .iter()
-        .map(|asked| asked.method.clone())
-        .collect();
-    assert_eq!(
-        methods,
-        ["workspace/configuration", "client/registerCapability"]
-    );
+    let methods: Vec<_> = client.asked.iter().map(|asked| asked.method.clone()).collect();
+    assert_eq!(methods, ["workspace/configuration", "client/registerCapability"]);
     client.open("op f(e: edge) { before { edge e: a | d } after { keep e } }");
     let lenses = json!({ "textDocument": document() });
     let count = |client: &mut Client| {
-        let lenses = client
-            .request("textDocument/codeLens", lenses.clone())
-            .unwrap();
+        let lenses = client.request("textDocument/codeLens", lenses.clone()).unwrap();
         lenses.as_array().unwrap().len()
     };
     assert_eq!(count(&mut client), 2);
@@ -280,10 +217,7 @@ fn settings_are_asked_for_and_heeded() {
     client.settle(None);
     assert_eq!(count(&mut client), 0);
     // Settings that make no sense are as they are by default.
-    client.notify(
-        "workspace/didChangeConfiguration",
-        json!({ "settings": null }),
-    );
+    client.notify("workspace/didChangeConfiguration", json!({ "settings": null }));
     let id = client.asked.last().unwrap().id.clone();
     let answer =
         lsp_server::Response::new_ok(id, json!([{ "codeLens": 7, "hover": { "picture": 3 } }]));
@@ -297,14 +231,10 @@ fn many_proofs_show_progress() {
     let mut client =
         Client::new(json!({ "capabilities": { "window": { "workDoneProgress": true } } }));
     let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
-    let ops: String = (0..30)
-        .map(|at| flip.replace("op flip", &format!("op r{at}_flip")))
-        .collect();
+    let ops: String =
+        (0..30).map(|at| flip.replace("op flip", &format!("op r{at}_flip"))).collect();
     let item = json!({ "uri": URI, "languageId": "hedgerow", "version": 1, "text": ops });
-    let open = Notification::new(
-        "textDocument/didOpen".into(),
-        json!({ "textDocument": item }),
-    );
+    let open = Notification::new("textDocument/didOpen".into(), json!({ "textDocument": item }));
     client.server.accept(open.into());
     // The client agrees as soon as it is asked.
     let mut kinds = Vec::new();
@@ -324,29 +254,20 @@ fn many_proofs_show_progress() {
     }
     assert_eq!(kinds.first().map(String::as_str), Some("begin"));
     assert_eq!(kinds.last().map(String::as_str), Some("end"));
-    assert!(
-        kinds.iter().filter(|kind| *kind == "report").count() > 2,
-        "{kinds:?}"
-    );
+    assert!(kinds.iter().filter(|kind| *kind == "report").count() > 2, "{kinds:?}");
 }
 
 #[test]
 fn a_hover_draws_where_the_client_does_and_it_fits() {
     let mut drawn = 0;
-    for name in [
-        "flip", "split", "collapse", "contract", "connect", "dissolve",
-    ] {
+    for name in ["flip", "split", "collapse", "contract", "connect", "dissolve"] {
         let text = std::fs::read_to_string(format!("examples/{name}.hedge")).unwrap();
         let mut client = Client::new(json!({
             "clientInfo": { "name": "Visual Studio Code" },
             "capabilities": { "textDocument": { "hover": { "contentFormat": ["markdown"] } } },
         }));
         client.open(&text);
-        for (line, _) in text
-            .lines()
-            .enumerate()
-            .filter(|(_, line)| line.starts_with("op "))
-        {
+        for (line, _) in text.lines().enumerate().filter(|(_, line)| line.starts_with("op ")) {
             let at = json!({ "line": line, "character": 4 });
             let params = json!({ "textDocument": document(), "position": at });
             let hover = client.request("textDocument/hover", params).unwrap();

@@ -85,10 +85,7 @@ fn ask(client: &mut Client, dice: &mut Dice, text: &str, encoding: &str) {
     let methods = [
         ("hover", json!({})),
         ("definition", json!({})),
-        (
-            "references",
-            json!({ "context": { "includeDeclaration": true } }),
-        ),
+        ("references", json!({ "context": { "includeDeclaration": true } })),
         ("documentHighlight", json!({})),
         ("prepareRename", json!({})),
         ("rename", json!({ "newName": "zz'" })),
@@ -106,10 +103,7 @@ fn ask(client: &mut Client, dice: &mut Dice, text: &str, encoding: &str) {
             "codeAction",
             json!({ "range": { "start": at, "end": to }, "context": { "diagnostics": [] } }),
         ),
-        (
-            "formatting",
-            json!({ "options": { "tabSize": 2, "insertSpaces": true } }),
-        ),
+        ("formatting", json!({ "options": { "tabSize": 2, "insertSpaces": true } })),
         ("diagnostic", json!({})),
     ];
     let (method, mut params) = methods[dice.below(methods.len())].clone();
@@ -162,11 +156,7 @@ fn the_text_of_the_server_is_that_of_the_client() {
                 "textDocument/didChange",
                 json!({ "textDocument": versioned, "contentChanges": changes }),
             );
-            assert_eq!(
-                client.server.text(URI),
-                Some(text.as_str()),
-                "{encoding} {version}"
-            );
+            assert_eq!(client.server.text(URI), Some(text.as_str()), "{encoding} {version}");
             assert_eq!(client.published().unwrap()["version"], version);
             client.told.clear();
             ask(&mut client, &mut dice, &text, encoding);

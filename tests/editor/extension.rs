@@ -131,10 +131,8 @@ fn every_setting_does_what_it_says() {
         .map(|name| settings[format!("hedgerow.{name}")]["default"].clone());
     let [lenses, hints, picture] = defaults;
     let all = |lenses: &Value, hints: &Value, picture: &Value| {
-        shown(
-            &json!({ "codeLens": { "enable": lenses }, "inlayHints": { "enable": hints },
-            "hover": { "picture": picture } }),
-        )
+        shown(&json!({ "codeLens": { "enable": lenses }, "inlayHints": { "enable": hints },
+            "hover": { "picture": picture } }))
     };
     let by_default = all(&lenses, &hints, &picture);
     assert_eq!(by_default, [true; 3]);
@@ -152,10 +150,7 @@ fn every_setting_does_what_it_says() {
     let asked = sources();
     for name in ["path", "bridge"] {
         assert!(settings[format!("hedgerow.{name}")].is_object(), "{name}");
-        assert!(
-            asked.contains(&format!("settings().get(\"{name}\")")),
-            "{name}"
-        );
+        assert!(asked.contains(&format!("settings().get(\"{name}\")")), "{name}");
     }
 }
 

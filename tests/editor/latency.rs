@@ -12,9 +12,7 @@ use crate::dice::Dice;
 
 /// A file of two thousand lines: the examples, again and again under other names.
 fn long_file() -> String {
-    let names = [
-        "flip", "split", "collapse", "dissolve", "contract", "connect",
-    ];
+    let names = ["flip", "split", "collapse", "dissolve", "contract", "connect"];
     let texts =
         names.map(|name| std::fs::read_to_string(format!("examples/{name}.hedge")).unwrap());
     let mut out = String::new();
@@ -42,10 +40,7 @@ fn latency() {
     let lines = text.lines().count();
     let started = Instant::now();
     client.open(&text);
-    println!(
-        "{lines} lines, all ops proved after {:.0?}",
-        started.elapsed()
-    );
+    println!("{lines} lines, all ops proved after {:.0?}", started.elapsed());
     let mut dice = Dice(7);
     let mut times: BTreeMap<&str, Vec<Duration>> = BTreeMap::new();
     let methods = [

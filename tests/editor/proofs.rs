@@ -28,11 +28,7 @@ fn a_proof_is_kept_while_what_it_names_is_as_it_was() {
         ("x / scale()", "x * scale()", false),
         ("return 2", "return 4", false),
         ("weight: edge real = 0", "weight: edge real = 1", false),
-        (
-            "attr weight",
-            "attr first: face int = 0\nattr weight",
-            false,
-        ),
+        ("attr weight", "attr first: face int = 0\nattr weight", false),
         ("attr other", "attr last: vertex real\nattr other", false),
         ("> 1", "> 2", false),
         ("return 3", "return 4", true),

@@ -12,14 +12,8 @@ pub fn range(text: &str, range: &Value) -> String {
     };
     let covered = &text[offset(text, &range["start"])..offset(text, &range["end"])];
     let first = covered.lines().next().unwrap_or("");
-    let more = if covered.lines().count() > 1 {
-        " …"
-    } else {
-        ""
-    };
-    format!("{} {first}{more}", place(&range["start"]))
-        .trim_end()
-        .to_owned()
+    let more = if covered.lines().count() > 1 { " …" } else { "" };
+    format!("{} {first}{more}", place(&range["start"])).trim_end().to_owned()
 }
 
 /// The text with the edits of one document carried out.

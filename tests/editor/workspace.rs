@@ -33,10 +33,7 @@ const APP: &str = "file:///work/app/app.hedge";
 /// An editor in the folder `/work`, in which three files lie and none is open.
 fn editor(folders: Value) -> Client {
     let files = [
-        (
-            "/work/lib/ops.hedge",
-            "op flip(e: edge) { }\nop turn(e: edge) { }\n",
-        ),
+        ("/work/lib/ops.hedge", "op flip(e: edge) { }\nop turn(e: edge) { }\n"),
         (
             "/work/app/app.hedge",
             "use \"../lib/ops.hedge\"\nscript s() { for e in edges { flip(e) } }\n",
@@ -61,11 +58,7 @@ fn work() -> Value {
 /// The places of an answer, as file and line.
 fn places(answer: &Value) -> Vec<String> {
     let place = |found: &Value| {
-        let place = if found["location"].is_object() {
-            &found["location"]
-        } else {
-            found
-        };
+        let place = if found["location"].is_object() { &found["location"] } else { found };
         let file = place["uri"].as_str().unwrap().rsplit('/').next().unwrap();
         format!("{file}:{}", place["range"]["start"]["line"])
     };
@@ -76,23 +69,16 @@ fn places(answer: &Value) -> Vec<String> {
 fn names_reach_over_files() {
     let mut client = Client::able("utf-8");
     let library = "file:///work/ops.hedge";
-    client.open_as(
-        library,
-        "op flip(e: edge) { }\nscript s() { for e in edges { flip(e) } }\n",
-    );
+    client.open_as(library, "op flip(e: edge) { }\nscript s() { for e in edges { flip(e) } }\n");
     client.open("use \"ops.hedge\"\nuse \"std/triangle.hedge\"\nscript t() { for e in edges { flip(e) } }\n");
     let at = |line: u32, character: u32| json!({ "line": line, "character": character });
     let here = json!({ "textDocument": document(), "position": at(2, 32) });
-    let found = client
-        .request("textDocument/definition", here.clone())
-        .unwrap();
+    let found = client.request("textDocument/definition", here.clone()).unwrap();
     assert_eq!(found["uri"], library);
     assert_eq!(found["range"]["start"], at(0, 3));
     let mut params = here.clone();
     params["context"] = json!({ "includeDeclaration": true });
-    let found = client
-        .request("textDocument/references", params.clone())
-        .unwrap();
+    let found = client.request("textDocument/references", params.clone()).unwrap();
     assert_eq!(found.as_array().unwrap().len(), 3);
     params["context"] = json!({ "includeDeclaration": false });
     let found = client.request("textDocument/references", params).unwrap();
@@ -102,9 +88,7 @@ fn names_reach_over_files() {
     let edit = client.request("textDocument/rename", params).unwrap();
     let changes = edit["documentChanges"].as_array().unwrap();
     let count = |uri: &str| {
-        let of = changes
-            .iter()
-            .find(|change| change["textDocument"]["uri"] == uri);
+        let of = changes.iter().find(|change| change["textDocument"]["uri"] == uri);
         of.map(|change| change["edits"].as_array().unwrap().len())
     };
     assert_eq!((count(library), count(URI)), (Some(2), Some(1)));
@@ -138,17 +122,13 @@ fn a_rename_reaches_files_that_are_not_open() {
     // From the file that calls; the one that declares is not open, nor in a folder.
     for folders in [work(), json!(null)] {
         let mut client = editor(folders);
-        client.open_as(
-            APP,
-            "use \"../lib/ops.hedge\"\nscript s() { for e in edges { flip(e) } }\n",
-        );
+        client
+            .open_as(APP, "use \"../lib/ops.hedge\"\nscript s() { for e in edges { flip(e) } }\n");
         let rename = |to: &str| {
             json!({ "textDocument": { "uri": APP }, "position": { "line": 1, "character": 31 },
                 "newName": to })
         };
-        let edit = client
-            .request("textDocument/rename", rename("spin"))
-            .unwrap();
+        let edit = client.request("textDocument/rename", rename("spin")).unwrap();
         let changes = edit["documentChanges"].as_array().unwrap();
         let told: Vec<_> = changes
             .iter()
@@ -161,13 +141,8 @@ fn a_rename_reaches_files_that_are_not_open() {
         // One that is not open has no version.
         let expected = [(json!(APP), json!(1), 1), (json!(OPS), json!(null), 1)];
         assert_eq!(told, expected);
-        let (_, why) = client
-            .request("textDocument/rename", rename("turn"))
-            .unwrap_err();
-        assert_eq!(
-            why,
-            "there is already an op `turn` in `/work/lib/ops.hedge`"
-        );
+        let (_, why) = client.request("textDocument/rename", rename("turn")).unwrap_err();
+        assert_eq!(why, "there is already an op `turn` in `/work/lib/ops.hedge`");
     }
 }
 
@@ -178,10 +153,7 @@ fn symbols_are_those_of_the_workspace() {
         let found = client.request("workspace/symbol", json!({ "query": query }));
         places(&found.unwrap())
     };
-    assert_eq!(
-        symbols(&mut client, "flip"),
-        ["other.hedge:0", "ops.hedge:0"]
-    );
+    assert_eq!(symbols(&mut client, "flip"), ["other.hedge:0", "ops.hedge:0"]);
     assert_eq!(symbols(&mut client, "far"), [""; 0]);
     let far = json!([{ "uri": "file:///else", "name": "else" }]);
     let change = json!({ "event": { "added": far, "removed": work() } });

@@ -29,14 +29,7 @@ fn has_compiler() -> bool {
 
 fn compile(folder: &Path) {
     let output = Command::new("g++")
-        .args([
-            "-std=c++17",
-            "-O0",
-            "-Wall",
-            "-Wextra",
-            "-Werror",
-            "-pedantic",
-        ])
+        .args(["-std=c++17", "-O0", "-Wall", "-Wextra", "-Werror", "-pedantic"])
         .args(["-o", "driver", "driver.cpp"])
         .current_dir(folder)
         .output()
@@ -78,18 +71,10 @@ fn calls(subjects: &[&Subject]) -> String {
 
 fn table(mesh: &Mesh) -> String {
     let capacity = |kind| mesh.capacity(kind) as u32;
-    let counts = [
-        ElementKind::Vertex,
-        ElementKind::Halfedge,
-        ElementKind::Edge,
-        ElementKind::Face,
-    ];
+    let counts = [ElementKind::Vertex, ElementKind::Halfedge, ElementKind::Edge, ElementKind::Face];
     let mut text = String::from("mesh");
     for kind in counts {
-        assert!(
-            (0..capacity(kind)).all(|id| mesh.is_alive(kind, id)),
-            "no gaps"
-        );
+        assert!((0..capacity(kind)).all(|id| mesh.is_alive(kind, id)), "no gaps");
         write!(text, " {}", capacity(kind)).unwrap();
     }
     text.push('\n');
@@ -178,13 +163,8 @@ fn done<'t>(words: &mut impl Iterator<Item = &'t str>) -> Done {
 fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
     let emissions = emissions();
     let texts = emissions.iter();
-    let text: String = texts
-        .map(|emission| cpp(&emission.selection(), style).unwrap())
-        .collect();
-    let mut subjects: Vec<_> = emissions
-        .iter()
-        .flat_map(|emission| &emission.subjects)
-        .collect();
+    let text: String = texts.map(|emission| cpp(&emission.selection(), style).unwrap()).collect();
+    let mut subjects: Vec<_> = emissions.iter().flat_map(|emission| &emission.subjects).collect();
     // Refusals that hang by the last bit of a length fall the other way for short reals.
     subjects.retain(|subject| tolerance < 1e-8 || !hangs_by_a_bit(subject));
     let bench = TempDir::new().unwrap();
@@ -198,19 +178,10 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
         .collect();
     let write = |name: &str, text: &str| fs::write(bench.path().join(name), text).unwrap();
     write("declared.h", &declared);
-    write(
-        "mesh.h",
-        &fs::read_to_string(folder("tests/emit").join(header)).unwrap(),
-    );
-    write(
-        "driver.h",
-        &fs::read_to_string(folder("tests/emit/driver.h")).unwrap(),
-    );
+    write("mesh.h", &fs::read_to_string(folder("tests/emit").join(header)).unwrap());
+    write("driver.h", &fs::read_to_string(folder("tests/emit/driver.h")).unwrap());
     let calls = calls(&subjects);
-    write(
-        "driver.cpp",
-        &format!("#include \"mesh.h\"\n{text}\n#include \"driver.h\"\n{calls}"),
-    );
+    write("driver.cpp", &format!("#include \"mesh.h\"\n{text}\n#include \"driver.h\"\n{calls}"));
     compile(bench.path());
 
     let mut dice = Dice(5);
@@ -247,11 +218,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
     let mut stdin = driver.stdin.take().unwrap();
     let feed = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
     let output = driver.wait_with_output().unwrap();
-    assert!(
-        output.status.success(),
-        "the driver ends with {}",
-        output.status
-    );
+    assert!(output.status.success(), "the driver ends with {}", output.status);
     feed.join().unwrap().unwrap();
     let output = String::from_utf8(output.stdout).unwrap();
     let mut words = output.split_whitespace();
@@ -259,13 +226,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
     for (at, arguments, machine) in &expected {
         let emitted = done(&mut words);
         let tally = &mut tallies[*at];
-        compare(
-            subjects[*at],
-            arguments,
-            tally,
-            tolerance,
-            [machine, &emitted],
-        );
+        compare(subjects[*at], arguments, tally, tolerance, [machine, &emitted]);
     }
     assert_eq!(words.next(), None);
     let tallies: Vec<_> = subjects.into_iter().zip(tallies).collect();

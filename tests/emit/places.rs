@@ -80,9 +80,8 @@ pub fn arguments(
                 continue;
             }
         };
-        let ids: Vec<_> = (0..mesh.capacity(kind) as u32)
-            .filter(|&id| mesh.is_alive(kind, id))
-            .collect();
+        let ids: Vec<_> =
+            (0..mesh.capacity(kind) as u32).filter(|&id| mesh.is_alive(kind, id)).collect();
         let longer = all.iter().flat_map(|arguments: &Vec<Argument>| {
             let one = |&id: &u32| [arguments.as_slice(), &[Argument::Element(id)]].concat();
             ids.iter().map(one)
@@ -91,10 +90,7 @@ pub fn arguments(
     }
     let skip = dice.below(3);
     let step = all.len().div_ceil(most).max(1);
-    all.into_iter()
-        .skip(skip.min(step - 1))
-        .step_by(step)
-        .collect()
+    all.into_iter().skip(skip.min(step - 1)).step_by(step).collect()
 }
 
 fn value(ty: Type, dice: &mut Dice) -> Argument {
@@ -113,10 +109,7 @@ pub type Done = Option<(Mesh, Option<u32>)>;
 /// What the machine does.
 pub fn by_machine(subject: &Subject, place: &Place, arguments: &[Argument]) -> Done {
     let mut mesh = place.mesh.clone();
-    let slots: Vec<u64> = arguments
-        .iter()
-        .flat_map(|argument| argument.slots())
-        .collect();
+    let slots: Vec<u64> = arguments.iter().flat_map(|argument| argument.slots()).collect();
     let mut machine = Machine::new(&subject.plans);
     machine.use_columns(columns::of(subject, &mesh));
     machine.trust_level(place.level);
@@ -172,10 +165,7 @@ pub fn report(title: &str, tallies: &[(&Subject, Tally)]) {
     println!("{title}\n  {:<36}{:>9}{:>9}", "op", "applied", "refused");
     let mut total = Tally::default();
     for (subject, tally) in tallies {
-        println!(
-            "  {:<36}{:>9}{:>9}",
-            subject.name, tally.applied, tally.refused
-        );
+        println!("  {:<36}{:>9}{:>9}", subject.name, tally.applied, tally.refused);
         total.applied += tally.applied;
         total.refused += tally.refused;
     }

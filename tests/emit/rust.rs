@@ -70,10 +70,7 @@ fn rust_is_as_committed() {
         fs::write(path, text).unwrap();
     } else {
         let committed = fs::read_to_string(path).unwrap();
-        assert!(
-            committed == text,
-            "emitted.rs is another: UPDATE=1 writes it anew"
-        );
+        assert!(committed == text, "emitted.rs is another: UPDATE=1 writes it anew");
     }
 }
 

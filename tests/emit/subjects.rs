@@ -47,12 +47,7 @@ impl Emission {
     }
 
     fn of<'e>(&'e self, ops: &'e [usize]) -> Selection<'e> {
-        Selection {
-            program: &self.program,
-            proved: &self.proved,
-            sources: &self.sources,
-            ops,
-        }
+        Selection { program: &self.program, proved: &self.proved, sources: &self.sources, ops }
     }
 
     /// Why an operation cannot be emitted, if it cannot.

@@ -63,17 +63,10 @@ fn mutated(text: &str, dice: &mut Dice) -> String {
     let (before, behind) = (&text[..at.start], &text[at.end..]);
     match dice.below(5) {
         0 => format!("{before}{behind}"),
-        1 => format!(
-            "{before}{} {}{behind}",
-            &text[at.clone()],
-            &text[at.clone()]
-        ),
+        1 => format!("{before}{} {}{behind}", &text[at.clone()], &text[at.clone()]),
         2 => format!("{before}{}{behind}", &text[other]),
         3 => before.to_owned(),
-        _ => format!(
-            "{before}{}{behind}",
-            one(dice, &["§", "\"", "}", "{", "\u{a0}", " \u{b} "])
-        ),
+        _ => format!("{before}{}{behind}", one(dice, &["§", "\"", "}", "{", "\u{a0}", " \u{b} "])),
     }
 }
 
@@ -136,16 +129,8 @@ fn a_long_file_takes_no_longer_than_it_is_long() {
     let text = program.repeat(4000);
     assert_eq!(formatted(&text).lines().count(), 4000 * 5 - 1);
     formatted(&format!("{}{}", "§ ".repeat(20_000), text));
-    let deep = format!(
-        "script s() {{ {} {} }}",
-        "if a { ".repeat(200),
-        "}".repeat(200)
-    );
+    let deep = format!("script s() {{ {} {} }}", "if a { ".repeat(200), "}".repeat(200));
     formatted(&deep);
-    let chain = format!(
-        "script s() {{ let x = {}1{} }}",
-        "(1 + ".repeat(90),
-        ")".repeat(90)
-    );
+    let chain = format!("script s() {{ let x = {}1{} }}", "(1 + ".repeat(90), ")".repeat(90));
     formatted(&chain);
 }

@@ -42,11 +42,7 @@ fn examples_are_formatted() {
     assert!(files.len() >= 8, "only {} files", files.len());
     for file in files {
         let text = fs::read_to_string(&file).unwrap();
-        assert!(
-            formatted(&text) == text,
-            "`hedgerow fmt {}` would change it",
-            file.display()
-        );
+        assert!(formatted(&text) == text, "`hedgerow fmt {}` would change it", file.display());
     }
 }
 

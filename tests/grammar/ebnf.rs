@@ -23,8 +23,7 @@ fn bare() -> String {
 }
 
 fn names(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !c.is_ascii_alphabetic())
-        .filter(|name| !name.is_empty())
+    text.split(|c: char| !c.is_ascii_alphabetic()).filter(|name| !name.is_empty())
 }
 
 #[test]

@@ -21,10 +21,7 @@ fn files_below(folder: &Path, found: &mut Vec<PathBuf>) {
 fn texts(folders: &[&str], end: &str) -> Vec<String> {
     let mut files = Vec::new();
     for folder in folders {
-        files_below(
-            &Path::new(env!("CARGO_MANIFEST_DIR")).join(folder),
-            &mut files,
-        );
+        files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files);
     }
     files.retain(|file| file.extension().is_some_and(|extension| extension == end));
     files.sort();
@@ -54,15 +51,7 @@ pub fn of_pages() -> Vec<String> {
 pub fn is_known_to_differ(text: &str) -> bool {
     use TokenKind as T;
     let tokens = parse(FileId(0), text).tokens;
-    let begins = [
-        T::Use,
-        T::Private,
-        T::Attr,
-        T::Fn,
-        T::Op,
-        T::Script,
-        T::Test,
-    ];
+    let begins = [T::Use, T::Private, T::Attr, T::Fn, T::Op, T::Script, T::Test];
     let before = |at: usize, back: usize| at.checked_sub(back).map(|at| tokens[at]);
     let leads = |token: Option<Token>| {
         let leads = |kind| matches!(kind, T::Dot | T::Colon | T::Arrow | T::Equals);

@@ -29,24 +29,15 @@ fn patterns() -> Vec<Pattern> {
 fn pattern(written: &Value) -> Pattern {
     let known = ["match", "name", "captures"];
     let keys = written.as_object().unwrap().keys();
-    assert!(
-        keys.into_iter().all(|key| known.contains(&key.as_str())),
-        "{written}"
-    );
+    assert!(keys.into_iter().all(|key| known.contains(&key.as_str())), "{written}");
     let mut scopes = BTreeMap::new();
     if let Some(name) = written["name"].as_str() {
         scopes.insert(0, name.to_owned());
     }
     for (group, capture) in written["captures"].as_object().into_iter().flatten() {
-        scopes.insert(
-            group.parse().unwrap(),
-            capture["name"].as_str().unwrap().to_owned(),
-        );
+        scopes.insert(group.parse().unwrap(), capture["name"].as_str().unwrap().to_owned());
     }
-    Pattern {
-        regex: Regex::new(written["match"].as_str().unwrap()).unwrap(),
-        scopes,
-    }
+    Pattern { regex: Regex::new(written["match"].as_str().unwrap()).unwrap(), scopes }
 }
 
 /// The scope of each byte of a text.
@@ -109,11 +100,7 @@ fn every_token_of_every_program_is_coloured_as_what_it_is() {
         let scopes = scopes(&patterns, &text);
         for comment in &parsed.comments {
             let scope = &scopes[comment.span.start as usize];
-            assert!(
-                scope.starts_with("comment"),
-                "{scope}: {}",
-                comment.text(&text)
-            );
+            assert!(scope.starts_with("comment"), "{scope}: {}", comment.text(&text));
         }
         let mut in_text = false;
         for (at, token) in parsed.tokens.iter().enumerate() {
@@ -136,11 +123,8 @@ fn every_token_of_every_program_is_coloured_as_what_it_is() {
                 || scope.starts_with("storage.type")
                 || token.kind.is_soft() && scope.starts_with("variable")
                 || token.kind == TokenKind::Hole && scope.starts_with("entity");
-            let kind = if is_word && token.kind.is_wordlike() {
-                TokenKind::Word
-            } else {
-                token.kind
-            };
+            let kind =
+                if is_word && token.kind.is_wordlike() { TokenKind::Word } else { token.kind };
             let fits = expected(kind).iter().any(|start| scope.starts_with(start));
             assert!(fits, "`{word}` is coloured `{scope}` in\n{text}");
             kinds.insert(word.to_owned());
@@ -168,10 +152,6 @@ fn every_keyword_is_named() {
         let fits = expected(kind).iter().any(|start| scope.starts_with(start));
         assert!(fits, "`{word}` is coloured `{scope}`");
         let primed = format!("{word}'");
-        assert_eq!(
-            scopes(&patterns, &primed)[0],
-            "variable.other.hedgerow",
-            "{primed}"
-        );
+        assert_eq!(scopes(&patterns, &primed)[0], "variable.other.hedgerow", "{primed}");
     }
 }

@@ -49,10 +49,7 @@ fn keywords_are_those_of_the_lexer() {
     assert_eq!(known, words);
     let mut reader = reader();
     for word in words {
-        both_read(
-            &mut reader,
-            &format!("script {word}() {{ let {word} = {word} }}"),
-        );
+        both_read(&mut reader, &format!("script {word}() {{ let {word} = {word} }}"));
         let fields = format!("attr a: {word} {word} script s() {{ x.{word} = y.{word} }}");
         assert!(both_read(&mut reader, &fields), "{word}");
     }

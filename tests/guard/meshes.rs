@@ -39,9 +39,7 @@ fn shapes() -> Vec<Mesh> {
 
 fn polygons(mesh: &Mesh) -> Vec<Vec<u32>> {
     let faces = mesh.faces().filter(|&face| !mesh.is_hole(face));
-    faces
-        .map(|face| mesh.face_vertices(face).map(|v| v.0).collect())
-        .collect()
+    faces.map(|face| mesh.face_vertices(face).map(|v| v.0).collect()).collect()
 }
 
 /// A mesh of those faces; `None` if they make none.
@@ -51,10 +49,8 @@ fn of_polygons(polygons: &[Vec<u32>]) -> Option<Mesh> {
     used.sort_unstable();
     used.dedup();
     let renumbered = |&v: &u32| used.binary_search(&v).expect("it is used") as u32;
-    let polygons: Polygons = polygons
-        .iter()
-        .map(|polygon| polygon.iter().map(renumbered).collect::<Vec<_>>())
-        .collect();
+    let polygons: Polygons =
+        polygons.iter().map(|polygon| polygon.iter().map(renumbered).collect::<Vec<_>>()).collect();
     let place = |v: usize| DVec3::new(v as f64, (v * v % 7) as f64, (v * v % 5) as f64);
     let positions: Vec<_> = (0..used.len()).map(place).collect();
     Mesh::from_polygons(&positions, &polygons).ok()

@@ -81,9 +81,6 @@ fn a_mesh_below_the_level_is_refused_at_once() {
     let before = mesh.clone();
     let failure = run_on(&mut mesh, NOT_ADJACENT).unwrap_err();
     assert_eq!(failure.diagnostic.code, "below-level");
-    assert_eq!(
-        failure.diagnostic.notes,
-        ["face 0 and face 1 have the same corners"]
-    );
+    assert_eq!(failure.diagnostic.notes, ["face 0 and face 1 have the same corners"]);
     assert!(hedgerow::mesh::identical(&before, &mesh));
 }

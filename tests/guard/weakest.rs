@@ -27,12 +27,7 @@ struct Pair<'o> {
 
 impl<'o> Pair<'o> {
     fn new(op: &'o Op, level: Level) -> Self {
-        Self {
-            op,
-            level,
-            guarded: op.guarded(level.name()),
-            bare: op.bare(),
-        }
+        Self { op, level, guarded: op.guarded(level.name()), bare: op.bare() }
     }
 
     /// One place; the result, if the guard lets it pass.
@@ -52,11 +47,7 @@ impl<'o> Pair<'o> {
         match outcome {
             Outcome::Applied { .. } => {
                 if let Err(why) = verdict {
-                    panic!(
-                        "{name} {}: let pass, but {why}\n{}",
-                        self.level,
-                        dump(mesh, args)
-                    );
+                    panic!("{name} {}: let pass, but {why}\n{}", self.level, dump(mesh, args));
                 }
                 assert!(identical(&literal, &careful), "{name}");
                 tally.applied += 1;
@@ -101,10 +92,7 @@ impl<'o> Pair<'o> {
 fn dump(mesh: &Mesh, args: &[u64]) -> String {
     let mut text = format!("at {args:?}\n");
     for face in mesh.faces() {
-        let corners: Vec<_> = mesh
-            .face_halfedges(face)
-            .map(|h| (h.0, mesh.vertex(h).0))
-            .collect();
+        let corners: Vec<_> = mesh.face_halfedges(face).map(|h| (h.0, mesh.vertex(h).0)).collect();
         text += &format!("{} hole {}: {corners:?}\n", face, mesh.is_hole(face));
     }
     text
@@ -139,19 +127,11 @@ fn battle(level: Level) {
         }
     }
     for (op, tally) in OPS.iter().zip(&tallies) {
-        println!(
-            "{level} {}: {} places, {} applied",
-            op.name, tally.places, tally.applied
-        );
+        println!("{level} {}: {} places, {} applied", op.name, tally.places, tally.applied);
         for (reason, times) in &tally.refused {
             println!("    {times:6} {reason}");
         }
-        assert!(
-            tally.places > 100,
-            "{}: only {} places",
-            op.name,
-            tally.places
-        );
+        assert!(tally.places > 100, "{}: only {} places", op.name, tally.places);
         assert!(tally.applied > 0, "{} was never applied", op.name);
     }
     let guards = pairs.iter().zip(&tallies);
@@ -210,12 +190,7 @@ fn guards_are_weakest_whatever_the_kinds_of_loops() {
                     continue;
                 };
                 kept += 1;
-                let pair = Pair {
-                    op,
-                    level,
-                    guarded,
-                    bare,
-                };
+                let pair = Pair { op, level, guarded, bare };
                 for _ in 0..24 {
                     let mesh = &meshes[dice.below(meshes.len())];
                     for args in pair.arguments(mesh) {

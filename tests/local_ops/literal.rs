@@ -106,10 +106,7 @@ impl Loops {
             let distinct: BTreeSet<_> = corners.iter().collect();
             distinct.len() == corners.len() && (*hole || of.len() > 2)
         });
-        let edges_are = self
-            .twin
-            .iter()
-            .all(|(&h, &t)| !(self.is_hole(h) && self.is_hole(t)));
+        let edges_are = self.twin.iter().all(|(&h, &t)| !(self.is_hole(h) && self.is_hole(t)));
         let vertices: BTreeSet<u32> = self.start.values().copied().collect();
         let vertices_are = vertices.into_iter().all(|v| {
             let spokes = self.spokes(v);
@@ -124,11 +121,7 @@ impl Loops {
         [false, true].map(|wanted| {
             let of_sort = self.loops.iter().filter(|(hole, _)| *hole == wanted);
             let point = |h: &u32| rounded(self.positions[&self.start[h]]);
-            canonical(
-                of_sort
-                    .map(|(_, of)| of.iter().map(point).collect())
-                    .collect(),
-            )
+            canonical(of_sort.map(|(_, of)| of.iter().map(point).collect()).collect())
         })
     }
 }
@@ -239,13 +232,7 @@ fn open_face(mut mesh: Loops, h: u32) -> Done {
     Ok(mesh)
 }
 
-const OPS: [&str; 5] = [
-    "bisect",
-    "connect",
-    "dissolve_edge",
-    "dissolve_vertex",
-    "open_face",
-];
+const OPS: [&str; 5] = ["bisect", "connect", "dissolve_edge", "dissolve_vertex", "open_face"];
 
 fn literal(op: &str, mesh: Loops, [h, other]: [u32; 2]) -> Done {
     let done = match op {

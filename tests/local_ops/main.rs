@@ -70,12 +70,7 @@ fn positions(value: &Value) -> Vec<DVec3> {
 }
 
 fn mesh(value: &Value) -> Mesh {
-    let polygons: Polygons = value["faces"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(numbers)
-        .collect();
+    let polygons: Polygons = value["faces"].as_array().unwrap().iter().map(numbers).collect();
     Mesh::from_polygons(&positions(value), &polygons).unwrap()
 }
 
@@ -145,16 +140,12 @@ fn expected(value: &Value) -> (Vec<[i64; 3]>, Shape) {
 
 /// The halfedges that each element may name.
 fn choices(mesh: &Mesh) -> Vec<(Element, Vec<HalfedgeId>)> {
-    let vertices = mesh
-        .vertices()
-        .map(|v| (Element::Vertex(v), mesh.spokes(v).collect()));
+    let vertices = mesh.vertices().map(|v| (Element::Vertex(v), mesh.spokes(v).collect()));
     let edges = mesh.edges().map(|e| {
         let h = mesh.edge_halfedge(e);
         (Element::Edge(e), vec![h, mesh.twin(h)])
     });
-    let faces = mesh
-        .faces()
-        .map(|f| (Element::Face(f), mesh.face_halfedges(f).collect()));
+    let faces = mesh.faces().map(|f| (Element::Face(f), mesh.face_halfedges(f).collect()));
     vertices.chain(edges).chain(faces).collect()
 }
 

@@ -23,9 +23,7 @@ pub struct Case<'p> {
 /// Holds every page of a folder of `tests` against `answer`, and says how many cases there
 /// were.
 pub fn check(folder: &str, answer: impl Fn(&Case) -> String) -> usize {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests")
-        .join(folder);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
     let mut pages: Vec<_> = fs::read_dir(&folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
@@ -46,11 +44,7 @@ pub fn check(folder: &str, answer: impl Fn(&Case) -> String) -> usize {
             wrong.extend(differing);
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{}\nUPDATE=1 rewrites the pages\n",
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{}\nUPDATE=1 rewrites the pages\n", wrong.join("\n"));
     count
 }
 
@@ -72,10 +66,8 @@ fn answered(
             continue;
         };
         let inside = lines.by_ref().map(|(_, line)| line);
-        let body: String = inside
-            .take_while(|line| *line != "```")
-            .map(|line| format!("{line}\n"))
-            .collect();
+        let body: String =
+            inside.take_while(|line| *line != "```").map(|line| format!("{line}\n")).collect();
         let kept = match kind {
             "hedge" => {
                 input.clone_from(&body);
@@ -85,17 +77,12 @@ fn answered(
             kind => {
                 count += 1;
                 let place = format!("{name}:{}", at + 1);
-                let case = Case {
-                    kind,
-                    input: &input,
-                    place: &place,
-                };
+                let case = Case { kind, input: &input, place: &place };
                 let answer = answer(&case);
                 let answer = format!("{}\n", answer.trim_end());
                 if answer != body {
-                    differing.push(format!(
-                        "{place}: expected\n{body}\nbut the answer is\n{answer}"
-                    ));
+                    differing
+                        .push(format!("{place}: expected\n{body}\nbut the answer is\n{answer}"));
                 }
                 answer
             }

@@ -59,27 +59,16 @@ impl<'a> Sketch<'a> {
     fn new(rule: &'a Rule) -> Self {
         let unnamed = 3;
         let closed = |vertex: usize| {
-            let star = rule
-                .before
-                .stars
-                .iter()
-                .find(|star| star.vertex.name.index() == vertex);
+            let star = rule.before.stars.iter().find(|star| star.vertex.name.index() == vertex);
             star.is_some_and(|star| {
-                star.spokes
-                    .iter()
-                    .all(|spoke| matches!(spoke, Spoke::Halfedge(_)))
+                star.spokes.iter().all(|spoke| matches!(spoke, Spoke::Halfedge(_)))
             })
         };
         let mut drawn: Vec<usize> = Vec::new();
         for orbit in &rule.before.loops {
             drawn.extend(orbit.items.iter().map(|item| item.from.name.index()));
         }
-        drawn.extend(
-            rule.before
-                .stars
-                .iter()
-                .map(|star| star.vertex.name.index()),
-        );
+        drawn.extend(rule.before.stars.iter().map(|star| star.vertex.name.index()));
         drawn.sort();
         drawn.dedup();
         drawn.retain(|&vertex| !closed(vertex));
@@ -96,13 +85,7 @@ impl<'a> Sketch<'a> {
     }
 
     fn add(&mut self, origin: usize, target: usize) -> usize {
-        self.halves.push(Half {
-            origin,
-            target,
-            twin: None,
-            next: None,
-            hole: None,
-        });
+        self.halves.push(Half { origin, target, twin: None, next: None, hole: None });
         self.halves.len() - 1
     }
 
@@ -114,11 +97,7 @@ impl<'a> Sketch<'a> {
 
     fn some_vertex(&mut self, random: &mut Random) -> usize {
         let unnamed = self.labels - 1 - random.below(3);
-        if random.once_in(2) {
-            *random.pick(&self.open).unwrap_or(&unnamed)
-        } else {
-            unnamed
-        }
+        if random.once_in(2) { *random.pick(&self.open).unwrap_or(&unnamed) } else { unnamed }
     }
 
     fn loops(&mut self, random: &mut Random) -> Option<()> {
@@ -167,9 +146,7 @@ impl<'a> Sketch<'a> {
     /// The number of an outer halfedge: new, or one that lies on a path.
     fn outer(&mut self, name: NameId, ends: [usize; 2], random: &mut Random) -> Option<usize> {
         let half = match random.once_in(2) {
-            true => self
-                .on_a_path(ends, random)
-                .unwrap_or_else(|| self.add(ends[0], ends[1])),
+            true => self.on_a_path(ends, random).unwrap_or_else(|| self.add(ends[0], ends[1])),
             false => self.add(ends[0], ends[1]),
         };
         self.name(name, half)?;
@@ -185,10 +162,7 @@ impl<'a> Sketch<'a> {
         };
         // Vertices inside of paths may still be moved.
         let prev_of = |sketch: &Self, half: usize| {
-            on_paths
-                .iter()
-                .copied()
-                .find(|&other| is_between(sketch, other) == Some(half))
+            on_paths.iter().copied().find(|&other| is_between(sketch, other) == Some(half))
         };
         let mut candidates = on_paths.clone();
         random.shuffle(&mut candidates);
@@ -300,9 +274,8 @@ impl<'a> Sketch<'a> {
 
     /// Pairs what has no twin, with one another or with something new.
     fn twins(&mut self, random: &mut Random) {
-        let mut open: Vec<_> = (0..self.halves.len())
-            .filter(|&half| self.halves[half].twin.is_none())
-            .collect();
+        let mut open: Vec<_> =
+            (0..self.halves.len()).filter(|&half| self.halves[half].twin.is_none()).collect();
         random.shuffle(&mut open);
         while let Some(half) = open.pop() {
             let Half { origin, target, .. } = self.halves[half];
@@ -360,9 +333,8 @@ impl<'a> Sketch<'a> {
             }
         }
         for vertex in 0..self.labels {
-            let spokes: Vec<_> = (0..count)
-                .filter(|&half| self.halves[half].origin == vertex)
-                .collect();
+            let spokes: Vec<_> =
+                (0..count).filter(|&half| self.halves[half].origin == vertex).collect();
             if spokes.is_empty() {
                 continue;
             }
@@ -402,12 +374,7 @@ impl<'a> Sketch<'a> {
 
     /// Whether the ring of a vertex is as its statement says.
     fn agrees(&self, vertex: usize, ring: &[usize]) -> bool {
-        let star = self
-            .rule
-            .before
-            .stars
-            .iter()
-            .find(|star| star.vertex.name.index() == vertex);
+        let star = self.rule.before.stars.iter().find(|star| star.vertex.name.index() == vertex);
         let Some(star) = star else { return true };
         let listed: Vec<_> = star
             .spokes
@@ -434,11 +401,7 @@ impl<'a> Sketch<'a> {
 
     fn finish(&self, spokes: &[usize], random: &mut Random) -> Option<Completion> {
         let count = self.halves.len();
-        let twin: Vec<_> = self
-            .halves
-            .iter()
-            .map(|half| half.twin)
-            .collect::<Option<_>>()?;
+        let twin: Vec<_> = self.halves.iter().map(|half| half.twin).collect::<Option<_>>()?;
         // The next spoke of h is h.prev.twin, so h follows the twin of its next spoke.
         let mut next = vec![0; count];
         for half in 0..count {
@@ -471,10 +434,7 @@ impl<'a> Sketch<'a> {
         }
         // A loop that is one path has no halfedge of a name: its face is not told.
         for orbit in &self.rule.before.loops {
-            let half = orbit
-                .items
-                .iter()
-                .find_map(|item| self.named[item.item.name.index()]);
+            let half = orbit.items.iter().find_map(|item| self.named[item.item.name.index()]);
             if let Some(half) = half {
                 elements[orbit.face.name.index()] = Some(mesh.face(id(half)).0);
             }

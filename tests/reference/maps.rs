@@ -32,16 +32,12 @@ pub fn mesh_of(next: &[usize], twin: &[usize], holes: &mut dyn FnMut(usize) -> b
             let face = mesh.add_face();
             mesh.set_face_halfedge(face, id(half));
             mesh.set_hole(face, holes(half));
-            orbit(half, &|h| next[h])
-                .into_iter()
-                .for_each(|h| mesh.set_face(id(h), face));
+            orbit(half, &|h| next[h]).into_iter().for_each(|h| mesh.set_face(id(h), face));
         }
         if mesh.edge(id(half)).is_none() {
             let edge = mesh.add_edge();
             mesh.set_edge_halfedge(edge, id(half));
-            orbit(half, &|h| twin[h])
-                .into_iter()
-                .for_each(|h| mesh.set_edge(id(h), edge));
+            orbit(half, &|h| twin[h]).into_iter().for_each(|h| mesh.set_edge(id(h), edge));
         }
         if mesh.vertex(id(half)).is_none() {
             let vertex = mesh.add_vertex();

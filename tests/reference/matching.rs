@@ -34,10 +34,7 @@ pub fn matches_where(
     let mut search = Search {
         rule,
         mesh,
-        state: Match {
-            elements: vec![None; rule.names.len()],
-            runs: vec![None; rule.names.len()],
-        },
+        state: Match { elements: vec![None; rule.names.len()], runs: vec![None; rule.names.len()] },
         loops: vec![false; before.loops.len()],
         edges: vec![false; before.edges.len()],
         stars: vec![false; before.stars.len()],
@@ -45,9 +42,7 @@ pub fn matches_where(
         most,
         may_be_one,
     };
-    let all = bound
-        .iter()
-        .all(|&(name, element)| search.bind(name, element).is_some());
+    let all = bound.iter().all(|&(name, element)| search.bind(name, element).is_some());
     if all {
         search.statement();
     }
@@ -57,9 +52,7 @@ pub fn matches_where(
 /// For each parameter that the rule draws, its name and the element given.
 pub fn bound_by(rule: &Rule, arguments: &[u32]) -> Vec<(NameId, u32)> {
     let params = rule.params.iter().zip(arguments);
-    params
-        .filter_map(|(name, &element)| Some(((*name)?, element)))
-        .collect()
+    params.filter_map(|(name, &element)| Some(((*name)?, element))).collect()
 }
 
 #[derive(Clone, Copy)]
@@ -96,18 +89,13 @@ impl<'a> Search<'a> {
             Some(known) => (known == element).then_some(None),
             None => {
                 let kind = self.rule.kind(name);
-                let taken = self
-                    .state
-                    .elements
-                    .iter()
-                    .enumerate()
-                    .any(|(other, bound)| {
-                        let other = NameId(other as u32);
-                        *bound == Some(element)
-                            && self.rule.kind(other) == kind
-                            && kind != Kind::Edge
-                            && !(self.may_be_one)(other, name)
-                    });
+                let taken = self.state.elements.iter().enumerate().any(|(other, bound)| {
+                    let other = NameId(other as u32);
+                    *bound == Some(element)
+                        && self.rule.kind(other) == kind
+                        && kind != Kind::Edge
+                        && !(self.may_be_one)(other, name)
+                });
                 if taken {
                     return None;
                 }
@@ -155,34 +143,16 @@ impl<'a> Search<'a> {
         };
         let before = &self.rule.before;
         let is_bound = |name: NameId| usize::from(self.element(name).is_some());
-        for (at, edge) in before
-            .edges
-            .iter()
-            .enumerate()
-            .filter(|&(at, _)| !self.edges[at])
-        {
+        for (at, edge) in before.edges.iter().enumerate().filter(|&(at, _)| !self.edges[at]) {
             let [left, right] = edge.halfedges.map(|half| is_bound(half.name));
-            offer(
-                4 * (left | right) + 2 * is_bound(edge.edge.name),
-                Statement::Edge(at),
-            );
+            offer(4 * (left | right) + 2 * is_bound(edge.edge.name), Statement::Edge(at));
         }
-        for (at, orbit) in before
-            .loops
-            .iter()
-            .enumerate()
-            .filter(|&(at, _)| !self.loops[at])
-        {
+        for (at, orbit) in before.loops.iter().enumerate().filter(|&(at, _)| !self.loops[at]) {
             let item = orbit.items.iter().any(|item| is_bound(item.item.name) == 1);
             let score = 3 * usize::from(item) + is_bound(orbit.face.name);
             offer(score, Statement::Loop(at));
         }
-        for (at, star) in before
-            .stars
-            .iter()
-            .enumerate()
-            .filter(|&(at, _)| !self.stars[at])
-        {
+        for (at, star) in before.stars.iter().enumerate().filter(|&(at, _)| !self.stars[at]) {
             let spoke = star.spokes.iter().any(|spoke| match spoke {
                 Spoke::Halfedge(half) => is_bound(half.name) == 1,
                 Spoke::Fan(_) | Spoke::Rest(_) => false,
@@ -259,9 +229,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let cycle: Vec<_> = mesh.loop_from(start).collect();
-            self.with(orbit.face.name, face.0, |this| {
-                this.item(orbit, &cycle, [first, 0, 0])
-            });
+            self.with(orbit.face.name, face.0, |this| this.item(orbit, &cycle, [first, 0, 0]));
         }
     }
 
@@ -308,11 +276,7 @@ impl<'a> Search<'a> {
             .spokes
             .iter()
             .position(|spoke| halfedge(spoke).is_some_and(|half| self.element(half).is_some()));
-        let named = || {
-            star.spokes
-                .iter()
-                .position(|spoke| halfedge(spoke).is_some())
-        };
+        let named = || star.spokes.iter().position(|spoke| halfedge(spoke).is_some());
         let first = known.or_else(named).unwrap_or(0);
         let known = halfedge(&star.spokes[first]).and_then(|half| self.element(half));
         let vertex = self.element(star.vertex.name).map(VertexId);
@@ -335,9 +299,7 @@ impl<'a> Search<'a> {
             .filter(|&v| mesh.vertex_halfedge(v).is_none() && vertex.is_none_or(|known| known == v))
             .collect();
         for vertex in isolated {
-            self.with(star.vertex.name, vertex.0, |this| {
-                this.spoke(star, &[], [first, 0, 0])
-            });
+            self.with(star.vertex.name, vertex.0, |this| this.spoke(star, &[], [first, 0, 0]));
         }
     }
 
@@ -353,9 +315,7 @@ impl<'a> Search<'a> {
         match star.spokes[(first + placed) % count] {
             Spoke::Halfedge(half) => {
                 if used < ring.len() {
-                    self.with(half.name, ring[used].0, |this| {
-                        this.spoke(star, ring, on(used + 1))
-                    });
+                    self.with(half.name, ring[used].0, |this| this.spoke(star, ring, on(used + 1)));
                 }
             }
             Spoke::Fan(fan) => {

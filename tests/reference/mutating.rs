@@ -15,10 +15,7 @@ use super::random::Random;
 
 /// Changes an op of one rule once; `None` if the change picked does not apply.
 pub fn mutate(op: &mut Op, random: &mut Random) -> Option<()> {
-    let mut mutation = Mutation {
-        rule: op.rules.first_mut()?,
-        random,
-    };
+    let mut mutation = Mutation { rule: op.rules.first_mut()?, random };
     match mutation.random.below(34) {
         0 => mutation.swap_names()?,
         1 => mutation.swap_mentions()?,
@@ -59,8 +56,7 @@ pub fn mutate(op: &mut Op, random: &mut Random) -> Option<()> {
 fn tidy(rule: &mut Rule) {
     let before = mentioned(&rule.before);
     let after = mentioned(&rule.after);
-    rule.created
-        .retain(|new| after.contains(&new.name) && !before.contains(&new.name));
+    rule.created.retain(|new| after.contains(&new.name) && !before.contains(&new.name));
     let created: Vec<_> = rule.created.iter().map(|new| new.name).collect();
     rule.erased.retain(|old| {
         (before.contains(&old.name) || after.contains(&old.name)) && !created.contains(&old.name)
@@ -74,10 +70,7 @@ fn tidy(rule: &mut Rule) {
 
 fn mentioned(side: &Side) -> Vec<NameId> {
     let mut side = side.clone();
-    refs(&mut side)
-        .into_iter()
-        .map(|mention| mention.name)
-        .collect()
+    refs(&mut side).into_iter().map(|mention| mention.name).collect()
 }
 
 /// All mentions on a side, but the ends of loops, which repeat their beginnings.
@@ -116,10 +109,7 @@ fn change_parameter(op: &mut Op, random: &mut Random) -> Option<()> {
     ];
     let &(kind, ty) = random.pick(&kinds)?;
     let drawn = mentioned(&rule.before);
-    let names: Vec<_> = rule
-        .names_of(kind)
-        .filter(|name| drawn.contains(name))
-        .collect();
+    let names: Vec<_> = rule.names_of(kind).filter(|name| drawn.contains(name)).collect();
     let &name = random.pick(&names)?;
     if rule.params.contains(&Some(name)) {
         return None;
@@ -177,11 +167,7 @@ impl Mutation<'_> {
     fn two_names(&mut self) -> Option<[NameId; 2]> {
         let first = NameId(self.random.below(self.rule.names.len()) as u32);
         let kind = self.rule.kind(first);
-        let others: Vec<_> = self
-            .rule
-            .names_of(kind)
-            .filter(|&name| name != first)
-            .collect();
+        let others: Vec<_> = self.rule.names_of(kind).filter(|&name| name != first).collect();
         Some([first, *self.random.pick(&others)?])
     }
 
@@ -203,9 +189,7 @@ impl Mutation<'_> {
         let mut random = self.random.clone();
         let mut refs = refs(self.side());
         let places = |refs: &[&mut Ref], name: NameId| -> Vec<usize> {
-            (0..refs.len())
-                .filter(|&at| refs[at].name == name)
-                .collect()
+            (0..refs.len()).filter(|&at| refs[at].name == name).collect()
         };
         let one = *random.pick(&places(&refs, first))?;
         let other = *random.pick(&places(&refs, second))?;
@@ -219,10 +203,7 @@ impl Mutation<'_> {
         let [first, second] = self.two_names()?;
         let mut random = self.random.clone();
         let refs = refs(self.side());
-        let mut places: Vec<_> = refs
-            .into_iter()
-            .filter(|mention| mention.name == first)
-            .collect();
+        let mut places: Vec<_> = refs.into_iter().filter(|mention| mention.name == first).collect();
         let count = places.len();
         if count == 0 {
             return None;
@@ -323,9 +304,7 @@ impl Mutation<'_> {
     }
 
     fn change_loop_kind(&mut self) -> Option<()> {
-        let kind = *self
-            .random
-            .pick(&[LoopKind::Face, LoopKind::Hole, LoopKind::Any])?;
+        let kind = *self.random.pick(&[LoopKind::Face, LoopKind::Hole, LoopKind::Any])?;
         let pick = self.random.next() as usize;
         let both = self.random.once_in(2);
         let loops = &mut self.side().loops;
@@ -338,8 +317,7 @@ impl Mutation<'_> {
         if both {
             let rule = &mut self.rule;
             let all = rule.before.loops.iter_mut().chain(&mut rule.after.loops);
-            all.filter(|orbit| orbit.face.name == face)
-                .for_each(|orbit| orbit.kind = kind);
+            all.filter(|orbit| orbit.face.name == face).for_each(|orbit| orbit.kind = kind);
         }
         Some(())
     }
@@ -385,11 +363,7 @@ impl Mutation<'_> {
 
     /// One more item in a loop of both sides, behind the same one.
     fn lengthen(&mut self) -> Option<()> {
-        let kind = if self.random.once_in(2) {
-            Kind::Path
-        } else {
-            Kind::Halfedge
-        };
+        let kind = if self.random.once_in(2) { Kind::Path } else { Kind::Halfedge };
         let item = self.fresh(kind);
         let vertex = match self.random.once_in(3) {
             true => {
@@ -487,8 +461,7 @@ impl Mutation<'_> {
         }
         rule.names[name.index()].kind = Kind::Path;
         for side in [&mut rule.before, &mut rule.after] {
-            side.edges
-                .retain(|edge| edge.halfedges.iter().all(|half| half.name != name));
+            side.edges.retain(|edge| edge.halfedges.iter().all(|half| half.name != name));
             for star in &mut side.stars {
                 star.spokes
                     .retain(|spoke| !matches!(spoke, Spoke::Halfedge(half) if half.name == name));
@@ -505,23 +478,17 @@ impl Mutation<'_> {
         match picks[0] {
             0 => {
                 let copy = rule.before.loops[one(rule.before.loops.len())?].clone();
-                rule.after
-                    .loops
-                    .retain(|orbit| orbit.face.name != copy.face.name);
+                rule.after.loops.retain(|orbit| orbit.face.name != copy.face.name);
                 rule.after.loops.push(copy);
             }
             1 => {
                 let copy = rule.before.edges[one(rule.before.edges.len())?].clone();
-                rule.after
-                    .edges
-                    .retain(|edge| edge.edge.name != copy.edge.name);
+                rule.after.edges.retain(|edge| edge.edge.name != copy.edge.name);
                 rule.after.edges.push(copy);
             }
             _ => {
                 let copy = rule.before.stars[one(rule.before.stars.len())?].clone();
-                rule.after
-                    .stars
-                    .retain(|star| star.vertex.name != copy.vertex.name);
+                rule.after.stars.retain(|star| star.vertex.name != copy.vertex.name);
                 rule.after.stars.push(copy);
             }
         }
@@ -566,18 +533,12 @@ impl Mutation<'_> {
             .collect();
         let vertex = *self.random.pick(&drawn)?;
         let star = self.star_of(vertex)?;
-        self.rule
-            .before
-            .stars
-            .retain(|known| known.vertex.name != vertex);
+        self.rule.before.stars.retain(|known| known.vertex.name != vertex);
         self.rule.before.stars.push(star.clone());
         let fans = |spoke: &&Spoke| matches!(spoke, Spoke::Fan(_));
         if star.spokes.iter().any(|spoke| fans(&spoke)) {
             if self.random.once_in(2) {
-                self.rule
-                    .after
-                    .stars
-                    .retain(|known| known.vertex.name != vertex);
+                self.rule.after.stars.retain(|known| known.vertex.name != vertex);
                 self.rule.after.stars.push(star);
             } else {
                 // The fans go to the statement of another vertex, or the same.
@@ -585,22 +546,11 @@ impl Mutation<'_> {
                 spokes.push(Spoke::Rest(self.span()));
                 let to = *self.random.pick(&drawn)?;
                 let span = self.span();
-                match self
-                    .rule
-                    .after
-                    .stars
-                    .iter_mut()
-                    .find(|star| star.vertex.name == to)
-                {
+                match self.rule.after.stars.iter_mut().find(|star| star.vertex.name == to) {
                     Some(star) => star.spokes.extend(spokes),
                     None => {
                         let vertex = self.here(to);
-                        self.rule.after.stars.push(Star {
-                            vertex,
-                            spokes,
-                            each: false,
-                            span,
-                        });
+                        self.rule.after.stars.push(Star { vertex, spokes, each: false, span });
                     }
                 }
             }
@@ -637,12 +587,7 @@ impl Mutation<'_> {
                 run = true;
             }
         }
-        Some(Star {
-            vertex: self.here(vertex),
-            spokes,
-            each: false,
-            span: self.span(),
-        })
+        Some(Star { vertex: self.here(vertex), spokes, each: false, span: self.span() })
     }
 
     /// Everywhere one name for two.
@@ -672,10 +617,7 @@ impl Mutation<'_> {
         }
         let star = self.star_of(from)?;
         let span = self.span();
-        self.rule
-            .before
-            .stars
-            .retain(|known| known.vertex.name != from);
+        self.rule.before.stars.retain(|known| known.vertex.name != from);
         self.rule.before.stars.push(star.clone());
         refs(&mut self.rule.after)
             .into_iter()
@@ -685,12 +627,7 @@ impl Mutation<'_> {
         spokes.extend(star.spokes);
         let vertex = self.here(to);
         self.rule.after.stars.retain(|star| star.vertex.name != to);
-        self.rule.after.stars.push(Star {
-            vertex,
-            spokes,
-            each: false,
-            span,
-        });
+        self.rule.after.stars.push(Star { vertex, spokes, each: false, span });
         self.rule.erased.push(Ref::plain(from, span));
         Some(())
     }

@@ -19,9 +19,7 @@ pub fn mutate_family(rule: &mut Rule, random: &mut Random) -> Option<()> {
     if count == 0 {
         return None;
     }
-    let families: Vec<_> = (0..count)
-        .filter(|&at| role(places[at].name) == Role::Family)
-        .collect();
+    let families: Vec<_> = (0..count).filter(|&at| role(places[at].name) == Role::Family).collect();
     let turn = |random: &mut Random| *random.pick(&[-1, 1, 1, 2]).expect("a number");
     match random.below(4) {
         0 | 1 => places[*random.pick(&families)?].shift += turn(random),
@@ -35,10 +33,8 @@ pub fn mutate_family(rule: &mut Rule, random: &mut Random) -> Option<()> {
         _ => {
             let at = random.below(count);
             let kind = whole.kind(places[at].name);
-            let others: Vec<_> = whole
-                .names_of(kind)
-                .filter(|&name| role(name) != role(places[at].name))
-                .collect();
+            let others: Vec<_> =
+                whole.names_of(kind).filter(|&name| role(name) != role(places[at].name)).collect();
             places[at].name = *random.pick(&others)?;
         }
     }

@@ -107,11 +107,7 @@ pub fn mesh_text(mesh: &Mesh) -> String {
     let mut text = String::new();
     for h in mesh.halfedges() {
         let r = mesh.halfedge(h);
-        let hole = if mesh.get_is_hole(r.face) == Some(true) {
-            " (hole)"
-        } else {
-            ""
-        };
+        let hole = if mesh.get_is_hole(r.face) == Some(true) { " (hole)" } else { "" };
         writeln!(
             text,
             "  h{}: next h{} twin h{} vertex v{} edge e{} face f{}{hole}",

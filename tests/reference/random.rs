@@ -34,11 +34,7 @@ impl Random {
 
     /// One of a list.
     pub fn pick<'a, T>(&mut self, list: &'a [T]) -> Option<&'a T> {
-        if list.is_empty() {
-            None
-        } else {
-            Some(&list[self.below(list.len())])
-        }
+        if list.is_empty() { None } else { Some(&list[self.below(list.len())]) }
     }
 
     /// Puts a list in a random order.

@@ -29,11 +29,7 @@ pub struct Rewritten {
 
 /// The rewrite of a match; `None` if `after` uses a name that nothing binds.
 pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Rewritten> {
-    let mut rewrite = Rewrite {
-        rule,
-        mesh: mesh.clone(),
-        at: at.clone(),
-    };
+    let mut rewrite = Rewrite { rule, mesh: mesh.clone(), at: at.clone() };
     let positions = rewrite.positions();
     let placed = positions.len() == rule.assignments.len();
     rewrite.allocate();
@@ -41,11 +37,7 @@ pub fn rewrite(rule: &Rule, mesh: &Mesh, at: &Match) -> Option<Rewritten> {
     rewrite.place(&positions)?;
     rewrite.erase();
     rewrite.point_at_halfedges();
-    Some(Rewritten {
-        mesh: rewrite.mesh,
-        at: rewrite.at,
-        placed,
-    })
+    Some(Rewritten { mesh: rewrite.mesh, at: rewrite.at, placed })
 }
 
 struct Rewrite<'a> {
@@ -96,9 +88,7 @@ impl Rewrite<'_> {
     /// The assigned positions that are understood.
     fn positions(&self) -> Vec<(NameId, DVec3)> {
         let assignments = self.rule.assignments.iter();
-        assignments
-            .filter_map(|set| Some((set.target.name, self.vector(&set.value)?)))
-            .collect()
+        assignments.filter_map(|set| Some((set.target.name, self.vector(&set.value)?))).collect()
     }
 
     fn vector(&self, expr: &Expr) -> Option<DVec3> {
@@ -180,17 +170,9 @@ impl Rewrite<'_> {
     fn outer_origins(&mut self) -> Option<()> {
         let after = &self.rule.after;
         let in_a_loop = |name: NameId| {
-            after
-                .loops
-                .iter()
-                .flat_map(|orbit| &orbit.items)
-                .any(|item| item.item.name == name)
+            after.loops.iter().flat_map(|orbit| &orbit.items).any(|item| item.item.name == name)
         };
-        for outer in self
-            .rule
-            .names_of(Kind::Halfedge)
-            .filter(|&name| !in_a_loop(name))
-        {
+        for outer in self.rule.names_of(Kind::Halfedge).filter(|&name| !in_a_loop(name)) {
             let listed = after.stars.iter().find(|star| {
                 let here =
                     |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(half) if half.name == outer);
@@ -198,11 +180,7 @@ impl Rewrite<'_> {
             });
             let twin = after.edges.iter().find_map(|edge| {
                 let [left, right] = edge.halfedges.map(|half| half.name);
-                if left == outer {
-                    Some(right)
-                } else {
-                    (right == outer).then_some(left)
-                }
+                if left == outer { Some(right) } else { (right == outer).then_some(left) }
             });
             let twin_ends = twin.and_then(|twin| {
                 after.loops.iter().find_map(|orbit| {
@@ -212,8 +190,7 @@ impl Rewrite<'_> {
                 })
             });
             if let Some(origin) = listed.map(|star| star.vertex.name).or(twin_ends) {
-                self.mesh
-                    .set_vertex(self.halfedge(outer)?, self.vertex(origin)?);
+                self.mesh.set_vertex(self.halfedge(outer)?, self.vertex(origin)?);
             }
         }
         Some(())
@@ -305,18 +282,9 @@ impl Rewrite<'_> {
     ) {
         for half in halfedges {
             let record = self.mesh.halfedge(half);
-            vertices
-                .iter_mut()
-                .filter(|(v, _)| *v == record.vertex)
-                .for_each(|(_, h)| *h = half);
-            edges
-                .iter_mut()
-                .filter(|(e, _)| *e == record.edge)
-                .for_each(|(_, h)| *h = half);
-            faces
-                .iter_mut()
-                .filter(|(f, _)| *f == record.face)
-                .for_each(|(_, h)| *h = half);
+            vertices.iter_mut().filter(|(v, _)| *v == record.vertex).for_each(|(_, h)| *h = half);
+            edges.iter_mut().filter(|(e, _)| *e == record.edge).for_each(|(_, h)| *h = half);
+            faces.iter_mut().filter(|(f, _)| *f == record.face).for_each(|(_, h)| *h = half);
         }
     }
 }

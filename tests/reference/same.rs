@@ -18,8 +18,7 @@ pub fn identical(a: &Mesh, b: &Mesh) -> bool {
         && a.edges().eq(b.edges())
         && a.faces().eq(b.faces())
         && a.halfedges().all(|h| a.halfedge(h) == b.halfedge(h))
-        && a.vertices()
-            .all(|v| a.vertex_halfedge(v) == b.vertex_halfedge(v))
+        && a.vertices().all(|v| a.vertex_halfedge(v) == b.vertex_halfedge(v))
         && a.vertices().all(|v| bits(a, v) == bits(b, v))
         && a.edges().all(|e| a.edge_halfedge(e) == b.edge_halfedge(e))
         && a.faces()
@@ -29,9 +28,7 @@ pub fn identical(a: &Mesh, b: &Mesh) -> bool {
 /// Whether two meshes made from one have the same connectivity: what was in `origin` keeps its
 /// number, what is new may be numbered differently. `halfedge` pointers are free.
 pub fn same_result(origin: &Mesh, a: &Mesh, b: &Mesh) -> bool {
-    let counts = ElementKind::ALL
-        .iter()
-        .all(|&kind| a.count(kind) == b.count(kind));
+    let counts = ElementKind::ALL.iter().all(|&kind| a.count(kind) == b.count(kind));
     if !counts || a.hole_count() != b.hole_count() {
         return false;
     }
@@ -59,12 +56,7 @@ struct Renumbering<'m> {
 
 impl<'m> Renumbering<'m> {
     fn of(origin: &Mesh, a: &'m Mesh, b: &'m Mesh) -> Option<Self> {
-        let mut renumbering = Self {
-            a,
-            b,
-            to: HashMap::new(),
-            from: HashMap::new(),
-        };
+        let mut renumbering = Self { a, b, to: HashMap::new(), from: HashMap::new() };
         for h in a.halfedges().filter(|&h| origin.halfedge_alive(h)) {
             if !b.halfedge_alive(h) {
                 return None;
@@ -97,18 +89,11 @@ impl<'m> Renumbering<'m> {
         let Some(open) = self.a.halfedges().find(|h| !self.to.contains_key(&h.0)) else {
             return Some(self);
         };
-        let candidates: Vec<_> = self
-            .b
-            .halfedges()
-            .filter(|h| !self.from.contains_key(&h.0))
-            .collect();
+        let candidates: Vec<_> =
+            self.b.halfedges().filter(|h| !self.from.contains_key(&h.0)).collect();
         candidates.into_iter().find_map(|candidate| {
-            let mut attempt = Self {
-                a: self.a,
-                b: self.b,
-                to: self.to.clone(),
-                from: self.from.clone(),
-            };
+            let mut attempt =
+                Self { a: self.a, b: self.b, to: self.to.clone(), from: self.from.clone() };
             attempt.put(open, candidate)?;
             attempt.complete()
         })
@@ -118,15 +103,8 @@ impl<'m> Renumbering<'m> {
         let mut pairs: [HashMap<u32, u32>; 3] = Default::default();
         let old = [ElementKind::Vertex, ElementKind::Edge, ElementKind::Face];
         for (&from, &to) in &self.to {
-            let (a, b) = (
-                self.a.halfedge(HalfedgeId(from)),
-                self.b.halfedge(HalfedgeId(to)),
-            );
-            let says = [
-                (a.vertex.0, b.vertex.0),
-                (a.edge.0, b.edge.0),
-                (a.face.0, b.face.0),
-            ];
+            let (a, b) = (self.a.halfedge(HalfedgeId(from)), self.b.halfedge(HalfedgeId(to)));
+            let says = [(a.vertex.0, b.vertex.0), (a.edge.0, b.edge.0), (a.face.0, b.face.0)];
             for (place, (x, y)) in says.into_iter().enumerate() {
                 let known = *pairs[place].entry(x).or_insert(y);
                 let both_old = [x, y].map(|id| origin.is_alive(old[place], id));
@@ -144,12 +122,8 @@ impl<'m> Renumbering<'m> {
             images.windows(2).all(|pair| pair[0] != pair[1])
         });
         let isolated = |mesh: &Mesh| {
-            let alone = mesh
-                .vertices()
-                .filter(|&v| mesh.vertex_halfedge(v).is_none());
-            alone
-                .filter(|v| origin.vertex_alive(*v))
-                .collect::<Vec<_>>()
+            let alone = mesh.vertices().filter(|&v| mesh.vertex_halfedge(v).is_none());
+            alone.filter(|v| origin.vertex_alive(*v)).collect::<Vec<_>>()
         };
         one_to_one && isolated(self.a) == isolated(self.b)
     }

@@ -11,10 +11,7 @@ use super::rewriting::Rewritten;
 /// The first thing that `after` says and that is not so.
 pub fn untrue(rule: &Rule, result: &Rewritten) -> Option<String> {
     let truth = Truth { rule, result };
-    truth
-        .loops()
-        .or_else(|| truth.edges())
-        .or_else(|| truth.stars())
+    truth.loops().or_else(|| truth.edges()).or_else(|| truth.stars())
 }
 
 struct Truth<'a> {
@@ -79,16 +76,11 @@ impl Truth<'_> {
         let mesh = &self.result.mesh;
         for statement in &self.rule.after.edges {
             let edge = EdgeId(self.element(statement.edge.name));
-            let [left, right] = statement
-                .halfedges
-                .map(|half| HalfedgeId(self.element(half.name)));
+            let [left, right] = statement.halfedges.map(|half| HalfedgeId(self.element(half.name)));
             let paired = mesh.get_twin(left) == Some(right) && mesh.get_twin(right) == Some(left);
             let both = mesh.get_edge(left) == Some(edge) && mesh.get_edge(right) == Some(edge);
             if !paired || !both {
-                return Some(format!(
-                    "the edge {} is another",
-                    self.word(statement.edge.name)
-                ));
+                return Some(format!("the edge {} is another", self.word(statement.edge.name)));
             }
         }
         None
@@ -109,9 +101,7 @@ impl Truth<'_> {
             });
             if !turned.any(|ring| self.lies(star, 0, &ring)) {
                 let word = self.word(star.vertex.name);
-                return Some(format!(
-                    "the spokes of {word} are others, or in another order"
-                ));
+                return Some(format!("the spokes of {word} are others, or in another order"));
             }
         }
         None

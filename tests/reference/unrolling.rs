@@ -12,9 +12,8 @@ pub fn unrolled(text: &str, size: i64) -> String {
     let each = Regex::new(r"each [a-z] \{(.*)\}").expect("a pattern");
     let at = |text: &str, index: i64| {
         let around = |found: &Captures| {
-            let shift = found
-                .get(1)
-                .map_or(0, |shift| shift.as_str().parse::<i64>().expect("a number"));
+            let shift =
+                found.get(1).map_or(0, |shift| shift.as_str().parse::<i64>().expect("a number"));
             format!("_{}", (index + shift).rem_euclid(size))
         };
         member.replace_all(text, around).into_owned()
@@ -34,12 +33,10 @@ pub fn unrolled(text: &str, size: i64) -> String {
             let start = line.split("each").next().unwrap_or_default();
             written.push_str(&format!("{start}{whole}{end}\n"));
         } else if words.starts_with("new ") || words.starts_with("erase ") {
-            let names = line
-                .split_inclusive(' ')
-                .map(|name| match member.is_match(name) {
-                    true => everywhere(&format!("{} ", name.trim_end())),
-                    false => name.trim_end().to_owned() + " ",
-                });
+            let names = line.split_inclusive(' ').map(|name| match member.is_match(name) {
+                true => everywhere(&format!("{} ", name.trim_end())),
+                false => name.trim_end().to_owned() + " ",
+            });
             written.extend(names);
             written.push('\n');
         } else if member.is_match(&line) {

@@ -8,10 +8,7 @@ use hedgerow::syntax::tree::{
 };
 
 fn ident(text: &str) -> Ident {
-    Ident {
-        text: text.to_owned(),
-        span: Span::default(),
-    }
+    Ident { text: text.to_owned(), span: Span::default() }
 }
 
 fn expr(kind: ExprKind) -> Expr {
@@ -22,19 +19,11 @@ fn expr(kind: ExprKind) -> Expr {
 fn block(kinds: Vec<ActionKind>) -> Block {
     let span = Span::default();
     let action = |kind| Action { kind, span };
-    Block {
-        statements: kinds.into_iter().map(action).collect(),
-        span,
-    }
+    Block { statements: kinds.into_iter().map(action).collect(), span }
 }
 
 fn declare(value: Expr) -> ActionKind {
-    ActionKind::Let {
-        mutable: false,
-        name: ident("x"),
-        ty: None,
-        value,
-    }
+    ActionKind::Let { mutable: false, name: ident("x"), ty: None, value }
 }
 
 /// Resolves a script of one statement, on a stack of 2 MB.
@@ -47,10 +36,7 @@ fn resolve_statement(kind: impl FnOnce() -> ActionKind + Send + 'static) -> Reso
             body: block(vec![kind()]),
             span: Span::default(),
         };
-        let tree = File {
-            docs: Vec::new(),
-            items: vec![Item::Script(script)],
-        };
+        let tree = File { docs: Vec::new(), items: vec![Item::Script(script)] };
         let resolved = resolve(&tree);
         // The tree's own destructor recurses; that is the tree's business.
         std::mem::forget(tree);
@@ -79,12 +65,7 @@ fn nots(depth: usize) -> Expr {
 }
 
 fn calls(depth: usize) -> Expr {
-    let call = |inner, _| {
-        expr(ExprKind::Call {
-            function: ident("abs"),
-            args: vec![inner],
-        })
-    };
+    let call = |inner, _| expr(ExprKind::Call { function: ident("abs"), args: vec![inner] });
     (0..depth).fold(expr(ExprKind::Int(1)), call)
 }
 
@@ -124,10 +105,7 @@ fn ifs(depth: usize) -> ActionKind {
         then: block(vec![inner]),
         otherwise: None,
     };
-    (0..depth).fold(
-        ActionKind::Print(vec![Shown::Value(expr(ExprKind::Int(1)))]),
-        nest,
-    )
+    (0..depth).fold(ActionKind::Print(vec![Shown::Value(expr(ExprKind::Int(1)))]), nest)
 }
 
 #[test]

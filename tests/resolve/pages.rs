@@ -42,9 +42,7 @@ fn rewritten(page: &str) -> (String, Vec<String>, usize) {
 }
 
 fn check(name: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/resolve")
-        .join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/resolve").join(name);
     let page = fs::read_to_string(&path).expect("the page is there");
     let (out, wrong, cases) = rewritten(&page);
     assert!(cases > 0, "a page has cases");

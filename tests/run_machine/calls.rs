@@ -15,35 +15,11 @@ fn apply_to_all() -> Code {
         asm.emit(Inst::BufferLiving { of, buffer });
         let index = copy(asm, zero);
         asm.bind(head);
-        asm.emit(Inst::BufferNext {
-            buffer,
-            index,
-            to: args,
-            otherwise: done,
-        });
-        asm.emit(Inst::JumpUnlessLiving {
-            of,
-            element: args,
-            to: head,
-        });
-        asm.emit(Inst::Turn {
-            depth: 0,
-            done: index,
-            total: index,
-        });
-        asm.trap_at(
-            3,
-            Inst::Apply {
-                op: 0,
-                args,
-                applied,
-                result,
-            },
-        );
-        asm.emit(Inst::JumpIf {
-            condition: applied,
-            to: head,
-        });
+        asm.emit(Inst::BufferNext { buffer, index, to: args, otherwise: done });
+        asm.emit(Inst::JumpUnlessLiving { of, element: args, to: head });
+        asm.emit(Inst::Turn { depth: 0, done: index, total: index });
+        asm.trap_at(3, Inst::Apply { op: 0, args, applied, result });
+        asm.emit(Inst::JumpIf { condition: applied, to: head });
         asm.emit(Inst::Jump { to: head });
         asm.bind(done);
     })
@@ -62,9 +38,7 @@ fn calls_are_counted() {
     let plans = [Some(flip())];
     let mut machine = Machine::new(&plans);
     let mut mesh = shape::triangle_grid(5, 5);
-    machine
-        .run(&mut mesh, &apply_to_all(), &[], &mut Unwatched)
-        .unwrap();
+    machine.run(&mut mesh, &apply_to_all(), &[], &mut Unwatched).unwrap();
     let count = &machine.counts()[0];
     assert!(count.applied > 10, "{count:?}");
     assert_eq!(count.refused.len(), 3);
@@ -75,11 +49,7 @@ fn calls_are_counted() {
 
 #[test]
 fn calls_trap_with_a_trace() {
-    let outer = Site {
-        op: None,
-        function: None,
-        place: Some(3),
-    };
+    let outer = Site { op: None, function: None, place: Some(3) };
     let trap = trap_in(None);
     assert_eq!(trap.message, Message::Unproved);
     assert_eq!(trap.trace, [outer]);
@@ -90,11 +60,7 @@ fn calls_trap_with_a_trace() {
     });
     let trap = trap_in(Some(plan("fails", &[1], &[], code)));
     assert_eq!(trap.to_string(), "so it is");
-    let inner = Site {
-        op: Some(0),
-        function: None,
-        place: Some(8),
-    };
+    let inner = Site { op: Some(0), function: None, place: Some(8) };
     assert_eq!(trap.trace, [inner, outer]);
 }
 
@@ -109,12 +75,7 @@ fn an_op_that_must_not_refuse_traps_with_its_reason() {
     let plans = [Some(flip())];
     let code = code(1, |asm| {
         let (args, applied, result) = (Reg(0), asm.reg(), asm.reg());
-        asm.emit(Inst::Apply {
-            op: 0,
-            args,
-            applied,
-            result,
-        });
+        asm.emit(Inst::Apply { op: 0, args, applied, result });
         asm.emit(Inst::Refused { op: 0 });
     });
     let mut machine = Machine::new(&plans);
@@ -146,21 +107,9 @@ fn the_watcher_sees_all_loops_and_interrupts() {
         let [zero, one, none] = [0, 1, -1].map(|n| asm.constant_int(n));
         let (done, head) = (copy(asm, zero), asm.label());
         asm.bind(head);
-        asm.emit(Inst::Turn {
-            depth: 0,
-            done,
-            total: none,
-        });
-        asm.emit(Inst::Turn {
-            depth: 1,
-            done: one,
-            total: one,
-        });
-        asm.emit(Inst::AddInt {
-            to: done,
-            left: done,
-            right: one,
-        });
+        asm.emit(Inst::Turn { depth: 0, done, total: none });
+        asm.emit(Inst::Turn { depth: 1, done: one, total: one });
+        asm.emit(Inst::AddInt { to: done, left: done, right: one });
         asm.emit(Inst::Jump { to: head });
     });
     let run = Machine::new(&[]).run(&mut Mesh::default(), &code, &[], &mut watch);
@@ -212,23 +161,9 @@ fn jumps() {
             (Inst::JumpUnless { condition, to }, false),
             (Inst::JumpUnless { condition: no, to }, true),
             (Inst::JumpEqual { left, right, to }, false),
-            (
-                Inst::JumpEqual {
-                    left,
-                    right: left,
-                    to,
-                },
-                true,
-            ),
+            (Inst::JumpEqual { left, right: left, to }, true),
             (Inst::JumpUnequal { left, right, to }, true),
-            (
-                Inst::JumpUnequal {
-                    left,
-                    right: left,
-                    to,
-                },
-                false,
-            ),
+            (Inst::JumpUnequal { left, right: left, to }, false),
         ] {
             let (over, from) = (asm.label(), asm.constant_bool(jumps));
             *inst.target_mut().unwrap() = over;
@@ -250,33 +185,19 @@ fn malformed_code_does_not_panic() {
         Inst::PrintText { text: 9 },
         Inst::Fail { text: 9 },
         Inst::Refused { op: 9 },
-        Inst::Apply {
-            op: 9,
-            args: last,
-            applied: last,
-            result: last,
-        },
+        Inst::Apply { op: 9, args: last, applied: last, result: last },
     ];
     let run = |inst| {
         let insts = vec![inst];
-        let code = Code {
-            insts,
-            ..Code::default()
-        };
+        let code = Code { insts, ..Code::default() };
         Machine::new(&[]).run(&mut Mesh::default(), &code, &[1; 70_000], &mut Unwatched)
     };
     for inst in insts {
         assert!(run(inst).is_err(), "{inst:?}");
     }
-    for inst in [
-        Inst::Jump {
-            to: Label(u32::MAX),
-        },
-        Inst::CopyVec {
-            to: last,
-            from: Reg(u16::MAX - 1),
-        },
-    ] {
+    for inst in
+        [Inst::Jump { to: Label(u32::MAX) }, Inst::CopyVec { to: last, from: Reg(u16::MAX - 1) }]
+    {
         assert_eq!(run(inst), Ok(Outcome::Applied { result: None }));
     }
 }
@@ -292,34 +213,12 @@ fn time_per_instruction() {
         let (sum, index) = (copy(asm, zero), copy(asm, zero));
         let (square, condition, head) = (asm.reg(), asm.reg(), asm.label());
         asm.bind(head);
-        asm.emit(Inst::IntToReal {
-            to: square,
-            from: index,
-        });
-        asm.emit(Inst::MulReal {
-            to: square,
-            left: square,
-            right: square,
-        });
-        asm.emit(Inst::AddReal {
-            to: sum,
-            left: sum,
-            right: square,
-        });
-        asm.emit(Inst::AddInt {
-            to: index,
-            left: index,
-            right: one,
-        });
-        asm.emit(Inst::LessInt {
-            to: condition,
-            left: index,
-            right: end,
-        });
-        asm.emit(Inst::JumpIf {
-            condition,
-            to: head,
-        });
+        asm.emit(Inst::IntToReal { to: square, from: index });
+        asm.emit(Inst::MulReal { to: square, left: square, right: square });
+        asm.emit(Inst::AddReal { to: sum, left: sum, right: square });
+        asm.emit(Inst::AddInt { to: index, left: index, right: one });
+        asm.emit(Inst::LessInt { to: condition, left: index, right: end });
+        asm.emit(Inst::JumpIf { condition, to: head });
     });
     let start = std::time::Instant::now();
     let run = Machine::new(&[]).run(&mut Mesh::default(), &code, &[], &mut Unwatched);

@@ -17,10 +17,8 @@ fn code(params: u16, write: impl FnOnce(&mut Assembler)) -> Code {
 }
 
 fn plan(name: &str, params: &[u16], refusals: &[(&str, Phase)], code: Code) -> Plan {
-    let refusals = refusals.iter().map(|&(reason, phase)| Refusal {
-        reason: reason.to_owned(),
-        phase,
-    });
+    let refusals =
+        refusals.iter().map(|&(reason, phase)| Refusal { reason: reason.to_owned(), phase });
     Plan {
         name: name.to_owned(),
         params: params.to_vec(),
@@ -63,10 +61,7 @@ fn int(from: Reg) -> Inst {
 }
 
 fn real(from: Reg) -> Inst {
-    Inst::PrintReal {
-        from,
-        digits: RealDigits::All,
-    }
+    Inst::PrintReal { from, digits: RealDigits::All }
 }
 
 fn truth(from: Reg) -> Inst {
@@ -74,10 +69,7 @@ fn truth(from: Reg) -> Inst {
 }
 
 fn vector(from: Reg) -> Inst {
-    Inst::PrintVec {
-        from,
-        digits: RealDigits::All,
-    }
+    Inst::PrintVec { from, digits: RealDigits::All }
 }
 
 /// Why some code traps.

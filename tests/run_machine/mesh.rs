@@ -4,11 +4,7 @@ use super::*;
 use hedgerow::mesh::{ElementKind, HalfedgeId, VertexId, shape};
 
 fn ask(question: Question, to: Reg, element: Reg) -> Inst {
-    Inst::Ask {
-        question,
-        to,
-        elements: [element; 2],
-    }
+    Inst::Ask { question, to, elements: [element; 2] }
 }
 
 #[test]
@@ -27,20 +23,13 @@ fn questions_about_a_cube() {
             ask(Question::BoundaryEdge, to, edge),
             ask(Question::LinkCondition, to, edge),
             Inst::LoadHole { to, face },
-            Inst::Alive {
-                kind,
-                to,
-                element: edge,
-            },
+            Inst::Alive { kind, to, element: edge },
             ask(Question::Adjacent, to, vertex),
         ] {
             asm.emit(inst);
             print(asm, int, to);
         }
-        for inst in [
-            ask(Question::LengthEdge, to, edge),
-            ask(Question::Area, to, face),
-        ] {
+        for inst in [ask(Question::LengthEdge, to, edge), ask(Question::Area, to, face)] {
             asm.emit(inst);
             print(asm, real, to);
         }
@@ -70,14 +59,7 @@ fn loads_of_what_is_gone_trap() {
     let kind = ElementKind::Vertex;
     let loads = |to: Reg, x: Reg| {
         [
-            (
-                Inst::Load {
-                    field,
-                    to,
-                    halfedge: x,
-                },
-                "halfedge",
-            ),
+            (Inst::Load { field, to, halfedge: x }, "halfedge"),
             (Inst::LoadHalfedge { of, to, element: x }, "face"),
             (Inst::LoadHole { to, face: x }, "face"),
             (Inst::LoadPosition { to, vertex: x }, "vertex"),
@@ -123,24 +105,12 @@ fn walks_end_on_a_broken_mesh() {
     let walk = Walk::Loop;
     let got = trap(&mut mesh, |asm| {
         let (from, buffer) = (asm.constant_int(0), asm.buffer());
-        asm.emit(Inst::Collect {
-            walk,
-            buffer,
-            from,
-            until: from,
-            whole: true,
-        });
+        asm.emit(Inst::Collect { walk, buffer, from, until: from, whole: true });
     });
     assert_eq!(got, Message::Endless);
     let got = trap(&mut mesh, |asm| {
         let (from, goal, to) = (asm.constant_int(0), asm.constant_int(9), asm.reg());
-        asm.emit(Inst::Meets {
-            walk,
-            to,
-            from,
-            goal,
-            stop: from,
-        });
+        asm.emit(Inst::Meets { walk, to, from, goal, stop: from });
     });
     assert_eq!(got, Message::Endless);
 }
@@ -151,17 +121,9 @@ fn collecting_and_meeting() {
         let (zero, buffer) = (asm.constant_int(0), asm.buffer());
         let (from, last, to) = (asm.reg(), asm.reg(), asm.reg());
         let of = ElementField::Face;
-        asm.emit(Inst::LoadHalfedge {
-            of,
-            to: from,
-            element: zero,
-        });
+        asm.emit(Inst::LoadHalfedge { of, to: from, element: zero });
         let field = HalfedgeField::Prev;
-        asm.emit(Inst::Load {
-            field,
-            to: last,
-            halfedge: from,
-        });
+        asm.emit(Inst::Load { field, to: last, halfedge: from });
         for (walk, until, whole) in [
             (Walk::Loop, last, false),
             (Walk::Loop, from, false),
@@ -169,25 +131,13 @@ fn collecting_and_meeting() {
             (Walk::Star, from, true),
         ] {
             asm.emit(Inst::BufferClear { buffer });
-            asm.emit(Inst::Collect {
-                walk,
-                buffer,
-                from,
-                until,
-                whole,
-            });
+            asm.emit(Inst::Collect { walk, buffer, from, until, whole });
             asm.emit(Inst::BufferLength { buffer, to });
             print(asm, int, to);
         }
         for (goal, stop) in [(from, from), (last, from), (last, last)] {
             let walk = Walk::Loop;
-            asm.emit(Inst::Meets {
-                walk,
-                to,
-                from,
-                goal,
-                stop,
-            });
+            asm.emit(Inst::Meets { walk, to, from, goal, stop });
             print(asm, truth, to);
         }
     });
@@ -199,35 +149,17 @@ fn buffers() {
     let lines = printed(&mut shape::single_polygon(3), |asm| {
         let (zero, buffer, to) = (asm.constant_int(0), asm.buffer(), asm.reg());
         let index = copy(asm, zero);
-        asm.emit(Inst::BufferLiving {
-            of: Elements::Faces,
-            buffer,
-        });
-        asm.emit(Inst::BufferLiving {
-            of: Elements::Holes,
-            buffer,
-        });
+        asm.emit(Inst::BufferLiving { of: Elements::Faces, buffer });
+        asm.emit(Inst::BufferLiving { of: Elements::Holes, buffer });
         let seven = asm.constant_int(7);
-        asm.emit(Inst::BufferPush {
-            buffer,
-            from: seven,
-        });
+        asm.emit(Inst::BufferPush { buffer, from: seven });
         let (head, otherwise) = (asm.label(), asm.label());
         asm.bind(head);
-        asm.emit(Inst::BufferNext {
-            buffer,
-            index,
-            to,
-            otherwise,
-        });
+        asm.emit(Inst::BufferNext { buffer, index, to, otherwise });
         print(asm, int, to);
         asm.emit(Inst::Jump { to: head });
         asm.bind(otherwise);
-        asm.emit(Inst::BufferGet {
-            buffer,
-            to,
-            index: zero,
-        });
+        asm.emit(Inst::BufferGet { buffer, to, index: zero });
         print(asm, int, to);
     });
     assert_eq!(lines, ["0", "1", "7", "0"]);
@@ -245,27 +177,12 @@ fn living_elements_are_found_from_anywhere() {
     let lines = printed(&mut mesh, |asm| {
         let (of, three, done) = (Elements::Vertices, asm.constant_int(3), asm.label());
         let element = copy(asm, three);
-        asm.emit(Inst::JumpUnlessLiving {
-            of: Elements::Faces,
-            element,
-            to: done,
-        });
-        asm.emit(Inst::NextLiving {
-            of,
-            element,
-            otherwise: done,
-        });
+        asm.emit(Inst::JumpUnlessLiving { of: Elements::Faces, element, to: done });
+        asm.emit(Inst::NextLiving { of, element, otherwise: done });
         print(asm, int, element);
         let huge = asm.constant_int(-1);
-        asm.emit(Inst::Copy {
-            to: element,
-            from: huge,
-        });
-        asm.emit(Inst::NextLiving {
-            of,
-            element,
-            otherwise: done,
-        });
+        asm.emit(Inst::Copy { to: element, from: huge });
+        asm.emit(Inst::NextLiving { of, element, otherwise: done });
         print(asm, int, element);
         asm.bind(done);
     });
@@ -280,40 +197,19 @@ fn writes_are_tested() {
         let hole = true;
         [
             (
-                Inst::Store {
-                    field: edge,
-                    halfedge: good,
-                    value: wild,
-                },
+                Inst::Store { field: edge, halfedge: good, value: wild },
                 "a pointer would lead to no edge",
             ),
             (
-                Inst::StoreHalfedge {
-                    of,
-                    element: good,
-                    value: wild,
-                },
+                Inst::StoreHalfedge { of, element: good, value: wild },
                 "a pointer would lead to no halfedge",
             ),
+            (Inst::StoreHole { face: wild, hole }, "the face no longer exists"),
             (
-                Inst::StoreHole { face: wild, hole },
-                "the face no longer exists",
-            ),
-            (
-                Inst::Store {
-                    field: next,
-                    halfedge: wild,
-                    value: good,
-                },
+                Inst::Store { field: next, halfedge: wild, value: good },
                 "the halfedge no longer exists",
             ),
-            (
-                Inst::StorePosition {
-                    vertex: wild,
-                    value: good,
-                },
-                "the vertex no longer exists",
-            ),
+            (Inst::StorePosition { vertex: wild, value: good }, "the vertex no longer exists"),
         ]
     };
     for at in 0..5 {
@@ -339,10 +235,7 @@ fn what_is_created_is_remembered_and_what_is_erased_recycled() {
         let to = asm.reg();
         let kind = ElementKind::Vertex;
         asm.emit(Inst::NewFace { to });
-        asm.emit(Inst::StoreHole {
-            face: to,
-            hole: true,
-        });
+        asm.emit(Inst::StoreHole { face: to, hole: true });
         asm.emit(Inst::NewEdge { to });
         asm.emit(Inst::NewHalfedge { to });
         asm.emit(Inst::NewVertex { to });
@@ -357,20 +250,11 @@ fn what_is_created_is_remembered_and_what_is_erased_recycled() {
     machine.remember_created();
     machine.run(&mut mesh, &code, &[], &mut Unwatched).unwrap();
     use ElementKind::*;
-    let created = [
-        (Face, 0),
-        (Edge, 0),
-        (Halfedge, 0),
-        (Vertex, 0),
-        (Vertex, 1),
-        (Vertex, 1),
-    ];
+    let created = [(Face, 0), (Edge, 0), (Halfedge, 0), (Vertex, 0), (Vertex, 1), (Vertex, 1)];
     assert_eq!(machine.created(), created);
     assert_eq!((mesh.hole_count(), mesh.vertex_count()), (1, 1));
     let nothing = Code::default();
-    machine
-        .run(&mut mesh, &nothing, &[], &mut Unwatched)
-        .unwrap();
+    machine.run(&mut mesh, &nothing, &[], &mut Unwatched).unwrap();
     assert_eq!(machine.created(), []);
 }
 
@@ -380,18 +264,8 @@ fn whole_buffers_are_written() {
     printed(&mut mesh, |asm| {
         let (buffer, from, value) = (asm.buffer(), asm.constant_int(0), asm.constant_int(5));
         let (walk, field) = (Walk::Loop, HalfedgeField::Face);
-        asm.emit(Inst::Collect {
-            walk,
-            buffer,
-            from,
-            until: from,
-            whole: true,
-        });
-        asm.emit(Inst::StoreAll {
-            field,
-            buffer,
-            value,
-        });
+        asm.emit(Inst::Collect { walk, buffer, from, until: from, whole: true });
+        asm.emit(Inst::StoreAll { field, buffer, value });
     });
     let moved = mesh.halfedges().filter(|&h| mesh.face(h).0 == 5);
     assert_eq!(moved.count(), 8);
@@ -404,43 +278,14 @@ fn held_positions_are_written_at_the_end_and_the_last_one_stays() {
     printed(&mut mesh, |asm| {
         let (buffer, value, other) = (asm.buffer(), asm.vec(), asm.vec());
         let [zero, one, gone] = [0, 1, 2].map(|id| asm.constant_int(id));
-        asm.emit(Inst::LoadPosition {
-            to: value,
-            vertex: one,
-        });
-        asm.emit(Inst::HoldPosition {
-            buffer,
-            vertex: zero,
-            value,
-        });
-        asm.emit(Inst::LoadPosition {
-            to: other,
-            vertex: zero,
-        });
-        asm.emit(Inst::HoldPosition {
-            buffer,
-            vertex: one,
-            value: other,
-        });
-        asm.emit(Inst::HoldPosition {
-            buffer,
-            vertex: gone,
-            value: other,
-        });
-        asm.emit(Inst::Erase {
-            kind: ElementKind::Vertex,
-            element: gone,
-        });
-        asm.emit(Inst::HoldPosition {
-            buffer,
-            vertex: zero,
-            value: other,
-        });
-        asm.emit(Inst::HoldPosition {
-            buffer,
-            vertex: zero,
-            value,
-        });
+        asm.emit(Inst::LoadPosition { to: value, vertex: one });
+        asm.emit(Inst::HoldPosition { buffer, vertex: zero, value });
+        asm.emit(Inst::LoadPosition { to: other, vertex: zero });
+        asm.emit(Inst::HoldPosition { buffer, vertex: one, value: other });
+        asm.emit(Inst::HoldPosition { buffer, vertex: gone, value: other });
+        asm.emit(Inst::Erase { kind: ElementKind::Vertex, element: gone });
+        asm.emit(Inst::HoldPosition { buffer, vertex: zero, value: other });
+        asm.emit(Inst::HoldPosition { buffer, vertex: zero, value });
         asm.emit(Inst::ReleaseHeld { buffer });
     });
     assert_eq!([1, 0].map(|id| mesh.position(VertexId(id))), old);

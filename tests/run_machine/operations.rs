@@ -29,23 +29,12 @@ fn write_flip(asm: &mut Assembler, otherwise: Label) {
     use HalfedgeField::*;
     let load = |asm: &mut Assembler, field, halfedge| {
         let to = asm.reg();
-        asm.emit(Inst::Load {
-            field,
-            to,
-            halfedge,
-        });
+        asm.emit(Inst::Load { field, to, halfedge });
         to
     };
     let (e, a) = (Reg(0), asm.reg());
     let of = ElementField::Edge;
-    asm.trap_at(
-        7,
-        Inst::LoadHalfedge {
-            of,
-            to: a,
-            element: e,
-        },
-    );
+    asm.trap_at(7, Inst::LoadHalfedge { of, to: a, element: e });
     let b = load(asm, Next, a);
     let c = load(asm, Next, b);
     let d = load(asm, Twin, a);
@@ -55,47 +44,20 @@ fn write_flip(asm: &mut Assembler, otherwise: Label) {
     let [v0, v1, v2, v3] = [a, d, c, h].map(|h| load(asm, Vertex, h));
     for (last, right) in [(c, a), (h, d)] {
         let left = load(asm, Next, last);
-        asm.emit(Inst::ExpectEqual {
-            left,
-            right,
-            refusal: 0,
-            otherwise,
-        });
+        asm.emit(Inst::ExpectEqual { left, right, refusal: 0, otherwise });
     }
     let condition = asm.reg();
-    let not = Inst::Not {
-        to: condition,
-        from: condition,
-    };
+    let not = Inst::Not { to: condition, from: condition };
     for face in [f0, f1] {
-        asm.emit(Inst::LoadHole {
-            to: condition,
-            face,
-        });
+        asm.emit(Inst::LoadHole { to: condition, face });
         asm.emit(not);
-        asm.emit(Inst::Expect {
-            condition,
-            refusal: 1,
-            otherwise,
-        });
+        asm.emit(Inst::Expect { condition, refusal: 1, otherwise });
     }
-    asm.emit(Inst::Ask {
-        question: Question::Adjacent,
-        to: condition,
-        elements: [v2, v3],
-    });
+    asm.emit(Inst::Ask { question: Question::Adjacent, to: condition, elements: [v2, v3] });
     asm.emit(not);
-    asm.emit(Inst::Expect {
-        condition,
-        refusal: 2,
-        otherwise,
-    });
+    asm.emit(Inst::Expect { condition, refusal: 2, otherwise });
     let store = |asm: &mut Assembler, field, halfedge, value| {
-        asm.emit(Inst::Store {
-            field,
-            halfedge,
-            value,
-        });
+        asm.emit(Inst::Store { field, halfedge, value });
     };
     for [first, second, third, face] in [[a, c, g, f0], [d, h, b, f1]] {
         for (one, two) in [(first, second), (second, third), (third, first)] {
@@ -104,11 +66,7 @@ fn write_flip(asm: &mut Assembler, otherwise: Label) {
             store(asm, Face, one, face);
         }
         let of = ElementField::Face;
-        asm.emit(Inst::StoreHalfedge {
-            of,
-            element: face,
-            value: first,
-        });
+        asm.emit(Inst::StoreHalfedge { of, element: face, value: first });
     }
     store(asm, Vertex, a, v3);
     store(asm, Vertex, d, v2);
@@ -163,35 +121,20 @@ fn dead_and_wild_arguments_trap() {
         let trap = machine.apply(&mut mesh, &flip, &[id]).unwrap_err();
         assert_eq!(trap.to_string(), message);
         let place = Some(7);
-        assert_eq!(
-            trap.trace,
-            [Site {
-                op: None,
-                function: None,
-                place
-            }]
-        );
+        assert_eq!(trap.trace, [Site { op: None, function: None, place }]);
     }
     assert_eq!(before, format!("{mesh:?}"));
 }
 
 #[test]
 fn the_refusal_of_the_furthest_attempt_counts_and_of_equals_the_first() {
-    let refusals = [
-        ("a", Phase::Match),
-        ("b", Phase::Guard),
-        ("c", Phase::Require),
-        ("d", Phase::Guard),
-    ];
+    let refusals =
+        [("a", Phase::Match), ("b", Phase::Guard), ("c", Phase::Require), ("d", Phase::Guard)];
     let code = code(0, |asm| {
         let condition = asm.constant_bool(false);
         for refusal in 0..4 {
             let otherwise = asm.label();
-            asm.emit(Inst::Expect {
-                condition,
-                refusal,
-                otherwise,
-            });
+            asm.emit(Inst::Expect { condition, refusal, otherwise });
             asm.bind(otherwise);
         }
         asm.emit(Inst::Refuse);
@@ -203,35 +146,14 @@ fn the_refusal_of_the_furthest_attempt_counts_and_of_equals_the_first() {
 
 #[test]
 fn room_finite_positions_and_distinct_elements_are_expected() {
-    let refusals = [
-        ("no room", Phase::Evaluate),
-        ("not finite", Phase::Evaluate),
-    ];
+    let refusals = [("no room", Phase::Evaluate), ("not finite", Phase::Evaluate)];
     let code = code(3, |asm| {
         let otherwise = asm.label();
-        let room = Room {
-            vertices: 1,
-            halfedges: 6,
-            edges: 3,
-            faces: 2,
-        };
-        asm.emit(Inst::ExpectRoom {
-            room,
-            refusal: 0,
-            otherwise,
-        });
-        asm.emit(Inst::ExpectFinite {
-            vector: Reg(0),
-            refusal: 1,
-            otherwise,
-        });
+        let room = Room { vertices: 1, halfedges: 6, edges: 3, faces: 2 };
+        asm.emit(Inst::ExpectRoom { room, refusal: 0, otherwise });
+        asm.emit(Inst::ExpectFinite { vector: Reg(0), refusal: 1, otherwise });
         let (left, right) = (Reg(0), Reg(1));
-        asm.emit(Inst::ExpectDistinct {
-            left,
-            right,
-            refusal: 0,
-            otherwise,
-        });
+        asm.emit(Inst::ExpectDistinct { left, right, refusal: 0, otherwise });
         asm.emit(Inst::Return { result: None });
         asm.bind(otherwise);
         asm.emit(Inst::Refuse);
@@ -242,9 +164,7 @@ fn room_finite_positions_and_distinct_elements_are_expected() {
         let args = position.map(f64::to_bits);
         machine.apply(&mut Mesh::default(), &plan, &args).unwrap()
     };
-    let refused = |reason| Outcome::Refused {
-        reason: Some(reason),
-    };
+    let refused = |reason| Outcome::Refused { reason: Some(reason) };
     assert_eq!(at([0.0, 1.0, 2.0]), Outcome::Applied { result: None });
     assert_eq!(at([0.0, 1.0, f64::INFINITY]), refused(1));
     assert_eq!(at([1.0, 1.0, 2.0]), refused(0));

@@ -60,32 +60,11 @@ fn ints_that_do_not_fit_trap() {
     let cases: [(Operator, Message); 7] = [
         (two!(AddInt), Message::IntOverflow),
         (two!(MulInt), Message::IntOverflow),
-        (
-            |to, _, right| Inst::SubInt {
-                to,
-                left: to,
-                right,
-            },
-            Message::IntOverflow,
-        ),
+        (|to, _, right| Inst::SubInt { to, left: to, right }, Message::IntOverflow),
         (one!(NegInt), Message::IntOverflow),
         (one!(AbsInt), Message::IntOverflow),
-        (
-            |to, left, _| Inst::DivInt {
-                to,
-                left,
-                right: to,
-            },
-            Message::DivisionByZero,
-        ),
-        (
-            |to, left, _| Inst::ModInt {
-                to,
-                left,
-                right: to,
-            },
-            Message::DivisionByZero,
-        ),
+        (|to, left, _| Inst::DivInt { to, left, right: to }, Message::DivisionByZero),
+        (|to, left, _| Inst::ModInt { to, left, right: to }, Message::DivisionByZero),
     ];
     for (inst, message) in cases {
         let got = trap(&mut Mesh::default(), |asm| {
@@ -122,12 +101,7 @@ fn reals() {
         (two!(Atan2Real), 0.0, 2.0, "0"),
         (one!(Copy), 1e300, 0.0, "1e300"),
         (
-            |to, left, right| Inst::Select {
-                to,
-                condition: left,
-                then: right,
-                otherwise: left,
-            },
+            |to, left, right| Inst::Select { to, condition: left, then: right, otherwise: left },
             0.0,
             1.5,
             "0",
@@ -142,11 +116,8 @@ fn reals() {
         });
         assert_eq!(lines, [expected]);
     }
-    let tests: [(Operator, &str); 3] = [
-        (two!(LessReal), "true"),
-        (two!(LessEqualReal), "true"),
-        (two!(EqualReal), "false"),
-    ];
+    let tests: [(Operator, &str); 3] =
+        [(two!(LessReal), "true"), (two!(LessEqualReal), "true"), (two!(EqualReal), "false")];
     for (inst, expected) in tests {
         let lines = printed(&mut Mesh::default(), |asm| {
             let (left, right) = (asm.constant_real(0.5), asm.constant_real(2.0));
@@ -196,15 +167,7 @@ fn vectors() {
         (one!(NegVec), "(-1, -2, -2)"),
         (two!(Cross), "(8, -4, 0)"),
         (|to, _, from| Inst::Normalize { to, from }, "(0, 0, 1)"),
-        (
-            |to, left, right| Inst::MixVec {
-                to,
-                left,
-                right,
-                t: right.part(3),
-            },
-            "(0.5, 1, 3)",
-        ),
+        (|to, left, right| Inst::MixVec { to, left, right, t: right.part(3) }, "(0.5, 1, 3)"),
     ];
     // Behind `right` stands one half.
     let operands = |asm: &mut Assembler| {
@@ -226,17 +189,9 @@ fn vectors() {
     let lines = printed(&mut Mesh::default(), |asm| {
         let (left, right, to) = operands(asm);
         let half = right.part(3);
-        asm.emit(Inst::ScaleVec {
-            to,
-            left,
-            right: half,
-        });
+        asm.emit(Inst::ScaleVec { to, left, right: half });
         print(asm, vector, to);
-        asm.emit(Inst::DivVec {
-            to,
-            left,
-            right: half,
-        });
+        asm.emit(Inst::DivVec { to, left, right: half });
         print(asm, vector, to);
         asm.emit(Inst::Dot { to, left, right });
         print(asm, real, to);

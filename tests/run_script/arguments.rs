@@ -14,10 +14,7 @@ const SCRIPT: &str = "script main(
 fn defaults_are_evaluated_in_order() {
     let cases: [(&[(&str, &str)], &str); 4] = [
         (&[("size", "4")], "4 8 true (8, 0, 0)"),
-        (
-            &[("scale", "0.5"), ("size", "1")],
-            "1 0.5 false (0.5, 0, 0)",
-        ),
+        (&[("scale", "0.5"), ("size", "1")], "1 0.5 false (0.5, 0, 0)"),
         (&[("size", "1"), ("yes", "true")], "1 2 true (2, 0, 0)"),
         (&[("size", "1"), ("at", "1,2,3")], "1 2 false (1, 2, 3)"),
     ];
@@ -48,12 +45,7 @@ fn wrong_arguments_are_told() {
     );
     let values = |value| [("size".to_owned(), value)];
     let mut mesh = shape::cube();
-    let failed = run(
-        &prepared,
-        &mut mesh,
-        &values(Argument::Real(1.0)),
-        &mut Lines::default(),
-    );
+    let failed = run(&prepared, &mut mesh, &values(Argument::Real(1.0)), &mut Lines::default());
     assert_eq!(
         failed.unwrap_err().diagnostic.message,
         "`size` is of type `int`, but the value given is of type `real`"

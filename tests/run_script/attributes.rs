@@ -23,11 +23,7 @@ fn every_type_is_stored_on_every_kind() {
     let mut declarations = String::new();
     let mut body = String::new();
     for kind in ["vertex", "halfedge", "edge", "face"] {
-        let plural = if kind == "vertex" {
-            "vertices".into()
-        } else {
-            format!("{kind}s")
-        };
+        let plural = if kind == "vertex" { "vertices".into() } else { format!("{kind}s") };
         for (ty, default, change) in types {
             declarations += &format!("attr {kind}_{ty}: {kind} {ty} = {default}\n");
             let change = change.replace("KIND", kind);
@@ -128,10 +124,7 @@ fn ops_read_attributes_as_they_were_and_write_them_at_once() {
     );
     let (report, lines) = run_alone(&mut mesh, &script, &[]).unwrap();
     assert_eq!(lines, ["16 6", "6 6"]);
-    assert_eq!(
-        (applied(&report, "halve"), refused(&report, "halve")),
-        (6, 12)
-    );
+    assert_eq!((applied(&report, "halve"), refused(&report, "halve")), (6, 12));
 }
 
 #[test]
@@ -171,16 +164,10 @@ fn scratch_attributes_are_gone_after_the_run_and_the_others_stay() {
     for _ in 0..2 {
         try_run(&mut mesh, &script, &[]).unwrap();
         let kind = hedgerow::mesh::ElementKind::Face;
-        let names: Vec<_> = mesh
-            .columns(kind)
-            .map(|(_, c)| c.name().to_owned())
-            .collect();
+        let names: Vec<_> = mesh.columns(kind).map(|(_, c)| c.name().to_owned()).collect();
         assert_eq!(names, ["kept"]);
         let kept = mesh.find_column(kind, "kept").unwrap();
-        assert!(
-            mesh.faces()
-                .all(|f| mesh.value(kept, f.0) == Some(Value::Real(1.5)))
-        );
+        assert!(mesh.faces().all(|f| mesh.value(kept, f.0) == Some(Value::Real(1.5))));
     }
 }
 
@@ -197,10 +184,7 @@ fn an_attribute_of_the_mesh_is_taken_over_or_clashes() {
     let (_, lines) = try_run(&mut mesh, &script, &[]).unwrap();
     assert_eq!(lines, ["32"]);
     assert_eq!(mesh.value(column, 3), Some(Value::Real(2.0)));
-    let script = with(
-        "attr heat: vertex int = 1",
-        "for v in vertices { v.heat = 2 }",
-    );
+    let script = with("attr heat: vertex int = 1", "for v in vertices { v.heat = 2 }");
     let failure = try_run(&mut mesh, &script, &[]).unwrap_err();
     assert_eq!(failure.diagnostic.code, "attribute-conflict");
     assert_eq!(
@@ -215,19 +199,12 @@ fn a_default_without_a_value_is_told() {
         analyse("attr a: vertex int = 1 div 0\nscript main() { for v in vertices { v.a = 1 } }");
     let errors = prepare(&analysis.program, 0, &analysis.plans).unwrap_err();
     assert_eq!(errors[0].code, "attribute-default");
-    assert_eq!(
-        errors[0].message,
-        "the default of `a` has no value: division by zero"
-    );
+    assert_eq!(errors[0].message, "the default of `a` has no value: division by zero");
 }
 
 #[test]
 fn the_attribute_of_an_erased_element_cannot_be_read_or_written() {
-    for read in [
-        "print v.weight",
-        "v.weight = 1",
-        "update w in vertices { v.weight = 1 }",
-    ] {
+    for read in ["print v.weight", "v.weight = 1", "update w in vertices { v.weight = 1 }"] {
         let script = with(
             BISECT,
             &format!("for e in edges {{ if let v = halve(e) {{ must join(v)  {read} }} }}"),

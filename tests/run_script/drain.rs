@@ -28,12 +28,7 @@ attr queued: halfedge bool = false
 
 impl Drained {
     fn quick(self) -> String {
-        let Self {
-            elements,
-            key,
-            condition,
-            body,
-        } = self;
+        let Self { elements, key, condition, body } = self;
         format!(
             "{DECLARATIONS}
              script main() {{
@@ -49,12 +44,7 @@ impl Drained {
 
     /// Step by step what the reference says of `drain`.
     fn slow(self) -> String {
-        let Self {
-            elements,
-            key,
-            condition,
-            body,
-        } = self;
+        let Self { elements, key, condition, body } = self;
         format!(
             "{DECLARATIONS}
              script main() {{

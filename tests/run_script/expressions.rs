@@ -5,10 +5,7 @@ use hedgerow::mesh::shape;
 
 /// Each line of a script that prints an expression, and what it should print.
 fn check(mesh: &mut Mesh, cases: &[(&str, &str)]) {
-    let body: String = cases
-        .iter()
-        .map(|(expr, _)| format!("print {expr}\n"))
-        .collect();
+    let body: String = cases.iter().map(|(expr, _)| format!("print {expr}\n")).collect();
     let expected: Vec<_> = cases.iter().map(|&(_, text)| text).collect();
     assert_eq!(printed(mesh, &body), expected);
 }
@@ -24,19 +21,10 @@ fn numbers() {
             ("7 / 2", "3.5"),
             ("1 / 3", "0.333333"),
             ("abs(-3), abs(-2.5)", "3 2.5"),
-            (
-                "min(1, 2), max(1, 2), min(1.5, 2.0), max(1.5, 2.0)",
-                "1 2 1.5 2",
-            ),
-            (
-                "sqrt(16.0), pow(2.0, 10.0), floor(1.5), ceil(1.5)",
-                "4 1024 1 2",
-            ),
+            ("min(1, 2), max(1, 2), min(1.5, 2.0), max(1.5, 2.0)", "1 2 1.5 2"),
+            ("sqrt(16.0), pow(2.0, 10.0), floor(1.5), ceil(1.5)", "4 1024 1 2"),
             ("round(2.5), round(3.5)", "2 4"),
-            (
-                "sin(0.0), cos(0.0), tan(0.0), asin(0.0), acos(1.0)",
-                "0 1 0 0 0",
-            ),
+            ("sin(0.0), cos(0.0), tan(0.0), asin(0.0), acos(1.0)", "0 1 0 0 0"),
             ("exp(0.0), log(1.0), atan2(0.0, 1.0)", "1 0 0"),
             ("mix(1.0, 3.0, 0.25)", "1.5"),
             ("-(1.5)", "-1.5"),
@@ -54,22 +42,10 @@ fn what_is_not_a_number_is_neither_least_nor_greatest() {
     let all = "sqrt(-1) for v in vertices";
     let cases = [
         ("min(sqrt(-1), 1.0), max(1.0, sqrt(-1))", "1 1"),
-        (
-            &*format!("is_nan(min({root})), is_nan(max({root}))"),
-            "false false",
-        ),
-        (
-            &*format!("is_nan(sqrt(argmin({root}).position.x))"),
-            "false",
-        ),
-        (
-            &*format!("is_nan(sqrt(argmax({root}).position.x))"),
-            "false",
-        ),
-        (
-            &*format!("is_nan(min({all})), argmin({all})"),
-            "true vertex 0",
-        ),
+        (&*format!("is_nan(min({root})), is_nan(max({root}))"), "false false"),
+        (&*format!("is_nan(sqrt(argmin({root}).position.x))"), "false"),
+        (&*format!("is_nan(sqrt(argmax({root}).position.x))"), "false"),
+        (&*format!("is_nan(min({all})), argmin({all})"), "true vertex 0"),
         ("count(is_nan(sqrt(v.position.x)) for v in vertices)", "4"),
     ];
     check(&mut shape::cube(), &cases);
@@ -80,10 +56,7 @@ fn truth() {
     check(
         &mut shape::cube(),
         &[
-            (
-                "true and false, true or false, not true",
-                "false true false",
-            ),
+            ("true and false, true or false, not true", "false true false"),
             // The right side would trap.
             ("false and 1 div 0 == 1, true or 1 div 0 == 1", "false true"),
             ("true == false", "false"),
@@ -99,17 +72,11 @@ fn vectors() {
         &[
             ("vec3(1, 2, 3) + vec3(1, 1, 1)", "(2, 3, 4)"),
             ("vec3(1, 2, 3) - vec3(1, 1, 1)", "(0, 1, 2)"),
-            (
-                "2 * vec3(1, 2, 3), vec3(1, 2, 3) / 2",
-                "(2, 4, 6) (0.5, 1, 1.5)",
-            ),
+            ("2 * vec3(1, 2, 3), vec3(1, 2, 3) / 2", "(2, 4, 6) (0.5, 1, 1.5)"),
             ("-vec3(1, 2, 3)", "(-1, -2, -3)"),
             ("dot(vec3(1, 2, 3), vec3(1, 1, 1))", "6"),
             ("cross(vec3(1, 0, 0), vec3(0, 1, 0))", "(0, 0, 1)"),
-            (
-                "length(vec3(3, 4, 0)), normalize(vec3(0, 0, 9))",
-                "5 (0, 0, 1)",
-            ),
+            ("length(vec3(3, 4, 0)), normalize(vec3(0, 0, 9))", "5 (0, 0, 1)"),
             ("distance(vec3(0, 0, 0), vec3(0, 3, 4))", "5"),
             ("angle(vec3(1, 0, 0), vec3(2, 0, 0))", "0"),
             ("mix(vec3(0, 0, 0), vec3(2, 4, 6), 0.5)", "(1, 2, 3)"),
@@ -169,10 +136,7 @@ fn aggregates_over_the_mesh() {
             ("min(degree(f) for f in faces)", "4"),
             ("any(v.position.x > 0 for v in vertices)", "true"),
             ("all(v.position.x > 0 for v in vertices)", "false"),
-            (
-                "all(v.position.x > 0 for v in vertices where v.position.x > 0)",
-                "true",
-            ),
+            ("all(v.position.x > 0 for v in vertices where v.position.x > 0)", "true"),
             ("count(true for v in vertices where v.position.x > 0)", "4"),
             ("sum(count(v.neighbors) for v in vertices)", "24"),
             ("sum(1 for h in holes), any(true for h in holes)", "0 false"),
@@ -180,10 +144,7 @@ fn aggregates_over_the_mesh() {
     );
     check(
         &mut shape::grid(2, 2),
-        &[
-            ("count(faces), count(holes)", "4 1"),
-            ("sum(degree(h) for h in holes)", "8"),
-        ],
+        &[("count(faces), count(holes)", "4 1"), ("sum(degree(h) for h in holes)", "8")],
     );
 }
 
@@ -201,10 +162,7 @@ fn aggregates_around_an_element() {
             ("sum(count(f.edges) for f in faces)", "16"),
             ("sum(count(e.vertices) for e in edges)", "24"),
             ("sum(count(e.faces) for e in edges)", "16"),
-            (
-                "all(all(adjacent(v, w) for w in v.neighbors) for v in vertices)",
-                "true",
-            ),
+            ("all(all(adjacent(v, w) for w in v.neighbors) for v in vertices)", "true"),
         ],
     );
 }
@@ -254,10 +212,7 @@ fn elements_with_extreme_values() {
       let e = argmin(e.vertices_sum for e in edges)
       print e"
         .replace("e.vertices_sum", "e.halfedge.vertex.position.x");
-    assert_eq!(
-        printed(&mut shape::grid(3, 3), &body),
-        ["vertex 6", "edge 0"]
-    );
+    assert_eq!(printed(&mut shape::grid(3, 3), &body), ["vertex 6", "edge 0"]);
     let failed = "print argmin(area(f) for f in holes)";
     assert!(printed(&mut shape::grid(1, 1), failed).len() == 1);
 }

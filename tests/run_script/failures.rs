@@ -15,11 +15,7 @@ fn failure(body: &str) -> (String, String, Vec<String>) {
     let diagnostic = failed.diagnostic;
     let labels = diagnostic.labels.iter();
     let words = labels.map(|label| sources.slice(label.span).to_owned());
-    (
-        diagnostic.code.to_owned(),
-        diagnostic.message,
-        words.collect(),
-    )
+    (diagnostic.code.to_owned(), diagnostic.message, words.collect())
 }
 
 #[test]
@@ -35,11 +31,7 @@ fn a_failure_points_at_its_place() {
         ),
         (
             "print 1 div (count(holes))",
-            [
-                "division-by-zero",
-                "division by zero",
-                "1 div (count(holes))",
-            ],
+            ["division-by-zero", "division by zero", "1 div (count(holes))"],
         ),
         (
             "print 1 mod count(holes)",
@@ -47,19 +39,11 @@ fn a_failure_points_at_its_place() {
         ),
         (
             "print mean(1.0 for h in holes)",
-            [
-                "aggregate-of-nothing",
-                "the mean of nothing",
-                "mean(1.0 for h in holes)",
-            ],
+            ["aggregate-of-nothing", "the mean of nothing", "mean(1.0 for h in holes)"],
         ),
         (
             "print max(1 for h in holes)",
-            [
-                "aggregate-of-nothing",
-                "the greatest of nothing",
-                "max(1 for h in holes)",
-            ],
+            ["aggregate-of-nothing", "the greatest of nothing", "max(1 for h in holes)"],
         ),
         (
             "print 9223372036854775807 + count(edges)",
@@ -95,11 +79,7 @@ fn a_failure_points_at_its_place() {
         ),
         (
             "print round(sqrt(-1))",
-            [
-                "int-overflow",
-                "what is rounded is not a number",
-                "round(sqrt(-1))",
-            ],
+            ["int-overflow", "what is rounded is not a number", "round(sqrt(-1))"],
         ),
         (
             "for e in edges { must collapse(e, 0.0) }",

@@ -42,15 +42,8 @@ fn functions_give_values() {
         print sign(-2), sign(0), last_name(3), sign(1) == sign(2)
         print nested(3), if square(2) > 3 { let x = square(2) let y = x + 1 x * y } else { 0 }
         print sum(square(degree(v)) for v in vertices where square(degree(v)) > 4)";
-    let expected = [
-        "9 20 8 12",
-        "3628800 true false 12",
-        "1",
-        "1 0",
-        "minus zero plus true",
-        "8 20",
-        "72",
-    ];
+    let expected =
+        ["9 20 8 12", "3628800 true false 12", "1", "1 0", "minus zero plus true", "8 20", "72"];
     assert_eq!(lines(functions, body), expected);
 }
 
@@ -141,10 +134,7 @@ fn an_element_that_a_caller_needs_is_not_given_out_again() {
         }";
     let failed = try_run(&mut shape::icosphere(1), program, &[]).unwrap_err();
     assert_eq!(failed.diagnostic.code, "element-gone");
-    let inner = program.replace(
-        "churn()  print length(kept)  break",
-        "print through(kept)  break",
-    );
+    let inner = program.replace("churn()  print length(kept)  break", "print through(kept)  break");
     let inner = inner.replace("print through(kept)", "let x = through(kept)");
     let failed = try_run(&mut shape::icosphere(1), &inner, &[]).unwrap_err();
     assert_eq!(failed.diagnostic.code, "element-gone");
@@ -187,10 +177,7 @@ fn functions_of_used_files_run() {
     let mut sources = Sources::new();
     let text = "use \"lib.hedge\"\nscript main() { print double(4) }";
     let file = sources.add("main.hedge", text);
-    sources.add(
-        "lib.hedge",
-        "fn double(x: int) { x * hidden() }\nfn hidden() { 2 }",
-    );
+    sources.add("lib.hedge", "fn double(x: int) { x * hidden() }\nfn hidden() { 2 }");
     let analysis = Analysis::of(&sources, file);
     assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
     let prepared = prepare(&analysis.program, 0, &analysis.plans).unwrap();

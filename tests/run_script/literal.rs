@@ -114,12 +114,7 @@ impl<'a> Literal<'a> {
                         self.outside(body)?;
                     }
                 }
-                Statement::Drain {
-                    kind,
-                    by_degree,
-                    turns,
-                    body,
-                } => {
+                Statement::Drain { kind, by_degree, turns, body } => {
                     self.drain(*kind, *by_degree, *turns, body)?;
                 }
                 _ => self.inside(statement, &[])?,
@@ -130,12 +125,7 @@ impl<'a> Literal<'a> {
 
     fn inside(&mut self, statement: &Statement, seen: &[Known]) -> Result<(), Gone> {
         match statement {
-            Statement::For {
-                kind,
-                around,
-                test,
-                body,
-            } => {
+            Statement::For { kind, around, test, body } => {
                 for id in self.sequence(*kind, *around, seen)? {
                     if !self.mesh.is_alive(*kind, id) {
                         continue;
@@ -283,9 +273,7 @@ impl<'a> Literal<'a> {
             ElementKind::Vertex => halfedges.map(|h| mesh.vertex(h).0).collect(),
             ElementKind::Edge => halfedges.map(|h| mesh.edge(h).0).collect(),
             _ => {
-                let faces = halfedges
-                    .map(|h| mesh.face(h))
-                    .filter(|&f| !mesh.is_hole(f));
+                let faces = halfedges.map(|h| mesh.face(h)).filter(|&f| !mesh.is_hole(f));
                 faces.map(|f| f.0).collect()
             }
         }
@@ -375,9 +363,7 @@ fn uses(statement: &Statement, variable: usize) -> bool {
         Statement::Repeat(_, body) | Statement::Drain { body, .. } => {
             body.iter().any(|statement| uses(statement, variable))
         }
-        Statement::For {
-            around, test, body, ..
-        } => {
+        Statement::For { around, test, body, .. } => {
             let inside = body.iter().any(|statement| uses(statement, variable));
             around_it(around) || asks(test) || inside
         }

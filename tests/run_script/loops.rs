@@ -49,10 +49,7 @@ fn a_loop_does_not_visit_what_is_gone() {
     let turns: u64 = lines[0].parse().unwrap();
     assert!(gone > 20);
     // Each collapse takes three edges away, itself among them.
-    assert!(
-        turns < before && turns + 2 * gone >= before,
-        "{turns} {gone}"
-    );
+    assert!(turns < before && turns + 2 * gone >= before, "{turns} {gone}");
     assert_eq!(gone + refused(&report, "collapse"), turns);
 }
 
@@ -181,10 +178,7 @@ fn slots_are_used_again_between_turns_of_a_repeat() {
     assert!(applied(&report, "split") > 100, "{report:?}");
     assert!(applied(&report, "collapse") > 100, "{report:?}");
     let (count, capacity) = (mesh.edge_count(), mesh.capacity(ElementKind::Edge));
-    assert!(
-        count <= before + 40 && capacity <= before + 80,
-        "{count} {capacity}"
-    );
+    assert!(count <= before + 40 && capacity <= before + 80, "{count} {capacity}");
 }
 
 #[test]

@@ -38,100 +38,32 @@ fn operators_and_functions_are_those_of_glam() {
     let outer = DMat4::from_cols(x * x.x, x * x.y, x * x.z, x * x.w);
     let cases: Vec<(&str, String, Value)> = vec![
         ("mat4", format!("{A} * {A}"), Value::Mat4(a * a)),
-        (
-            "mat4",
-            format!("{A} + 2 * {A} - {A} / 4"),
-            Value::Mat4(a + a * 2.0 - a * 0.25),
-        ),
-        (
-            "mat4",
-            format!("-transpose({A})"),
-            Value::Mat4(-a.transpose()),
-        ),
+        ("mat4", format!("{A} + 2 * {A} - {A} / 4"), Value::Mat4(a + a * 2.0 - a * 0.25)),
+        ("mat4", format!("-transpose({A})"), Value::Mat4(-a.transpose())),
         ("mat4", "mat4(1)".into(), Value::Mat4(DMat4::IDENTITY)),
         ("mat4", format!("outer({x_}, {x_})"), Value::Mat4(outer)),
-        (
-            "mat4",
-            format!("if determinant({A}) > 0 {{ {A} }} else {{ mat4(0) }}"),
-            Value::Mat4(a),
-        ),
+        ("mat4", format!("if determinant({A}) > 0 {{ {A} }} else {{ mat4(0) }}"), Value::Mat4(a)),
         ("mat3", format!("{B} * {B}"), Value::Mat3(b * b)),
-        (
-            "mat3",
-            format!("mat3({A})"),
-            Value::Mat3(DMat3::from_mat4(a)),
-        ),
-        (
-            "mat3",
-            "mat3(3)".into(),
-            Value::Mat3(DMat3::from_diagonal(DVec3::splat(3.0))),
-        ),
+        ("mat3", format!("mat3({A})"), Value::Mat3(DMat3::from_mat4(a))),
+        ("mat3", "mat3(3)".into(), Value::Mat3(DMat3::from_diagonal(DVec3::splat(3.0)))),
         ("vec4", format!("{A} * {x_}"), Value::Vec4(a * x)),
         ("vec4", format!("({A}).y"), Value::Vec4(a.y_axis)),
-        (
-            "vec4",
-            format!("vec4({y_}, 1) * 3"),
-            Value::Vec4(DVec4::from((y, 1.0)) * 3.0),
-        ),
-        (
-            "vec4",
-            format!("mix({x_}, {x_} * 2, 0.5)"),
-            Value::Vec4(x * 1.5),
-        ),
-        (
-            "vec4",
-            format!("normalize({x_} * 0)"),
-            Value::Vec4(DVec4::ZERO),
-        ),
+        ("vec4", format!("vec4({y_}, 1) * 3"), Value::Vec4(DVec4::from((y, 1.0)) * 3.0)),
+        ("vec4", format!("mix({x_}, {x_} * 2, 0.5)"), Value::Vec4(x * 1.5)),
+        ("vec4", format!("normalize({x_} * 0)"), Value::Vec4(DVec4::ZERO)),
         ("vec3", format!("{B} * {y_}"), Value::Vec3(b * y)),
         ("vec3", format!("vec3({x_})"), Value::Vec3(x.truncate())),
-        (
-            "vec3",
-            "vec3(vec2(1, 2), 3)".into(),
-            Value::Vec3(DVec3::new(1.0, 2.0, 3.0)),
-        ),
-        (
-            "vec2",
-            format!("vec2({y_}) - vec2(1, 1)"),
-            Value::Vec2(DVec2::new(2.0, -3.0)),
-        ),
-        (
-            "vec2",
-            "vec2(1, 2) * vec2(3, 4)".into(),
-            Value::Vec2(DVec2::new(3.0, 8.0)),
-        ),
-        (
-            "real",
-            format!("determinant({B})"),
-            Value::Real(b.determinant()),
-        ),
+        ("vec3", "vec3(vec2(1, 2), 3)".into(), Value::Vec3(DVec3::new(1.0, 2.0, 3.0))),
+        ("vec2", format!("vec2({y_}) - vec2(1, 1)"), Value::Vec2(DVec2::new(2.0, -3.0))),
+        ("vec2", "vec2(1, 2) * vec2(3, 4)".into(), Value::Vec2(DVec2::new(3.0, 8.0))),
+        ("real", format!("determinant({B})"), Value::Real(b.determinant())),
         ("real", format!("dot({x_}, {x_})"), Value::Real(x.dot(x))),
-        (
-            "real",
-            "cross(vec2(1, 2), vec2(3, 4))".into(),
-            Value::Real(-2.0),
-        ),
+        ("real", "cross(vec2(1, 2), vec2(3, 4))".into(), Value::Real(-2.0)),
         ("real", "length(vec2(3, 4))".into(), Value::Real(5.0)),
-        (
-            "real",
-            "distance(vec2(1, 1), vec2(4, 5))".into(),
-            Value::Real(5.0),
-        ),
-        (
-            "bool",
-            format!("{A} == {A} and {B} != mat3(1)"),
-            Value::Bool(true),
-        ),
-        (
-            "bool",
-            "is_finite(vec3(0, 1, 2)) and not is_finite(1 / 0)".into(),
-            Value::Bool(true),
-        ),
-        (
-            "bool",
-            "is_nan(vec2(0, 0 / 0)) and not is_nan(mat4(1))".into(),
-            Value::Bool(true),
-        ),
+        ("real", "distance(vec2(1, 1), vec2(4, 5))".into(), Value::Real(5.0)),
+        ("bool", format!("{A} == {A} and {B} != mat3(1)"), Value::Bool(true)),
+        ("bool", "is_finite(vec3(0, 1, 2)) and not is_finite(1 / 0)".into(), Value::Bool(true)),
+        ("bool", "is_nan(vec2(0, 0 / 0)) and not is_nan(mat4(1))".into(), Value::Bool(true)),
     ];
     for (ty, expression, expected) in &cases {
         assert_eq!(value(ty, expression), *expected, "{expression}");
@@ -144,33 +76,14 @@ fn inverse_and_solve_undo_products() {
         let found = value(ty, &expression);
         let pairs = found.reals().iter().zip(expected.reals());
         assert!(pairs.clone().count() > 0);
-        assert!(
-            pairs.clone().all(|(x, y)| (x - y).abs() < 1e-12),
-            "{expression}: {found:?}"
-        );
+        assert!(pairs.clone().all(|(x, y)| (x - y).abs() < 1e-12), "{expression}: {found:?}");
     };
     let x = DVec3::new(3.0, -2.0, 1.0);
-    near(
-        "mat4",
-        format!("inverse({A}) * {A}"),
-        Value::Mat4(DMat4::IDENTITY),
-    );
+    near("mat4", format!("inverse({A}) * {A}"), Value::Mat4(DMat4::IDENTITY));
     near("mat4", format!("inverse({A})"), Value::Mat4(a().inverse()));
-    near(
-        "mat3",
-        format!("{B} * inverse({B})"),
-        Value::Mat3(DMat3::IDENTITY),
-    );
-    near(
-        "vec3",
-        format!("solve({B}, {B} * vec3(3, -2, 1))"),
-        Value::Vec3(x),
-    );
-    near(
-        "vec4",
-        format!("solve({A}, ({A}).z)"),
-        Value::Vec4(DVec4::Z),
-    );
+    near("mat3", format!("{B} * inverse({B})"), Value::Mat3(DMat3::IDENTITY));
+    near("vec3", format!("solve({B}, {B} * vec3(3, -2, 1))"), Value::Vec3(x));
+    near("vec4", format!("solve({A}, ({A}).z)"), Value::Vec4(DVec4::Z));
 }
 
 #[test]
@@ -189,17 +102,11 @@ fn a_singular_matrix_gives_no_numbers() {
 #[test]
 fn aggregates_of_vectors_and_matrices() {
     assert_eq!(
-        value(
-            "mat3",
-            "sum(outer(w.position, w.position) for w in vertices)"
-        ),
+        value("mat3", "sum(outer(w.position, w.position) for w in vertices)"),
         Value::Mat3(DMat3::from_diagonal(DVec3::splat(8.0)))
     );
     assert_eq!(
-        value(
-            "vec2",
-            "mean(vec2(w.position) + vec2(1, 2) for w in vertices)"
-        ),
+        value("vec2", "mean(vec2(w.position) + vec2(1, 2) for w in vertices)"),
         Value::Vec2(DVec2::new(1.0, 2.0))
     );
 }
@@ -211,10 +118,7 @@ fn wide_values_are_printed_by_columns() {
         "print vec2(1, 2.5), vec4(1, 2, 3, 4)
          print mat3(2)",
     );
-    assert_eq!(
-        lines,
-        ["(1, 2.5) (1, 2, 3, 4)", "((2, 0, 0), (0, 2, 0), (0, 0, 2))"]
-    );
+    assert_eq!(lines, ["(1, 2.5) (1, 2, 3, 4)", "((2, 0, 0), (0, 2, 0), (0, 0, 2))"]);
 }
 
 #[test]
@@ -222,11 +126,7 @@ fn vectors_come_from_outside() {
     let script = "script main(a: vec2, b: vec4 = vec4(a, a)) { print a, b }";
     let (_, lines) = try_run(&mut shape::cube(), script, &[("a", "1,2")]).unwrap();
     assert_eq!(lines, ["(1, 2) (1, 2, 1, 2)"]);
-    let (_, lines) = try_run(
-        &mut shape::cube(),
-        script,
-        &[("a", "1,2"), ("b", "(4,3,2,1)")],
-    )
-    .unwrap();
+    let (_, lines) =
+        try_run(&mut shape::cube(), script, &[("a", "1,2"), ("b", "(4,3,2,1)")]).unwrap();
     assert_eq!(lines, ["(1, 2) (4, 3, 2, 1)"]);
 }

@@ -64,12 +64,7 @@ impl Writer {
     fn visit(&mut self, around: Around, depth: usize) -> Statement {
         let kind = self.kind(around);
         let (test, body) = self.with(kind, |writer| (writer.test(), writer.inside(depth)));
-        Statement::For {
-            kind,
-            around,
-            test,
-            body,
-        }
+        Statement::For { kind, around, test, body }
     }
 
     fn update(&mut self, around: Around) -> Statement {
@@ -88,12 +83,7 @@ impl Writer {
             body.retain(|statement| !matches!(statement, Statement::If(..)));
             body
         });
-        Statement::Drain {
-            kind,
-            by_degree,
-            turns,
-            body,
-        }
+        Statement::Drain { kind, by_degree, turns, body }
     }
 
     /// Statements inside of a loop over elements.
@@ -114,11 +104,7 @@ impl Writer {
             3 if depth > 0 => Statement::If(self.test(), self.inside(depth - 1)),
             4 => Statement::Print(variable),
             5 | 6 => Statement::Bump(variable, 1 + self.int(4)),
-            _ => match self
-                .kinds
-                .iter()
-                .rposition(|&kind| kind == ElementKind::Edge)
-            {
+            _ => match self.kinds.iter().rposition(|&kind| kind == ElementKind::Edge) {
                 Some(edge) => {
                     let edits = [Edit::Split, Edit::Flip, Edit::Collapse, Edit::Collapse];
                     Statement::Edit(edits[self.dice.below(4)], edge)
@@ -161,10 +147,7 @@ fn loops_over_changing_meshes_mean_what_they_say() {
     let (mut lines, mut edits, mut reused, mut gone) = (0, 0, 0, 0);
     for seed in 1..=PROGRAMS {
         let dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-        let mut writer = Writer {
-            dice,
-            kinds: Vec::new(),
-        };
+        let mut writer = Writer { dice, kinds: Vec::new() };
         let program = writer.outside(2);
         let text = format!("{OPS}{DECLARATIONS}{}", super::spelled::text(&program));
         let (_, analysis) = analyse(&text);
@@ -176,12 +159,7 @@ fn loops_over_changing_meshes_mean_what_they_say() {
             let outcome = run(&prepared, &mut mesh, &[], &mut seen);
             let mut literal = Literal::new(before.clone(), &analysis);
             let expected = literal.run(&program);
-            let at = || {
-                format!(
-                    "seed {seed} on a mesh of {} edges:\n{text}",
-                    before.edge_count()
-                )
-            };
+            let at = || format!("seed {seed} on a mesh of {} edges:\n{text}", before.edge_count());
             assert_eq!(seen.0, literal.lines, "{}", at());
             match (outcome, expected) {
                 (Ok(_), Ok(())) => {}

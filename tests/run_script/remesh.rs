@@ -20,10 +20,7 @@ fn a_sphere_gets_edges_of_the_wanted_length() {
         let (mesh, report) = remesh(shape::icosphere(2), target);
         let vertices = mesh.vertex_count();
         assert!((least..most).contains(&vertices), "{vertices} {report:?}");
-        assert_eq!(
-            mesh.vertex_count() + mesh.face_count(),
-            mesh.edge_count() + 2
-        );
+        assert_eq!(mesh.vertex_count() + mesh.face_count(), mesh.edge_count() + 2);
         let busy = if target < 0.5 { "split" } else { "collapse" };
         assert!(applied(&report, busy) > 20, "{report:?}");
         let mean: f64 =
@@ -49,9 +46,5 @@ fn time_of_a_remeshing() {
     let edges = mesh.edge_count();
     let start = std::time::Instant::now();
     let (mesh, report) = remesh(mesh, 0.015);
-    println!(
-        "{edges} to {} edges in {:?}: {report:#?}",
-        mesh.edge_count(),
-        start.elapsed()
-    );
+    println!("{edges} to {} edges in {:?}: {report:#?}", mesh.edge_count(), start.elapsed());
 }

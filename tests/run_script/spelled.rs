@@ -6,16 +6,13 @@ use hedgerow::mesh::ElementKind;
 /// The program as a script.
 pub fn text(program: &Body) -> String {
     let mut text = "script main() {\nvar turns = 0\n".to_owned();
-    program
-        .iter()
-        .for_each(|statement| write(statement, &[], &mut text));
+    program.iter().for_each(|statement| write(statement, &[], &mut text));
     text + "}\n"
 }
 
 fn write(statement: &Statement, seen: &[ElementKind], out: &mut String) {
     let all = |body: &Body, seen: &[ElementKind], out: &mut String| {
-        body.iter()
-            .for_each(|statement| write(statement, seen, out));
+        body.iter().for_each(|statement| write(statement, seen, out));
         out.push_str("}\n");
     };
     let name = format!("x{}", seen.len());
@@ -24,12 +21,7 @@ fn write(statement: &Statement, seen: &[ElementKind], out: &mut String) {
             *out += &format!("repeat {times} {{\n");
             all(body, seen, out);
         }
-        Statement::For {
-            kind,
-            around,
-            test,
-            body,
-        } => {
+        Statement::For { kind, around, test, body } => {
             let sequence = sequence(*kind, *around, seen);
             *out += &format!("for {name} in {sequence} where {} {{\n", condition(*test));
             all(body, &[seen, &[*kind]].concat(), out);
@@ -47,17 +39,8 @@ fn write(statement: &Statement, seen: &[ElementKind], out: &mut String) {
                 condition(*test)
             );
         }
-        Statement::Drain {
-            kind,
-            by_degree,
-            turns,
-            body,
-        } => {
-            let degree = if *by_degree {
-                format!(" + degree({name})")
-            } else {
-                String::new()
-            };
+        Statement::Drain { kind, by_degree, turns, body } => {
+            let degree = if *by_degree { format!(" + degree({name})") } else { String::new() };
             *out += &format!(
                 "turns = 0
                  drain {name} in {} by {name}.mark{degree} while turns < {turns} {{

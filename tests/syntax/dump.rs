@@ -4,10 +4,7 @@ use hedgerow::syntax::tree::*;
 
 /// The whole file.
 pub fn dump(file: &File) -> String {
-    let mut page = Page {
-        out: String::new(),
-        indent: 0,
-    };
+    let mut page = Page { out: String::new(), indent: 0 };
     page.docs(&file.docs);
     for item in &file.items {
         page.item(item);
@@ -58,11 +55,7 @@ impl Page {
             Item::Op(op) => self.op(op),
             Item::Script(script) => {
                 self.docs(&script.docs);
-                self.line(format!(
-                    "script {}{}",
-                    script.name.text,
-                    params(&script.params)
-                ));
+                self.line(format!("script {}{}", script.name.text, params(&script.params)));
                 self.block(&script.body);
             }
             Item::Test(test) => {
@@ -78,11 +71,7 @@ impl Page {
         let result = optional(" -> ", op.result.as_ref().map(|name| name.text.clone()));
         let keeps: Vec<_> = op.keeps.iter().map(|level| level.text.as_str()).collect();
         let keeps = optional(" keeps ", (!keeps.is_empty()).then(|| keeps.join(" ")));
-        self.line(format!(
-            "op {}{}{result}{keeps}",
-            op.name.text,
-            params(&op.params)
-        ));
+        self.line(format!("op {}{}{result}{keeps}", op.name.text, params(&op.params)));
         for rule in &op.rules {
             self.within(|page| match &rule.name {
                 Some(name) => {
@@ -100,9 +89,7 @@ impl Page {
         }
         for condition in &rule.conditions {
             match condition {
-                Condition::Require {
-                    condition, reason, ..
-                } => {
+                Condition::Require { condition, reason, .. } => {
                     let reason = reason.as_ref().map(|(text, _)| format!("{text:?}"));
                     let reason = optional(" else ", reason);
                     self.line(format!("require {}{reason}", value(condition)));
@@ -137,12 +124,7 @@ impl Page {
 
     fn action(&mut self, action: &Action) {
         match &action.kind {
-            ActionKind::Let {
-                mutable,
-                name,
-                ty,
-                value: bound,
-            } => {
+            ActionKind::Let { mutable, name, ty, value: bound } => {
                 let word = if *mutable { "var" } else { "let" };
                 let ty = optional(": ", ty.as_ref().map(|ty| ty.text.clone()));
                 self.line(format!("{word} {}{ty} = {}", name.text, value(bound)));
@@ -154,43 +136,24 @@ impl Page {
                 self.line(format!("repeat {}", value(count)));
                 self.block(body);
             }
-            ActionKind::For {
-                variable,
-                sequence,
-                filter,
-                body,
-            } => self.visit("for", variable, sequence, filter.as_ref(), body),
-            ActionKind::Update {
-                variable,
-                sequence,
-                filter,
-                body,
-            } => self.visit("update", variable, sequence, filter.as_ref(), body),
+            ActionKind::For { variable, sequence, filter, body } => {
+                self.visit("for", variable, sequence, filter.as_ref(), body)
+            }
+            ActionKind::Update { variable, sequence, filter, body } => {
+                self.visit("update", variable, sequence, filter.as_ref(), body)
+            }
             ActionKind::While { condition, body } => {
                 self.line(format!("while {}", value(condition)));
                 self.block(body);
             }
-            ActionKind::Drain {
-                variable,
-                sequence,
-                key,
-                condition,
-                body,
-            } => {
+            ActionKind::Drain { variable, sequence, key, condition, body } => {
                 let condition = optional(" while ", condition.as_ref().map(value));
                 let (variable, sequence) = (&variable.text, value(sequence));
                 let key = value(key);
-                self.line(format!(
-                    "drain {variable} in {sequence} by {key}{condition}"
-                ));
+                self.line(format!("drain {variable} in {sequence} by {key}{condition}"));
                 self.block(body);
             }
-            ActionKind::If {
-                binding,
-                condition,
-                then,
-                otherwise,
-            } => {
+            ActionKind::If { binding, condition, then, otherwise } => {
                 let binding = binding.as_ref().map(|name| format!("let {} = ", name.text));
                 let binding = binding.unwrap_or_default();
                 self.line(format!("if {binding}{}", value(condition)));
@@ -238,18 +201,13 @@ impl Page {
         body: &Block,
     ) {
         let filter = optional(" where ", filter.map(value));
-        self.line(format!(
-            "{word} {} in {}{filter}",
-            variable.text,
-            value(sequence)
-        ));
+        self.line(format!("{word} {} in {}{filter}", variable.text, value(sequence)));
         self.block(body);
     }
 }
 
 fn optional(before: &str, text: Option<String>) -> String {
-    text.map(|text| format!("{before}{text}"))
-        .unwrap_or_default()
+    text.map(|text| format!("{before}{text}")).unwrap_or_default()
 }
 
 fn params(params: &[Param]) -> String {
@@ -262,10 +220,7 @@ fn params(params: &[Param]) -> String {
 
 fn name(name: &Name) -> String {
     let word = &name.ident.text;
-    let Some(Index {
-        variable, offset, ..
-    }) = &name.index
-    else {
+    let Some(Index { variable, offset, .. }) = &name.index else {
         return word.clone();
     };
     match variable {
@@ -298,11 +253,9 @@ fn drawn(statement: &Statement) -> String {
             }
             out + &optional(" ", one.end.as_ref().map(name))
         }
-        Statement::Edge {
-            name: edge,
-            halfedges: [one, other],
-            ..
-        } => format!("edge {}: {} {}", name(edge), name(one), name(other)),
+        Statement::Edge { name: edge, halfedges: [one, other], .. } => {
+            format!("edge {}: {} {}", name(edge), name(one), name(other))
+        }
         Statement::Vertex(star) => {
             let mut out = format!("vertex {}:{}", name(&star.name), each(&star.each));
             for spoke in &star.spokes {
@@ -318,12 +271,9 @@ fn drawn(statement: &Statement) -> String {
         Statement::New(all, _) => format!("new {}", names(all)),
         Statement::Erase(all, _) => format!("erase {}", names(all)),
         Statement::Keep(all, _) => format!("keep {}", names(all)),
-        Statement::Assign {
-            target,
-            attribute,
-            value: v,
-            ..
-        } => format!("set {}.{} = {}", name(target), attribute.text, value(v)),
+        Statement::Assign { target, attribute, value: v, .. } => {
+            format!("set {}.{} = {}", name(target), attribute.text, value(v))
+        }
         Statement::Broken(_) => "broken".to_owned(),
     }
 }
@@ -366,23 +316,10 @@ fn value(expr: &Expr) -> String {
         ExprKind::Binary(op, left, right) => {
             format!("({} {} {})", operator(*op), value(left), value(right))
         }
-        ExprKind::If {
-            condition,
-            then,
-            otherwise,
-        } => format!(
-            "(if {} {} {})",
-            value(condition),
-            branch(then),
-            branch(otherwise)
-        ),
-        ExprKind::Aggregate {
-            function,
-            body,
-            variable,
-            sequence,
-            filter,
-        } => {
+        ExprKind::If { condition, then, otherwise } => {
+            format!("(if {} {} {})", value(condition), branch(then), branch(otherwise))
+        }
+        ExprKind::Aggregate { function, body, variable, sequence, filter } => {
             let filter = optional(" where ", filter.as_deref().map(value));
             let (function, variable) = (&function.text, &variable.text);
             let (body, sequence) = (value(body), value(sequence));
@@ -394,10 +331,7 @@ fn value(expr: &Expr) -> String {
 
 /// A branch in one line.
 fn branch(block: &Block) -> String {
-    let mut page = Page {
-        out: String::new(),
-        indent: 0,
-    };
+    let mut page = Page { out: String::new(), indent: 0 };
     page.block(block);
     let lines: Vec<_> = page.out.lines().map(str::trim).collect();
     format!("{{{}}}", lines.join("; "))

@@ -10,12 +10,8 @@ const PAGES: [&str; 2] = [include_str!("drawings.md"), include_str!("scripts.md"
 
 /// The inputs of the pages that are to be read without a mistake.
 fn inputs() -> Vec<&'static str> {
-    let fences = PAGES
-        .iter()
-        .flat_map(|page| page.split("```hedge\n").skip(1));
-    fences
-        .map(|rest| rest.split("```").next().unwrap())
-        .collect()
+    let fences = PAGES.iter().flat_map(|page| page.split("```hedge\n").skip(1));
+    fences.map(|rest| rest.split("```").next().unwrap()).collect()
 }
 
 const UNTOUCHED: &str = "
@@ -30,10 +26,7 @@ fn parsed(text: &str) -> Parsed {
     let mut sources = Sources::new();
     let file = sources.add("noise.hedge", text);
     let parsed = parse(file, text);
-    let how = Rendering {
-        colour: true,
-        most: 5,
-    };
+    let how = Rendering { colour: true, most: 5 };
     render(&parsed.diagnostics, &sources, how);
     parsed
 }
@@ -48,9 +41,7 @@ fn untouched(parsed: &Parsed) -> Option<&Op> {
 /// One change to a text: a token gone, a token twice, a byte made noise, the end cut off.
 fn mutate(text: &str, dice: &mut Dice) -> String {
     let tokens = parse(FileId(0), text).tokens;
-    let token = tokens
-        .get(dice.below(tokens.len()))
-        .map(|token| token.span.range());
+    let token = tokens.get(dice.below(tokens.len())).map(|token| token.span.range());
     let at = text.floor_char_boundary(dice.below(text.len()));
     match (dice.below(5), token) {
         (0, Some(token)) => format!("{}{}", &text[..token.start], &text[token.end..]),
@@ -62,15 +53,8 @@ fn mutate(text: &str, dice: &mut Dice) -> String {
         }
         (2, _) => text[..at].to_owned(),
         (3, _) => {
-            let noise = [
-                "{", "}", "(", ")", "\"", "§", "\0", "\r", "9e999", "//", "'", "\\",
-            ];
-            format!(
-                "{}{}{}",
-                &text[..at],
-                noise[dice.below(noise.len())],
-                &text[at..]
-            )
+            let noise = ["{", "}", "(", ")", "\"", "§", "\0", "\r", "9e999", "//", "'", "\\"];
+            format!("{}{}{}", &text[..at], noise[dice.below(noise.len())], &text[at..])
         }
         (_, Some(token)) => {
             let twice = &text[token.clone()];
@@ -105,10 +89,7 @@ fn a_broken_item_never_hides_the_next() {
         assert_eq!(op.docs.last().unwrap(), "Stands for itself.", "{text}");
         let rule = &op.rules[0];
         let sides = [&rule.before, &rule.after].map(|side| side.as_ref().unwrap());
-        assert!(
-            sides.iter().all(|side| side.statements.len() == 1),
-            "{text}"
-        );
+        assert!(sides.iter().all(|side| side.statements.len() == 1), "{text}");
     }
     assert!(broken > 1000, "only {broken} texts were broken");
 }
@@ -129,9 +110,7 @@ fn a_text_read_again_is_read_as_if_for_the_first_time() {
         assert_eq!(again.tree, anew.tree, "{next}");
         assert_eq!(again.diagnostics, anew.diagnostics, "{next}");
         let items = anew.tree.items.iter();
-        whole_items += items
-            .filter(|item| !matches!(item, Item::Broken(_)))
-            .count();
+        whole_items += items.filter(|item| !matches!(item, Item::Broken(_))).count();
         (text, earlier) = (next, again);
     }
     assert!(whole_items > 1000, "only {whole_items} items to find again");
@@ -144,15 +123,11 @@ fn garbage_is_read_without_harm() {
         .iter()
         .chain(TokenKind::KEYWORDS)
         .map(|&(word, _)| word)
-        .chain([
-            "a", "b'", "1", "2.5", "\"t\"", "\n", "§", "\"", "//", "é", "𝄞",
-        ])
+        .chain(["a", "b'", "1", "2.5", "\"t\"", "\n", "§", "\"", "//", "é", "𝄞"])
         .collect();
     for _ in 0..400 {
         let length = dice.below(300);
-        let text: Vec<&str> = (0..length)
-            .map(|_| words[dice.below(words.len())])
-            .collect();
+        let text: Vec<&str> = (0..length).map(|_| words[dice.below(words.len())]).collect();
         parsed(&text.join(" "));
         parsed(&format!("script s() {{ {}", text.join(" ")));
         parsed(&format!("op o(e: edge) {{ before {{ {}", text.join(" ")));
@@ -170,16 +145,7 @@ fn depth_is_bounded_however_it_is_made() {
         assert_eq!(codes, ["nesting-too-deep"], "{start}{step}…{end}");
         assert!(untouched(&parsed).is_some(), "{start}{step}…{end}");
     };
-    for step in [
-        "(",
-        "- ",
-        "not ",
-        "f(",
-        "must ",
-        "1 + ",
-        "if a {",
-        "if a { 1 } else ",
-    ] {
+    for step in ["(", "- ", "not ", "f(", "must ", "1 + ", "if a {", "if a { 1 } else "] {
         deep("script s() { let x = ", step, "");
     }
     deep("script s() { if a { }", " else if a { }", " }");
@@ -199,9 +165,6 @@ fn as_deep_as_allowed_is_read() {
     assert_eq!(parsed(&sum).diagnostics, []);
     let many = format!("script s() {{ {} }}", "x = a + b - c f(x).y ".repeat(5000));
     assert_eq!(parsed(&many).diagnostics, []);
-    let polygon = format!(
-        "op o(f: face) {{ before {{ face f: v {} }} }}",
-        "-h-> v ".repeat(5000)
-    );
+    let polygon = format!("op o(f: face) {{ before {{ face f: v {} }} }}", "-h-> v ".repeat(5000));
     assert_eq!(parsed(&polygon).diagnostics, []);
 }

@@ -122,10 +122,7 @@ fn broken(rule: &Rule, example: &Counterexample) -> &'static str {
     match example.invalid {
         _ if found.is_empty() => OTHERWISE,
         // The reference gives a halfedge also to what `after` does not draw.
-        Invalid::Dangling {
-            pointer: "halfedge",
-            ..
-        } => "breaks, a stale `halfedge`",
+        Invalid::Dangling { pointer: "halfedge", .. } => "breaks, a stale `halfedge`",
         Invalid::ForeignHalfedge { .. } => "breaks, a stale `halfedge`",
         _ => "breaks, but not for the reference",
     }

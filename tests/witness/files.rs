@@ -79,11 +79,7 @@ fn counterexamples_are_written_and_read_back() {
     };
     assert_eq!(validate(before), Ok(()));
     assert!(validate(after).is_err());
-    assert!(
-        dump.names
-            .iter()
-            .any(|(name, of)| name == "a" && of.len() == 1)
-    );
+    assert!(dump.names.iter().any(|(name, of)| name == "a" && of.len() == 1));
     let obj = read_obj(&witness.join(&expected[3])).unwrap();
     assert!(same_connectivity(&obj.mesh, before));
 

@@ -58,10 +58,7 @@ fn what_is_rejected_breaks_a_mesh() {
                 }
                 Outcome::NoMesh => "no mesh",
                 Outcome::NotTried => {
-                    assert!(
-                        matches!(code, "unknown-name" | "unreachable-name"),
-                        "{code}"
-                    );
+                    assert!(matches!(code, "unknown-name" | "unreachable-name"), "{code}");
                     "not tried"
                 }
             };
@@ -98,10 +95,7 @@ fn mutants(op: &Op) -> Vec<Op> {
         let mut add = |change: &dyn Fn(&mut Rule)| {
             let mut changed = rule.clone();
             change(&mut changed);
-            mutants.push(Op {
-                rules: vec![changed],
-                ..op.clone()
-            });
+            mutants.push(Op { rules: vec![changed], ..op.clone() });
         };
         missing(rule, &mut add);
         exchanged(rule, &mut add);
@@ -143,10 +137,7 @@ fn missing(rule: &Rule, add: Add) {
 fn items(side: &mut Side) -> Vec<&mut NameId> {
     let loops = side.loops.iter_mut().flat_map(|orbit| &mut orbit.items);
     let edges = side.edges.iter_mut().flat_map(|edge| &mut edge.halfedges);
-    loops
-        .map(|item| &mut item.item.name)
-        .chain(edges.map(|half| &mut half.name))
-        .collect()
+    loops.map(|item| &mut item.item.name).chain(edges.map(|half| &mut half.name)).collect()
 }
 
 fn exchanged(rule: &Rule, add: Add) {
@@ -156,12 +147,7 @@ fn exchanged(rule: &Rule, add: Add) {
             _ => change(&mut rule.after),
         };
         let mut copy = rule.clone();
-        let count = items(if side == 0 {
-            &mut copy.before
-        } else {
-            &mut copy.after
-        })
-        .len();
+        let count = items(if side == 0 { &mut copy.before } else { &mut copy.after }).len();
         for left in 0..count {
             for right in left + 1..count {
                 add(&|rule| {

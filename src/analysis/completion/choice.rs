@@ -36,13 +36,7 @@ pub struct Completion {
 impl Completion {
     pub(super) fn new(word: impl Into<String>, choice: Choice, rank: u8) -> Self {
         let word = word.into();
-        Self {
-            detail: meaning(&word).unwrap_or("").to_owned(),
-            word,
-            choice,
-            snippet: None,
-            rank,
-        }
+        Self { detail: meaning(&word).unwrap_or("").to_owned(), word, choice, snippet: None, rank }
     }
 
     pub(super) fn with(mut self, snippet: &str) -> Self {

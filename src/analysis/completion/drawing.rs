@@ -130,11 +130,7 @@ fn rank(
         (Wanted::LoopVertex, Kind::Vertex) => Some(open(!is_after || !own.draws(word))),
         (Wanted::LoopHalfedge, Kind::Halfedge) => {
             let was_outer = before.draws(word) && before.place(word).is_none();
-            Some(if was_outer {
-                3
-            } else {
-                open(own.place(word).is_none())
-            })
+            Some(if was_outer { 3 } else { open(own.place(word).is_none()) })
         }
         (Wanted::Path, Kind::Path) => Some(open(own.place(word).is_none())),
         (Wanted::EdgeHalfedge, Kind::Halfedge) => {

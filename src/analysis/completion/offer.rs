@@ -14,16 +14,16 @@ pub fn completions(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     let mut found = match place(snapshot, offset) {
         Place::Top => keywords(TOP),
         Place::Nowhere => Vec::new(),
-        Place::Path => library::files()
-            .map(|file| Completion::new(file.name, Choice::File, 0))
-            .collect(),
+        Place::Path => {
+            library::files().map(|file| Completion::new(file.name, Choice::File, 0)).collect()
+        }
         Place::Type => types(),
         Place::Property => Property::ALL
             .map(|property| Completion::new(property.word(), Choice::Property, 0))
             .to_vec(),
-        Place::Level => ["surface", "simple"]
-            .map(|level| Completion::new(level, Choice::Property, 0))
-            .to_vec(),
+        Place::Level => {
+            ["surface", "simple"].map(|level| Completion::new(level, Choice::Property, 0)).to_vec()
+        }
         Place::Result => drawn(snapshot, offset),
         Place::OpBody => keywords(PARTS),
         Place::Side(side, wanted) => of_side(snapshot, offset, side, wanted),

@@ -57,11 +57,8 @@ fn variables(snapshot: &Snapshot, offset: usize) -> Vec<Completion> {
     };
     let is_op = matches!(node, Item::Op(_));
     let rule = rule_near(snapshot, offset).map(|(_, rule, _)| rule);
-    let before = |symbol: &Symbol| {
-        symbol
-            .definition
-            .is_some_and(|place| (place.end as usize) < offset)
-    };
+    let before =
+        |symbol: &Symbol| symbol.definition.is_some_and(|place| (place.end as usize) < offset);
     let own = names.symbols().filter(|(_, symbol)| {
         symbol.item == Some(item) && (symbol.rule.is_none() || symbol.rule == rule)
     });
@@ -119,9 +116,7 @@ fn chain_type(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Option<Ty
     let symbol = names
         .symbols()
         .filter(|(_, symbol)| {
-            let is_before = symbol
-                .definition
-                .is_none_or(|place| (place.start as usize) < offset);
+            let is_before = symbol.definition.is_none_or(|place| (place.start as usize) < offset);
             symbol.name == *first && symbol.item == Some(item) && is_before
         })
         .last();

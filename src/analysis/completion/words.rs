@@ -4,15 +4,9 @@ use super::choice::{Choice, Completion};
 
 /// What begins an item.
 pub(super) const TOP: &[(&str, &str)] = &[
-    (
-        "op",
-        "op ${1:name}(${2:e}: ${3:edge}) {\n  before {\n    $0\n  }\n  after {\n  }\n}",
-    ),
+    ("op", "op ${1:name}(${2:e}: ${3:edge}) {\n  before {\n    $0\n  }\n  after {\n  }\n}"),
     ("script", "script ${1:name}(${2}) {\n  $0\n}"),
-    (
-        "fn",
-        "fn ${1:name}(${2:e}: ${3:edge}) -> ${4:real} {\n  $0\n}",
-    ),
+    ("fn", "fn ${1:name}(${2:e}: ${3:edge}) -> ${4:real} {\n  $0\n}"),
     ("attr", "attr ${1:name}: ${2:vertex} ${3:real} = ${0:0}"),
     ("use", "use \"$0\""),
     ("test", "test \"${1:what holds}\" {\n  $0\n}"),
@@ -25,56 +19,32 @@ pub(super) const PARTS: &[(&str, &str)] = &[
     ("require", "require ${1:condition} else \"${2:reason}\""),
     ("guard", "guard ${1|surface,simple|}"),
     ("alias", "alias ${1:v2} ${2:v3}"),
-    (
-        "rule",
-        "rule ${1:name} {\n  before {\n    $0\n  }\n  after {\n  }\n}",
-    ),
+    ("rule", "rule ${1:name} {\n  before {\n    $0\n  }\n  after {\n  }\n}"),
     ("steps", "steps {\n  $0\n}"),
 ];
 
 /// What begins a statement of a drawing.
 pub(super) const DRAWINGS: &[(&str, &str)] = &[
-    (
-        "face",
-        "face ${1:f}: ${2:v0} -${3:a}-> ${4:v1} -${5:b}-> ${6:v2} -${7:c}-> ${2:v0}",
-    ),
-    (
-        "hole",
-        "hole ${1:f}: ${2:v0} -${3:a}-> ${4:v1} =${5:P}=> ${2:v0}",
-    ),
-    (
-        "loop",
-        "loop ${1:f}: ${2:v0} -${3:a}-> ${4:v1} =${5:P}=> ${2:v0}",
-    ),
+    ("face", "face ${1:f}: ${2:v0} -${3:a}-> ${4:v1} -${5:b}-> ${6:v2} -${7:c}-> ${2:v0}"),
+    ("hole", "hole ${1:f}: ${2:v0} -${3:a}-> ${4:v1} =${5:P}=> ${2:v0}"),
+    ("loop", "loop ${1:f}: ${2:v0} -${3:a}-> ${4:v1} =${5:P}=> ${2:v0}"),
     ("edge", "edge ${1:e}: ${2:a} | ${3:d}"),
     ("vertex", "vertex ${1:v}: ${2:a} *${3:S}"),
 ];
 
 /// What begins a list of names in `after`.
-pub(super) const LISTS: &[(&str, &str)] = &[
-    ("new", "new $0"),
-    ("erase", "erase $0"),
-    ("keep", "keep $0"),
-];
+pub(super) const LISTS: &[(&str, &str)] =
+    &[("new", "new $0"), ("erase", "erase $0"), ("keep", "keep $0")];
 
 /// What begins a statement of a script.
 pub(super) const ACTIONS: &[(&str, &str)] = &[
     ("let", "let ${1:x} = $0"),
     ("var", "var ${1:x} = $0"),
-    (
-        "for",
-        "for ${1:e} in ${2:edges} where ${3:condition} { $0 }",
-    ),
+    ("for", "for ${1:e} in ${2:edges} where ${3:condition} { $0 }"),
     ("repeat", "repeat ${1:5} {\n  $0\n}"),
     ("while", "while ${1:condition} {\n  $0\n}"),
-    (
-        "update",
-        "update ${1:v} in ${2:vertices} { ${1:v}.position = $0 }",
-    ),
-    (
-        "drain",
-        "drain ${1:e} in ${2:edges} by ${3:key} while ${4:condition} { $0 }",
-    ),
+    ("update", "update ${1:v} in ${2:vertices} { ${1:v}.position = $0 }"),
+    ("drain", "drain ${1:e} in ${2:edges} by ${3:key} while ${4:condition} { $0 }"),
     ("if", "if ${1:condition} { $0 }"),
     ("print", "print $0"),
     ("assert", "assert ${1:condition} else \"${2:reason}\""),
@@ -87,9 +57,7 @@ pub(super) const ACTIONS: &[(&str, &str)] = &[
 /// Keywords with their snippets.
 pub(super) fn keywords(words: &[(&str, &str)]) -> Vec<Completion> {
     let words = words.iter();
-    words
-        .map(|(word, snippet)| Completion::new(*word, Choice::Keyword, 5).with(snippet))
-        .collect()
+    words.map(|(word, snippet)| Completion::new(*word, Choice::Keyword, 5).with(snippet)).collect()
 }
 
 /// The types of values and elements.
@@ -98,7 +66,5 @@ pub(super) fn types() -> Vec<Completion> {
         "edge", "face", "halfedge", "vertex", "bool", "int", "real", "vec2", "vec3", "mat3",
         "mat4", "text",
     ];
-    words
-        .map(|word| Completion::new(word, Choice::Type, 0))
-        .to_vec()
+    words.map(|word| Completion::new(word, Choice::Type, 0)).to_vec()
 }

@@ -18,19 +18,11 @@ const SAME: f64 = 1e-9;
 /// The rule that an example is. Elements have the names that the signature gives them; others
 /// have none.
 pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
-    let mut writer = Writer {
-        trial,
-        patch,
-        names: Vec::new(),
-        known: Vec::new(),
-    };
+    let mut writer = Writer { trial, patch, names: Vec::new(), known: Vec::new() };
     let before = writer.side(&trial.before, Moment::Before);
     let after = writer.side(&trial.after, Moment::After);
-    let params: Vec<_> = trial
-        .place
-        .iter()
-        .map(|of| of.and_then(|of| writer.find(of, Moment::Before)))
-        .collect();
+    let params: Vec<_> =
+        trial.place.iter().map(|of| of.and_then(|of| writer.find(of, Moment::Before))).collect();
     for (param, name) in op.params.iter().zip(&params) {
         if let Some(name) = name {
             writer.call(*name, param.name.clone());
@@ -52,10 +44,7 @@ pub(super) fn rule(op: &ResolvedOp, trial: &Trial, patch: &Patch) -> Rule {
     let places = writer.places();
     Rule {
         label: None,
-        example: Some(Example {
-            mesh: trial.on,
-            places,
-        }),
+        example: Some(Example { mesh: trial.on, places }),
         names: writer.names,
         cycle: None,
         params,
@@ -102,25 +91,20 @@ fn word_of_result(op: &ResolvedOp) -> Option<String> {
 
 /// The variable that a block returns.
 fn returned(steps: &Steps, block: &Block) -> Option<String> {
-    block
-        .iter()
-        .rev()
-        .find_map(|statement| match &statement.kind {
-            StatementKind::Return(Some(value)) => match value.kind {
-                ExprKind::Local(variable) => {
-                    let variable = steps.body.variables.get(variable as usize);
-                    variable.map(|variable| variable.name.clone())
-                }
-                _ => None,
-            },
-            StatementKind::If {
-                then, otherwise, ..
+    block.iter().rev().find_map(|statement| match &statement.kind {
+        StatementKind::Return(Some(value)) => match value.kind {
+            ExprKind::Local(variable) => {
+                let variable = steps.body.variables.get(variable as usize);
+                variable.map(|variable| variable.name.clone())
             }
-            | StatementKind::IfApply {
-                then, otherwise, ..
-            } => returned(steps, otherwise).or_else(|| returned(steps, then)),
             _ => None,
-        })
+        },
+        StatementKind::If { then, otherwise, .. }
+        | StatementKind::IfApply { then, otherwise, .. } => {
+            returned(steps, otherwise).or_else(|| returned(steps, then))
+        }
+        _ => None,
+    })
 }
 
 /// What has a name.
@@ -234,10 +218,7 @@ impl Writer<'_> {
                     true => Thing::Path(h),
                     false => self.thing(h.into(), when),
                 };
-                items.push(LoopItem {
-                    from: self.put(from),
-                    item: self.put(item),
-                });
+                items.push(LoopItem { from: self.put(from), item: self.put(item) });
             }
             is_on_path = is_hidden;
         }
@@ -281,9 +262,7 @@ impl Writer<'_> {
 
     /// Where new vertices are put, and others moved to.
     fn positions(&self, before: &Side) -> Vec<Assignment> {
-        let Trial {
-            before: was, after, ..
-        } = self.trial;
+        let Trial { before: was, after, .. } = self.trial;
         let set = self.known.iter().enumerate().filter_map(|(at, thing)| {
             let Thing::Element { of, is_new } = *thing else {
                 return None;
@@ -317,10 +296,7 @@ impl Writer<'_> {
         });
         if let Some(orbit) = middle {
             let face = value(Type::Face, ExprKind::Element(orbit.face.name));
-            return value(
-                Type::Vec3,
-                ExprKind::Call(Builtin::CentroidFace, vec![face]),
-            );
+            return value(Type::Vec3, ExprKind::Call(Builtin::CentroidFace, vec![face]));
         }
         let items = before.loops.iter().flat_map(|orbit| {
             let ends = orbit.items.iter().skip(1).map(|item| item.from);
@@ -345,9 +321,7 @@ impl Writer<'_> {
                 return value(Type::Vec3, mix);
             }
         }
-        let parts = to
-            .to_array()
-            .map(|part| value(Type::Real, ExprKind::Real(part)));
+        let parts = to.to_array().map(|part| value(Type::Real, ExprKind::Real(part)));
         value(Type::Vec3, ExprKind::Vector(parts.to_vec()))
     }
 }

@@ -58,11 +58,7 @@ pub fn example(
     plans: &[Option<Plan>],
 ) -> Result<diagram::Op, NoExample> {
     let resolved = &program.ops[op];
-    let none = |tries, because| NoExample {
-        op: resolved.name.clone(),
-        tries,
-        because,
-    };
+    let none = |tries, because| NoExample { op: resolved.name.clone(), tries, because };
     let trials = Trials::new(program, op, plans);
     let mut trials = trials.map_err(|_| none(0, None))?;
     let mut found = Found::default();
@@ -73,15 +69,12 @@ pub fn example(
     }
     for family in stage::open() {
         if found.at_boundary.is_none() {
-            family
-                .iter()
-                .for_each(|stage| trials.on(stage, &mut |trial| found.see(trial)));
+            family.iter().for_each(|stage| trials.on(stage, &mut |trial| found.see(trial)));
         }
     }
     let rules = [found.inside, found.at_boundary].into_iter().flatten();
-    let rules: Vec<_> = rules
-        .map(|(_, trial, patch)| drawn::rule(resolved, &trial, &patch))
-        .collect();
+    let rules: Vec<_> =
+        rules.map(|(_, trial, patch)| drawn::rule(resolved, &trial, &patch)).collect();
     if rules.is_empty() {
         return Err(none(trials.tries(), trials.hindrance()));
     }

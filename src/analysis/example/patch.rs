@@ -201,9 +201,7 @@ fn is_spread(mesh: &Mesh) -> bool {
     let mut places: Vec<_> = mesh.vertices().map(|v| mesh.position(v)).collect();
     let key = |at: &DVec3| at.to_array();
     places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
-    places
-        .windows(2)
-        .all(|pair| (pair[0] - pair[1]).length() > 1e-9)
+    places.windows(2).all(|pair| (pair[0] - pair[1]).length() > 1e-9)
 }
 
 /// The vertices of some elements.

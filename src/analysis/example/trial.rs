@@ -107,9 +107,7 @@ impl<'p> Trials<'p> {
         let arguments: Vec<_> = arguments.collect();
         let mut after = stage.mesh.clone();
         let mut patience = Patience(PATIENCE.min(self.left));
-        let applied = self
-            .application
-            .apply(&mut after, &arguments, &mut patience);
+        let applied = self.application.apply(&mut after, &arguments, &mut patience);
         let used = PATIENCE.min(self.left) - patience.0;
         self.left -= used;
         let why = match applied {
@@ -232,9 +230,8 @@ fn elements(mesh: &Mesh, kind: ElementKind) -> impl Iterator<Item = Element> + '
 /// A point that tells how near elements are to each other.
 fn middle(mesh: &Mesh, of: Element) -> DVec3 {
     let mean = |vertices: &mut dyn Iterator<Item = VertexId>| {
-        let (sum, count) = vertices.fold((DVec3::ZERO, 0.0), |(sum, count), v| {
-            (sum + mesh.position(v), count + 1.0)
-        });
+        let (sum, count) = vertices
+            .fold((DVec3::ZERO, 0.0), |(sum, count), v| (sum + mesh.position(v), count + 1.0));
         sum / f64::max(count, 1.0)
     };
     let edge = |h: HalfedgeId| mean(&mut [mesh.vertex(h), mesh.target(h)].into_iter());

@@ -105,9 +105,7 @@ impl Walk {
                     self.name(end, Some(Kind::Vertex), drawn);
                 }
             }
-            Statement::Edge {
-                name, halfedges, ..
-            } => {
+            Statement::Edge { name, halfedges, .. } => {
                 self.name(name, Some(Kind::Edge), drawn);
                 for halfedge in halfedges {
                     self.name(halfedge, Some(Kind::Halfedge), drawn);
@@ -145,13 +143,7 @@ impl Walk {
 
     fn assignments(&mut self, side: &Side) {
         for statement in &side.statements {
-            if let Statement::Assign {
-                target,
-                attribute,
-                value,
-                ..
-            } = statement
-            {
+            if let Statement::Assign { target, attribute, value, .. } = statement {
                 self.enter_index();
                 self.name(target, None, Role::Written);
                 self.field(attribute);

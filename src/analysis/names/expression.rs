@@ -27,13 +27,7 @@ impl Walk {
                 self.called(function);
                 args.iter().for_each(|arg| self.value(arg));
             }
-            ExprKind::Aggregate {
-                function,
-                body,
-                variable,
-                sequence,
-                filter,
-            } => {
+            ExprKind::Aggregate { function, body, variable, sequence, filter } => {
                 self.called(function);
                 self.value(sequence);
                 self.enter();

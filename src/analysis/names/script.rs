@@ -29,9 +29,7 @@ impl Walk {
 
     fn action(&mut self, action: &Action) {
         match &action.kind {
-            ActionKind::Let {
-                name, ty, value, ..
-            } => {
+            ActionKind::Let { name, ty, value, .. } => {
                 self.value(value);
                 self.declare(name, SymbolKind::Variable, ty.as_ref());
             }
@@ -44,18 +42,8 @@ impl Walk {
                     _ => self.value(target),
                 }
             }
-            ActionKind::For {
-                variable,
-                sequence,
-                filter,
-                body,
-            }
-            | ActionKind::Update {
-                variable,
-                sequence,
-                filter,
-                body,
-            } => {
+            ActionKind::For { variable, sequence, filter, body }
+            | ActionKind::Update { variable, sequence, filter, body } => {
                 self.value(sequence);
                 self.enter();
                 self.declare(variable, SymbolKind::Variable, None);
@@ -63,13 +51,7 @@ impl Walk {
                 self.block(body);
                 self.leave();
             }
-            ActionKind::Drain {
-                variable,
-                sequence,
-                key,
-                condition,
-                body,
-            } => {
+            ActionKind::Drain { variable, sequence, key, condition, body } => {
                 self.value(sequence);
                 self.enter();
                 self.declare(variable, SymbolKind::Variable, None);
@@ -78,12 +60,7 @@ impl Walk {
                 self.block(body);
                 self.leave();
             }
-            ActionKind::If {
-                binding,
-                condition,
-                then,
-                otherwise,
-            } => {
+            ActionKind::If { binding, condition, then, otherwise } => {
                 self.value(condition);
                 self.enter();
                 if let Some(binding) = binding {

@@ -142,18 +142,14 @@ impl Names {
 
     /// The mention at a byte: the one that covers it, else the one that ends there.
     pub fn at(&self, offset: usize) -> Option<Mention> {
-        let after = self
-            .mentions
-            .partition_point(|mention| mention.span.start as usize <= offset);
+        let after = self.mentions.partition_point(|mention| mention.span.start as usize <= offset);
         let last = self.mentions[..after].last()?;
         last.span.touches(offset).then_some(*last)
     }
 
     /// The mentions of one name, in the order of the text.
     pub fn mentions_of(&self, symbol: SymbolId) -> impl Iterator<Item = &Mention> {
-        self.of_symbol[symbol.0]
-            .iter()
-            .map(|&at| &self.mentions[at])
+        self.of_symbol[symbol.0].iter().map(|&at| &self.mentions[at])
     }
 
     /// The names that belong to a rule of an item: its own, and those of its op.

@@ -87,10 +87,7 @@ impl Walk {
 
     /// The innermost declaration of a word.
     pub(super) fn find(&self, word: &str) -> Option<SymbolId> {
-        self.scopes
-            .iter()
-            .rev()
-            .find_map(|scope| scope.get(word).copied())
+        self.scopes.iter().rev().find_map(|scope| scope.get(word).copied())
     }
 
     pub(super) fn enter(&mut self) {

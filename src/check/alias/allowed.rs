@@ -25,10 +25,7 @@ pub(in crate::check) struct Aliased {
 
 /// Proves a rule for all that its `alias`es allow, or says what they must not.
 pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken> {
-    let mut aliased = Aliased {
-        quotients: Vec::new(),
-        cases: 0,
-    };
+    let mut aliased = Aliased { quotients: Vec::new(), cases: 0 };
     if rule.aliases.is_empty() {
         return Ok(aliased);
     }
@@ -58,11 +55,7 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
     if !problems.is_empty() {
         // The smallest set says most.
         problems.truncate(1);
-        return Err(Broken {
-            problems,
-            arcs: None,
-            outcome,
-        });
+        return Err(Broken { problems, arcs: None, outcome });
     }
     for &(pair, span) in &wanted {
         let is_one = |quotient: &Quotient| {

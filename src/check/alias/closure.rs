@@ -136,10 +136,7 @@ fn of_loops(quotient: &Quotient) -> Option<Consequence> {
             }
         }
         if orbit.items.first().map(|item| item.from.name) != Some(orbit.end.name) {
-            return Some(Consequence::One(
-                orbit.items.first()?.from.name,
-                orbit.end.name,
-            ));
+            return Some(Consequence::One(orbit.items.first()?.from.name, orbit.end.name));
         }
         for (first, other) in loops[..at].iter().enumerate() {
             if other.face.name != orbit.face.name {
@@ -184,10 +181,7 @@ fn of_edges(quotient: &Quotient) -> Option<Consequence> {
                     return Some(Consequence::One(other.edge.name, edge.edge.name));
                 }
                 let half = [left, right][shared];
-                return Some(Consequence::One(
-                    [left, right][1 - shared],
-                    partner(other, half),
-                ));
+                return Some(Consequence::One([left, right][1 - shared], partner(other, half)));
             }
         }
     }
@@ -259,10 +253,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
                 format!("{name} would be a spoke of {text}, whose statement does not list it");
             return Some(Consequence::Among(half, listed, otherwise));
         }
-        if stars[..at]
-            .iter()
-            .any(|other| other.vertex.name == star.vertex.name)
-        {
+        if stars[..at].iter().any(|other| other.vertex.name == star.vertex.name) {
             let why = format!("{text} would have two statements of its spokes");
             return Some(Consequence::Never(Contradiction::Unclear(why)));
         }
@@ -280,9 +271,7 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
             if let Some(back) = back.filter(|&back| back != next) {
                 return Some(Consequence::One(back, next));
             }
-            let ahead = view
-                .twin(next)
-                .and_then(|twin| named(view.item_after(twin)));
+            let ahead = view.twin(next).and_then(|twin| named(view.item_after(twin)));
             if let Some(ahead) = ahead.filter(|&ahead| ahead != spoke) {
                 return Some(Consequence::One(ahead, spoke));
             }
@@ -308,9 +297,7 @@ fn of_rings(quotient: &Quotient) -> Option<Consequence> {
             });
             out.collect::<Vec<_>>()
         };
-        let mut others = (0..corner.chains.len())
-            .filter(|&at| at != ring)
-            .flat_map(spokes);
+        let mut others = (0..corner.chains.len()).filter(|&at| at != ring).flat_map(spokes);
         if let Some(other) = others.next() {
             let (name, text) = (rule.quoted(other), rule.quoted(corner.vertex));
             let otherwise = format!("{name} would be one more spoke of {text}, which is full");

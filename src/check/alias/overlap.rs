@@ -36,9 +36,7 @@ pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Over
     };
     let anchor = left.items.iter().position(|item| !is_path(item))?;
     let count = left.items.len();
-    let left: Vec<_> = (0..count)
-        .map(|at| left.items[(anchor + at) % count])
-        .collect();
+    let left: Vec<_> = (0..count).map(|at| left.items[(anchor + at) % count]).collect();
     let mut found = Vec::new();
     let count = right.items.len();
     for begin in 0..count {
@@ -53,16 +51,8 @@ pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Over
         };
         search.state.items.push(left[0]);
         if is_path(&item) {
-            let tail = Part {
-                item,
-                is_tail: true,
-                is_head: false,
-            };
-            let head = Part {
-                is_tail: false,
-                is_head: true,
-                ..tail
-            };
+            let tail = Part { item, is_tail: true, is_head: false };
+            let head = Part { is_tail: false, is_head: true, ..tail };
             search.right.push(tail);
             search.right.extend(others);
             search.right.push(head);
@@ -85,11 +75,7 @@ pub(super) fn overlaps(rule: &Rule, one: &Loop, other: &Loop) -> Option<Vec<Over
         let mut key: Vec<[u32; 2]> = Vec::new();
         for (path, items) in &overlap.runs {
             key.push([u32::MAX, path.0]);
-            key.extend(
-                items
-                    .iter()
-                    .map(|item| [item.item.name.0, item.from.name.0]),
-            );
+            key.extend(items.iter().map(|item| [item.item.name.0, item.from.name.0]));
         }
         key.extend(overlap.same.iter().map(|pair| pair.map(|name| name.0)));
         let first = !seen.contains(&key);
@@ -109,11 +95,7 @@ struct Part {
 
 impl Part {
     fn whole(item: LoopItem) -> Self {
-        Self {
-            item,
-            is_tail: false,
-            is_head: false,
-        }
+        Self { item, is_tail: false, is_head: false }
     }
 }
 
@@ -238,9 +220,7 @@ impl Search<'_> {
         if !self.state.inside[side] {
             // Where an empty path leaves, what follows it does too.
             let parts = [&self.left, &self.right][side];
-            let next = parts
-                .get(self.state.at[side] + 1)
-                .map(|next| next.item.from);
+            let next = parts.get(self.state.at[side] + 1).map(|next| next.item.from);
             let next = next.unwrap_or(self.state.items[0].from);
             self.state.same.push([part.item.from.name, next.name]);
             self.from();
@@ -260,13 +240,7 @@ impl Search<'_> {
     }
 
     fn end(&mut self) {
-        let State {
-            items,
-            pieces,
-            runs,
-            same,
-            ..
-        } = self.state.clone();
+        let State { items, pieces, runs, same, .. } = self.state.clone();
         let span = items[0].item.span;
         let pieces = (0..pieces).map(|_| Name {
             text: "a piece of a path".into(),
@@ -275,11 +249,6 @@ impl Search<'_> {
             role: Role::Single,
             span,
         });
-        self.found.push(Overlap {
-            items,
-            pieces: pieces.collect(),
-            runs,
-            same,
-        });
+        self.found.push(Overlap { items, pieces: pieces.collect(), runs, same });
     }
 }

@@ -145,9 +145,7 @@ impl Quotient {
         drop_repetitions(&mut self.rule.after);
         let mut stars: Vec<Star> = Vec::new();
         for star in std::mem::take(&mut self.rule.after.stars) {
-            let known = stars
-                .iter_mut()
-                .find(|known| known.vertex.name == star.vertex.name);
+            let known = stars.iter_mut().find(|known| known.vertex.name == star.vertex.name);
             match known {
                 None => stars.push(star),
                 Some(known) => match joined(known, &star) {
@@ -190,8 +188,7 @@ impl Quotient {
             };
             if rule.assignments[..at].iter().any(same) {
                 let (text, word) = (rule.quoted(one.target.name), rule.attribute(one.attribute));
-                self.clashes
-                    .push(format!("the {word} of {text} would be assigned twice"));
+                self.clashes.push(format!("the {word} of {text} would be assigned twice"));
             }
         }
         self

@@ -58,10 +58,9 @@ pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
                 possible.push(pair);
                 add(&mut sets, quotients, count);
             }
-            Err(why) => found.push(Identification {
-                names: vec![pair.to_vec()],
-                verdict: why.verdict(),
-            }),
+            Err(why) => {
+                found.push(Identification { names: vec![pair.to_vec()], verdict: why.verdict() })
+            }
         }
     }
     let most = sets.len() + MOST_SETS;
@@ -69,18 +68,13 @@ pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {
     while at < sets.len() && sets.len() < most {
         for &pair in &possible {
             let quotients: Vec<_> = sets[at].1.iter().map(|known| united(known, pair)).collect();
-            add(
-                &mut sets,
-                quotients.into_iter().flatten().flatten().collect(),
-                count,
-            );
+            add(&mut sets, quotients.into_iter().flatten().flatten().collect(), count);
         }
         at += 1;
     }
-    let judged = sets.into_iter().map(|(names, quotients)| Identification {
-        names,
-        verdict: verdict(op, rule, quotients),
-    });
+    let judged = sets
+        .into_iter()
+        .map(|(names, quotients)| Identification { names, verdict: verdict(op, rule, quotients) });
     let mut all: Vec<_> = judged.collect();
     all.sort_by_key(|one| one.names.iter().map(Vec::len).sum::<usize>() - one.names.len());
     all.append(&mut found);
@@ -166,17 +160,13 @@ pub(super) enum Failed {
 /// The laws, of a quotient that is finished.
 pub(super) fn laws(quotient: &Quotient) -> Result<Rings, Failed> {
     if let Some(clash) = quotient.clashes.first() {
-        return Err(Failed::Broken {
-            why: clash.clone(),
-            arcs: None,
-        });
+        return Err(Failed::Broken { why: clash.clone(), arcs: None });
     }
     let drawing = Drawing::new(&quotient.rule);
     let tested = statements(&drawing).and_then(|()| vertices_are_orbits::test(&drawing));
     tested.map_err(|Broken { problems, arcs, .. }| {
-        let impossible = problems
-            .iter()
-            .find(|problem| problem.diagnostic.code == "impossible-drawing");
+        let impossible =
+            problems.iter().find(|problem| problem.diagnostic.code == "impossible-drawing");
         let told = impossible.or(problems.first());
         let why = told.map_or(String::new(), |problem| problem.diagnostic.message.clone());
         match impossible {

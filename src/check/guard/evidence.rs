@@ -10,13 +10,8 @@ const LINK: &str = "the link condition is required";
 
 /// All that is required, one by one.
 fn required<'a>(sketch: &'a Sketch) -> Vec<&'a Expr> {
-    let mut open: Vec<_> = sketch
-        .drawing
-        .rule
-        .requires
-        .iter()
-        .map(|require| &require.condition)
-        .collect();
+    let mut open: Vec<_> =
+        sketch.drawing.rule.requires.iter().map(|require| &require.condition).collect();
     let mut all = Vec::new();
     while let Some(expr) = open.pop() {
         match &expr.kind {

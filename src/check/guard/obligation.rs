@@ -172,10 +172,9 @@ impl Statement {
                 format!("{} would meet {} twice", quoted(*face), quoted(*vertex))
             }
             Self::FacesDiffer { vertex, from } => match merged(from) {
-                Some((v, w)) => format!(
-                    "a face around both {v} and {w} would meet {} twice",
-                    quoted(*vertex)
-                ),
+                Some((v, w)) => {
+                    format!("a face around both {v} and {w} would meet {} twice", quoted(*vertex))
+                }
                 None => format!("a face would meet {} twice", quoted(*vertex)),
             },
             Self::TwoSpokes(vertex) => format!("{} would keep a single edge", quoted(*vertex)),
@@ -187,10 +186,7 @@ impl Statement {
                 None => format!("the surface would be pinched at {}", quoted(*vertex)),
             },
             Self::OneHoleAlong(path) => {
-                format!(
-                    "the surface would be pinched at a vertex of {}",
-                    quoted(*path)
-                )
+                format!("the surface would be pinched at a vertex of {}", quoted(*path))
             }
             Self::NeighborsDiffer { vertex, from } => match merged(from) {
                 Some((v, w)) => format!(
@@ -204,16 +200,10 @@ impl Statement {
                 format!("two edges would join {} and {}", quoted(*v), quoted(*w))
             }
             Self::CornersDiffer(vertex) => {
-                format!(
-                    "two faces around {} would have the same corners",
-                    quoted(*vertex)
-                )
+                format!("two faces around {} would have the same corners", quoted(*vertex))
             }
             Self::CornersOwn { face, .. } => {
-                format!(
-                    "another face has the corners that {} would have",
-                    quoted(*face)
-                )
+                format!("another face has the corners that {} would have", quoted(*face))
             }
         }
     }
@@ -229,14 +219,11 @@ impl Statement {
             | Self::FacesDiffer { vertex, .. }
             | Self::OneHole { vertex, .. }
             | Self::NeighborsDiffer { vertex, .. }
-            | Self::SingleEdge {
-                ends: [vertex, _], ..
-            } => degree(vertex),
+            | Self::SingleEdge { ends: [vertex, _], .. } => degree(vertex),
             Self::OneHoleAlong(path) => Some(format!("the degrees along {}", rule.quoted(*path))),
-            Self::CornersDiffer(vertex) | Self::CornersOwn { vertex, .. } => Some(format!(
-                "the sizes of the faces around {}",
-                rule.quoted(*vertex)
-            )),
+            Self::CornersDiffer(vertex) | Self::CornersOwn { vertex, .. } => {
+                Some(format!("the sizes of the faces around {}", rule.quoted(*vertex)))
+            }
         }
     }
 }

@@ -59,10 +59,7 @@ fn is_changed(sketch: &Sketch, half: NameId) -> bool {
 
 fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option<Obligation> {
     let drawing = sketch.drawing;
-    let ends = [
-        drawing.origin_after(halfedge)?,
-        drawing.target_after(halfedge)?,
-    ];
+    let ends = [drawing.origin_after(halfedge)?, drawing.target_after(halfedge)?];
     if ends.iter().any(|end| by_edges.contains(end)) {
         return None;
     }
@@ -73,10 +70,7 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
         true => evidence::not_adjacent(sketch, ends),
         false => None,
     };
-    Some(Obligation::new(
-        Statement::SingleEdge { halfedge, ends },
-        because,
-    ))
+    Some(Obligation::new(Statement::SingleEdge { halfedge, ends }, because))
 }
 
 /// Whether a loop is new or has not the corners that it had.
@@ -146,7 +140,5 @@ fn others_differ(sketch: &Sketch, orbit: &Loop, vertex: NameId) -> bool {
             && other.kind != LoopKind::Hole
             && Sketch::draws(other, vertex)
     });
-    others
-        .into_iter()
-        .all(|other| has_more(orbit, other) || has_more(other, orbit))
+    others.into_iter().all(|other| has_more(orbit, other) || has_more(other, orbit))
 }

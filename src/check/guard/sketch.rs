@@ -16,10 +16,7 @@ pub(super) struct Sketch<'a> {
 impl<'a> Sketch<'a> {
     pub fn new(drawing: &'a Drawing<'a>) -> Self {
         let links = Links::of(drawing.rule, &drawing.rule.before);
-        Self {
-            drawing,
-            corners: corners(drawing, &links),
-        }
+        Self { drawing, corners: corners(drawing, &links) }
     }
 
     /// The vertices that there are after.
@@ -102,8 +99,7 @@ impl<'a> Sketch<'a> {
                 after.is_none_or(|after| after == vertex)
             }
         };
-        view.star(vertex)
-            .is_none_or(|star| star.spokes.iter().any(stays))
+        view.star(vertex).is_none_or(|star| star.spokes.iter().any(stays))
     }
 
     /// The vertices of `before` that give corners in undrawn faces to a vertex of `after`:
@@ -170,10 +166,7 @@ impl<'a> Sketch<'a> {
         for before in &self.drawing.rule.before.loops {
             let paths: Vec<_> = self.paths(before).collect();
             let here = paths.iter().filter(|path| items.contains(path));
-            let own = here
-                .clone()
-                .filter(|&&path| self.is_surely_there(path))
-                .count();
+            let own = here.clone().filter(|&&path| self.is_surely_there(path)).count();
             // All that is not drawn of a loop of known size has come along.
             let same = before.kind == orbit.kind && before.face.name == orbit.face.name;
             let known = before.kind == LoopKind::Face || same;
@@ -189,10 +182,8 @@ impl<'a> Sketch<'a> {
     /// The number of spokes that a vertex of `after` has for sure.
     pub fn spokes_for_sure(&self, vertex: NameId) -> usize {
         let drawing = self.drawing;
-        let out: Vec<_> = self
-            .halfedges()
-            .filter(|&half| drawing.origin_after(half) == Some(vertex))
-            .collect();
+        let out: Vec<_> =
+            self.halfedges().filter(|&half| drawing.origin_after(half) == Some(vertex)).collect();
         let items = || self.loops().iter().flat_map(|orbit| &orbit.items);
         let firsts = items()
             .filter(|item| item.from.name == vertex && self.is_path(item.item.name))
@@ -201,11 +192,7 @@ impl<'a> Sketch<'a> {
         // The twin of what arrives is a spoke too: one more if its twin is not drawn and it
         // comes from where no other leads.
         let leads = |from: NameId| {
-            out.iter().any(|&half| {
-                drawing
-                    .target_after(half)
-                    .is_none_or(|target| target == from)
-            })
+            out.iter().any(|&half| drawing.target_after(half).is_none_or(|target| target == from))
         };
         let arrives = |half: NameId| {
             !self.is_path(half)
@@ -225,9 +212,7 @@ impl<'a> Sketch<'a> {
         if self.is_new(vertex) {
             return true;
         }
-        let items = rule
-            .names_of(Kind::Halfedge)
-            .chain(rule.names_of(Kind::Path));
+        let items = rule.names_of(Kind::Halfedge).chain(rule.names_of(Kind::Path));
         let leaves = |item: NameId| {
             drawing.before.mention(item).is_some()
                 && drawing.origin_before(item) == Some(vertex)
@@ -244,16 +229,10 @@ impl<'a> Sketch<'a> {
     /// Whether all neighbors of a vertex of `after` are named.
     pub fn neighbors_are_named(&self, vertex: NameId) -> bool {
         let drawing = self.drawing;
-        let ends = |path: NameId| {
-            [
-                drawing.after.loop_origin(path),
-                drawing.after.loop_target(path),
-            ]
-        };
+        let ends =
+            |path: NameId| [drawing.after.loop_origin(path), drawing.after.loop_target(path)];
         let mut paths = self.loops().iter().flat_map(|orbit| self.paths(orbit));
-        let mut out = self
-            .halfedges()
-            .filter(|&half| drawing.origin_after(half) == Some(vertex));
+        let mut out = self.halfedges().filter(|&half| drawing.origin_after(half) == Some(vertex));
         self.arcs(vertex).is_empty()
             && !paths.any(|path| ends(path).contains(&Some(vertex)))
             && out.all(|half| drawing.target_after(half).is_some())

@@ -92,10 +92,7 @@ fn one_hole(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     } else {
         evidence::one_hole(sketch, vertex, &from)
     };
-    Some(Obligation::new(
-        Statement::OneHole { vertex, from },
-        because,
-    ))
+    Some(Obligation::new(Statement::OneHole { vertex, from }, because))
 }
 
 /// The vertices of a path get a corner in a hole where the path goes from a face to a hole.
@@ -116,9 +113,7 @@ fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
     let repeated = (1..corners.len()).any(|at| corners[..at].contains(&corners[at]));
     let paths: Vec<_> = sketch.paths(orbit).collect();
     let loop_before = |path: NameId| sketch.drawing.before.face(path);
-    let paths_may_meet = paths
-        .iter()
-        .any(|&path| loop_before(path) != loop_before(paths[0]));
+    let paths_may_meet = paths.iter().any(|&path| loop_before(path) != loop_before(paths[0]));
     if repeated || paths_may_meet {
         return vec![Obligation::new(Statement::MeetsOnce(face), None)];
     }
@@ -143,10 +138,7 @@ fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
 fn faces_differ(sketch: &Sketch, vertex: NameId) -> Option<Obligation> {
     debug_assert!(sketch.drawing.rule.kind(vertex) == Kind::Vertex);
     let from = sketch.outside(vertex);
-    let statement = Statement::FacesDiffer {
-        vertex,
-        from: from.clone(),
-    };
+    let statement = Statement::FacesDiffer { vertex, from: from.clone() };
     match from.as_slice() {
         [] => None,
         [source] if *source == vertex => None,

@@ -14,11 +14,7 @@ use crate::source::Span;
 impl Counterexample {
     /// The mesh before and after as an operation that draws all of it.
     pub fn drawn(&self) -> Op {
-        let mut writer = Writer {
-            example: self,
-            names: Vec::new(),
-            elements: Vec::new(),
-        };
+        let mut writer = Writer { example: self, names: Vec::new(), elements: Vec::new() };
         let before = writer.side(&self.before);
         let after = writer.side(&self.after);
         let lives = |mesh: &Mesh, element: &Element| is_alive(mesh, *element);

@@ -32,10 +32,7 @@ pub(super) fn lay_out(place: &mut Place) {
         let turn = std::f64::consts::TAU * at as f64 / rim.len() as f64;
         mesh.set_position(vertex, DVec3::new(turn.cos(), turn.sin(), 0.0));
     }
-    let inner: Vec<_> = mesh
-        .vertices()
-        .filter(|vertex| !rim.contains(vertex))
-        .collect();
+    let inner: Vec<_> = mesh.vertices().filter(|vertex| !rim.contains(vertex)).collect();
     for round in 0..ROUNDS {
         for (at, &vertex) in inner.iter().enumerate() {
             let (mut sum, mut count) = (DVec3::ZERO, 0.0);
@@ -43,11 +40,7 @@ pub(super) fn lay_out(place: &mut Place) {
                 sum += mesh.position(neighbor);
                 count += 1.0;
             }
-            let middle = if count > 0.0 {
-                sum / count
-            } else {
-                DVec3::ZERO
-            };
+            let middle = if count > 0.0 { sum / count } else { DVec3::ZERO };
             // A vertex with one neighbour would fall onto it.
             let apart = if count == 1.0 && round + 1 == ROUNDS {
                 let turn = at as f64;

@@ -21,12 +21,8 @@ pub(super) struct Carried {
 
 /// Carries the rewrite out; `None` if `after` uses what nothing binds.
 pub(super) fn carry_out(drawing: &Drawing, place: &Place) -> Option<Carried> {
-    let mut rewrite = Rewrite {
-        drawing,
-        place,
-        mesh: place.mesh.clone(),
-        elements: place.elements.clone(),
-    };
+    let mut rewrite =
+        Rewrite { drawing, place, mesh: place.mesh.clone(), elements: place.elements.clone() };
     rewrite.allocate();
     rewrite.loops()?;
     rewrite.edges()?;
@@ -35,10 +31,7 @@ pub(super) fn carry_out(drawing: &Drawing, place: &Place) -> Option<Carried> {
     let erased = rewrite.erase();
     rewrite.own_halfedges(&erased);
     rewrite.positions();
-    Some(Carried {
-        mesh: rewrite.mesh,
-        elements: rewrite.elements,
-    })
+    Some(Carried { mesh: rewrite.mesh, elements: rewrite.elements })
 }
 
 struct Rewrite<'a> {
@@ -159,13 +152,7 @@ impl Rewrite<'_> {
     }
 
     fn erase(&mut self) -> Vec<NameId> {
-        let erased: Vec<_> = self
-            .drawing
-            .rule
-            .erased
-            .iter()
-            .map(|erased| erased.name)
-            .collect();
+        let erased: Vec<_> = self.drawing.rule.erased.iter().map(|erased| erased.name).collect();
         for &name in &erased {
             let element = self.elements[name.index()];
             let mesh = &mut self.mesh;
@@ -229,9 +216,8 @@ impl Rewrite<'_> {
     /// New vertices lie amidst their new neighbours; what the op says is of no matter here.
     fn positions(&mut self) {
         for &Ref { name, .. } in &self.drawing.rule.created {
-            let Some(vertex) = self
-                .vertex(name)
-                .filter(|_| self.drawing.rule.kind(name) == Kind::Vertex)
+            let Some(vertex) =
+                self.vertex(name).filter(|_| self.drawing.rule.kind(name) == Kind::Vertex)
             else {
                 continue;
             };

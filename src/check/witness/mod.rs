@@ -161,16 +161,8 @@ fn note(outcome: &Outcome) -> Option<String> {
 }
 
 fn counterexample(op: &str, drawing: &Drawing, shown: Shown, code: &'static str) -> Counterexample {
-    let Shown {
-        place,
-        carried,
-        invalid,
-    } = shown;
-    let words = Words {
-        drawing,
-        place: &place,
-        carried: &carried,
-    };
+    let Shown { place, carried, invalid } = shown;
+    let words = Words { drawing, place: &place, carried: &carried };
     let verdict = words.verdict(&invalid);
     let rule = drawing.rule;
     let mut names = Vec::new();

@@ -46,17 +46,11 @@ pub(super) fn ways(sketch: &Sketch) -> Option<Vec<Ways>> {
     for vertex in 0..sketch.vertices.len() {
         let spokes = (0..sketch.halves.len()).filter(|&half| sketch.halves[half].origin == vertex);
         let spokes: Vec<_> = spokes.collect();
-        let entries: Vec<_> = spokes
-            .iter()
-            .copied()
-            .filter(|&half| sketch.halves[half].prev.is_none())
-            .collect();
+        let entries: Vec<_> =
+            spokes.iter().copied().filter(|&half| sketch.halves[half].prev.is_none()).collect();
         let mut seen = 0;
         let mut exits = Vec::new();
-        for &entry in entries
-            .iter()
-            .chain(spokes.first().filter(|_| entries.is_empty()))
-        {
+        for &entry in entries.iter().chain(spokes.first().filter(|_| entries.is_empty())) {
             let mut at = entry;
             loop {
                 seen += 1;
@@ -138,10 +132,7 @@ pub(super) fn joins_of(sketch: &Sketch, arcs: &[Arc]) -> Option<Vec<Join>> {
         // An arc of length zero is none.
         let inner = |half: usize| sketch.halves[half].face.is_some();
         if !inner(exit) && !inner(entry) {
-            joins.push(Join {
-                arrives: exit,
-                leaves: entry,
-            });
+            joins.push(Join { arrives: exit, leaves: entry });
         }
     }
     for vertex in ways(sketch)? {

@@ -144,10 +144,7 @@ impl Place {
     fn faces(&mut self, drawing: &Drawing, sketch: &Sketch) {
         for orbit in &drawing.rule.before.loops {
             let face = orbit.face.name;
-            let own = sketch
-                .halves
-                .iter()
-                .position(|half| half.face == Some(face));
+            let own = sketch.halves.iter().position(|half| half.face == Some(face));
             if let Some(half) = own {
                 let id = self.face_of(HalfedgeId(half as u32));
                 self.mesh.set_hole(id, orbit.kind == LoopKind::Hole);

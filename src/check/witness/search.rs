@@ -58,22 +58,13 @@ pub(super) fn search_where_one(
     arcs: Option<&[Arc]>,
 ) -> Found {
     let laid = Drawing::new(&quotient.rule);
-    let search = Search {
-        quotient: Some(quotient),
-        ..Search::new(drawing, &laid)
-    };
+    let search = Search { quotient: Some(quotient), ..Search::new(drawing, &laid) };
     search.run(drawing, arcs)
 }
 
 impl<'a> Search<'a> {
     fn new(carried_out: &'a Drawing<'a>, drawing: &'a Drawing<'a>) -> Self {
-        Self {
-            drawing,
-            carried_out,
-            quotient: None,
-            built: 0,
-            valid: 0,
-        }
+        Self { drawing, carried_out, quotient: None, built: 0, valid: 0 }
     }
 
     fn run(mut self, drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
@@ -140,9 +131,7 @@ impl Search<'_> {
         for (_, shape) in &mut shapes {
             shape.glued = self.glued_by(arcs, shape);
         }
-        self.sizes(&shapes, &|sketch| {
-            joins_of(sketch, arcs).into_iter().collect()
-        })
+        self.sizes(&shapes, &|sketch| joins_of(sketch, arcs).into_iter().collect())
     }
 
     /// Twins that follow from arcs without a spoke.
@@ -164,10 +153,7 @@ impl Search<'_> {
             let (Some(left), Some(right)) = (first(from), last(to)) else {
                 continue;
             };
-            let told = glued
-                .iter()
-                .flatten()
-                .any(|&half| half == left || half == right);
+            let told = glued.iter().flatten().any(|&half| half == left || half == right);
             if left != right && !told {
                 glued.push([left, right]);
             }
@@ -184,13 +170,7 @@ impl Search<'_> {
         let broken = self.sizes(&shapes, &combinations).or_else(|| {
             let late = |(added, shape): &Sized| {
                 let shape = shape.clone();
-                (
-                    *added,
-                    Shape {
-                        late: true,
-                        ..shape
-                    },
-                )
+                (*added, Shape { late: true, ..shape })
             };
             let late: Vec<_> = shapes.iter().map(late).collect();
             let ambiguous = self.has_fans_side_by_side();
@@ -216,13 +196,7 @@ impl Search<'_> {
     /// Lengths of the paths, from the least on.
     fn shapes(&self, least: &dyn Fn(NameId) -> usize) -> Vec<Sized> {
         let count = self.drawing.rule.names.len();
-        let mut shapes = vec![(
-            0,
-            Shape {
-                lengths: vec![0; count],
-                ..Shape::default()
-            },
-        )];
+        let mut shapes = vec![(0, Shape { lengths: vec![0; count], ..Shape::default() })];
         for path in self.drawing.rule.names_of(Kind::Path) {
             let least = least(path);
             shapes = shapes
@@ -251,9 +225,7 @@ impl Search<'_> {
             let twin = sketch.halves[half].twin;
             twin.is_some_and(|twin| sketch.halves[twin].role == HalfedgeRole::TwinOf(half))
         };
-        let open: Vec<_> = (0..sketch.halves.len())
-            .filter(|&half| fresh(half))
-            .collect();
+        let open: Vec<_> = (0..sketch.halves.len()).filter(|&half| fresh(half)).collect();
         let pair_up = |pairs: &[[usize; 2]]| {
             let mut shape = shape.clone();
             shape.glued = pairs.to_vec();
@@ -322,11 +294,7 @@ impl Search<'_> {
         let carried = carry_out(self.carried_out, &place)?;
         self.valid += 1;
         let invalid = validate(&carried.mesh).err()?;
-        Some(Shown {
-            place,
-            carried,
-            invalid,
-        })
+        Some(Shown { place, carried, invalid })
     }
 }
 

@@ -128,14 +128,7 @@ impl Sketch {
 
     /// Adds a halfedge that nothing leads to yet.
     pub fn add(&mut self, role: HalfedgeRole, origin: usize) -> usize {
-        self.halves.push(Half {
-            role,
-            origin,
-            next: None,
-            prev: None,
-            twin: None,
-            face: None,
-        });
+        self.halves.push(Half { role, origin, next: None, prev: None, twin: None, face: None });
         self.halves.len() - 1
     }
 
@@ -164,10 +157,7 @@ impl Sketch {
             let mut cycle = Vec::new();
             for (place, item) in orbit.items.iter().enumerate() {
                 let name = item.item.name;
-                let to = orbit
-                    .items
-                    .get(place + 1)
-                    .map_or(orbit.end, |next| next.from);
+                let to = orbit.items.get(place + 1).map_or(orbit.end, |next| next.from);
                 let origin = self.vertex(item.from.name);
                 if rule.kind(name) == Kind::Halfedge {
                     let half = self.add(HalfedgeRole::Named(name), origin);
@@ -204,10 +194,7 @@ impl Sketch {
     fn edges(&mut self, drawing: &Drawing) -> Option<()> {
         let edges = &drawing.rule.before.edges;
         for (at, edge) in edges.iter().enumerate() {
-            if edges[..at]
-                .iter()
-                .any(|other| other.edge.name == edge.edge.name)
-            {
+            if edges[..at].iter().any(|other| other.edge.name == edge.edge.name) {
                 return None;
             }
             let [left, right] = edge.halfedges.map(|half| half.name);

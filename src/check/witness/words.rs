@@ -24,12 +24,7 @@ impl Words<'_> {
                 let pointer = self.pointer(of, pointer);
                 format!("{pointer} is {}, which is erased", self.element(to))
             }
-            Invalid::NotInverse {
-                halfedge,
-                pointer,
-                to,
-                back,
-            } => {
+            Invalid::NotInverse { halfedge, pointer, to, back } => {
                 let inverse = if pointer == "next" { "prev" } else { "next" };
                 format!(
                     "{} is {}, but {} is {}",
@@ -42,21 +37,14 @@ impl Words<'_> {
             Invalid::TwinOfItself { halfedge } => {
                 format!("{} is its own twin", self.element(halfedge.into()))
             }
-            Invalid::TwinNotMutual {
-                halfedge,
-                twin,
-                back,
-            } => format!(
+            Invalid::TwinNotMutual { halfedge, twin, back } => format!(
                 "{} is {}, but {} is {}",
                 self.pointer(halfedge.into(), "twin"),
                 self.element(twin.into()),
                 self.pointer(twin.into(), "twin"),
                 self.element(back.into()),
             ),
-            Invalid::Disagree {
-                halfedges: [a, b],
-                says: [x, y],
-            } => format!(
+            Invalid::Disagree { halfedges: [a, b], says: [x, y] } => format!(
                 "{} and {} come into one {}, but {} is {} and {} is {}",
                 self.element(a.into()),
                 self.element(b.into()),
@@ -66,30 +54,20 @@ impl Words<'_> {
                 self.pointer(b.into(), y.kind.name()),
                 self.element(y),
             ),
-            Invalid::ForeignHalfedge {
-                element,
-                halfedge,
-                says,
-            } => format!(
+            Invalid::ForeignHalfedge { element, halfedge, says } => format!(
                 "{} is {}, but {} is {}",
                 self.pointer(element, "halfedge"),
                 self.element(halfedge.into()),
                 self.pointer(halfedge.into(), element.kind.name()),
                 self.element(says),
             ),
-            Invalid::SeveralOrbits {
-                element,
-                halfedges: [a, b],
-            } if a.is_none() => format!(
+            Invalid::SeveralOrbits { element, halfedges: [a, b] } if a.is_none() => format!(
                 "{} is not set, but {} is {}",
                 self.pointer(element, "halfedge"),
                 self.pointer(b.into(), element.kind.name()),
                 self.element(element),
             ),
-            Invalid::SeveralOrbits {
-                element,
-                halfedges: [a, b],
-            } => format!(
+            Invalid::SeveralOrbits { element, halfedges: [a, b] } => format!(
                 "{} would be two {}s, one with {} and one with {}",
                 self.element(element),
                 orbit_word(element.kind),
@@ -117,8 +95,7 @@ impl Words<'_> {
             ElementKind::Edge => Kind::Edge,
             ElementKind::Face => Kind::Face,
         };
-        rule.names_of(kind)
-            .find(|name| self.carried.elements[name.index()] == Some(element.index))
+        rule.names_of(kind).find(|name| self.carried.elements[name.index()] == Some(element.index))
     }
 
     /// An element by its name, or by what it lies at.
@@ -129,11 +106,7 @@ impl Words<'_> {
         let before = &self.place.mesh;
         let known = before.is_alive(element.kind, element.index);
         if !known {
-            return if element.index == u32::MAX {
-                "not set".into()
-            } else {
-                element.to_string()
-            };
+            return if element.index == u32::MAX { "not set".into() } else { element.to_string() };
         }
         match element.kind {
             ElementKind::Halfedge => self.halfedge(HalfedgeId(element.index)),
@@ -171,10 +144,7 @@ impl Words<'_> {
                 }
             }
             HalfedgeRole::TwinOf(other) => {
-                format!(
-                    "the undrawn twin of {}",
-                    self.halfedge(HalfedgeId(other as u32))
-                )
+                format!("the undrawn twin of {}", self.halfedge(HalfedgeId(other as u32)))
             }
             HalfedgeRole::Further(vertex) => match self.place.vertices[vertex] {
                 VertexRole::Named(name) => format!("a further spoke of {}", rule.quoted(name)),

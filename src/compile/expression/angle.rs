@@ -12,11 +12,7 @@ use super::pointer::{first, load};
 /// not.
 pub(super) fn between(asm: &mut Assembler, left: Reg, right: Reg, to: Reg) -> Inst {
     let [sine, cosine] = sine_and_cosine(asm, left, right);
-    Inst::Atan2Real {
-        to,
-        left: sine,
-        right: cosine,
-    }
+    Inst::Atan2Real { to, left: sine, right: cosine }
 }
 
 /// Of the angle between two vectors, times the product of their lengths.
@@ -126,31 +122,15 @@ fn dihedral(asm: &mut Assembler, place: u32, edge: Reg, to: Reg) {
     let right = position(asm, place, &[], halfedge);
     let left = position(asm, place, &[HalfedgeField::Next], halfedge);
     let along = asm.vec();
-    asm.emit(Inst::SubVec {
-        to: along,
-        left,
-        right,
-    });
+    asm.emit(Inst::SubVec { to: along, left, right });
     let from = along;
     asm.emit(Inst::Normalize { to: along, from });
     let (cross, sine, cosine) = (asm.vec(), asm.reg(), asm.reg());
     let (left, right) = (first, second);
-    asm.emit(Inst::Cross {
-        to: cross,
-        left,
-        right,
-    });
-    asm.emit(Inst::Dot {
-        to: cosine,
-        left,
-        right,
-    });
+    asm.emit(Inst::Cross { to: cross, left, right });
+    asm.emit(Inst::Dot { to: cosine, left, right });
     let (left, right) = (along, cross);
-    asm.emit(Inst::Dot {
-        to: sine,
-        left,
-        right,
-    });
+    asm.emit(Inst::Dot { to: sine, left, right });
     let (left, right) = (sine, cosine);
     asm.emit(Inst::Atan2Real { to, left, right });
     asm.bind(end);

@@ -60,11 +60,7 @@ fn of_any_width(asm: &mut Assembler, builtin: Builtin, args: &[Reg], made: Made)
             };
             // left * (1 - t) + right * t
             let (rest, part) = (asm.reg(), asm.block(super::width(of)));
-            asm.emit(Inst::SubReal {
-                to: rest,
-                left: one,
-                right: t,
-            });
+            asm.emit(Inst::SubReal { to: rest, left: one, right: t });
             asm.emit(wide(Lanes::Scale, of, [part, right, t]));
             asm.emit(wide(Lanes::Scale, of, [to, left, rest]));
             asm.emit(wide(Lanes::Add, of, [to, to, part]));
@@ -138,11 +134,7 @@ fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: 
 }
 
 pub(super) fn ask(question: Question, to: Reg, element: Reg) -> Inst {
-    Inst::Ask {
-        question,
-        to,
-        elements: [element; 2],
-    }
+    Inst::Ask { question, to, elements: [element; 2] }
 }
 
 fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {
@@ -176,19 +168,15 @@ fn of_one(asm: &mut Assembler, builtin: Builtin, to: Reg, from: Reg) -> Inst {
         Builtin::Log => math(Math::Log),
         Builtin::Floor => math(Math::Floor),
         Builtin::Ceil => math(Math::Ceil),
-        _ => Inst::Fail {
-            text: asm.text("this call has the wrong number of arguments"),
-        },
+        _ => Inst::Fail { text: asm.text("this call has the wrong number of arguments") },
     }
 }
 
 fn of_two(asm: &mut Assembler, place: u32, builtin: Builtin, [left, right]: [Reg; 2], to: Reg) {
     let inst = match builtin {
-        Builtin::Adjacent => Inst::Ask {
-            question: Question::Adjacent,
-            to,
-            elements: [left, right],
-        },
+        Builtin::Adjacent => {
+            Inst::Ask { question: Question::Adjacent, to, elements: [left, right] }
+        }
         Builtin::Dot => Inst::Dot { to, left, right },
         Builtin::Cross => Inst::Cross { to, left, right },
         Builtin::MinInt => Inst::MinInt { to, left, right },
@@ -199,11 +187,7 @@ fn of_two(asm: &mut Assembler, place: u32, builtin: Builtin, [left, right]: [Reg
         Builtin::Pow => Inst::PowReal { to, left, right },
         Builtin::Distance => {
             let between = asm.vec();
-            asm.emit(Inst::SubVec {
-                to: between,
-                left,
-                right,
-            });
+            asm.emit(Inst::SubVec { to: between, left, right });
             Inst::LengthVec { to, from: between }
         }
         Builtin::Angle => angle::between(asm, left, right, to),
@@ -224,26 +208,10 @@ fn of_three(
         Builtin::MixReal => {
             // left * (1 - t) + right * t, as for vectors.
             let (one, rest, part) = (asm.constant_real(1.0), asm.reg(), asm.reg());
-            asm.emit(Inst::SubReal {
-                to: rest,
-                left: one,
-                right: t,
-            });
-            asm.emit(Inst::MulReal {
-                to: rest,
-                left,
-                right: rest,
-            });
-            asm.emit(Inst::MulReal {
-                to: part,
-                left: right,
-                right: t,
-            });
-            asm.emit(Inst::AddReal {
-                to,
-                left: rest,
-                right: part,
-            });
+            asm.emit(Inst::SubReal { to: rest, left: one, right: t });
+            asm.emit(Inst::MulReal { to: rest, left, right: rest });
+            asm.emit(Inst::MulReal { to: part, left: right, right: t });
+            asm.emit(Inst::AddReal { to, left: rest, right: part });
         }
         _ => unknown(asm, place),
     }

@@ -54,24 +54,13 @@ fn each_of_mesh(
     let (zero, one) = (asm.constant_int(0), asm.constant_int(1));
     let element = asm.reg();
     let place = scope.place(span);
-    asm.emit(Inst::Copy {
-        to: element,
-        from: zero,
-    });
+    asm.emit(Inst::Copy { to: element, from: zero });
     asm.bind(head);
-    asm.emit(Inst::NextLiving {
-        of,
-        element,
-        otherwise: done,
-    });
+    asm.emit(Inst::NextLiving { of, element, otherwise: done });
     asm.trap_at(place, Inst::Tick);
     turn(asm, scope, element, next);
     asm.bind(next);
-    asm.emit(Inst::AddInt {
-        to: element,
-        left: element,
-        right: one,
-    });
+    asm.emit(Inst::AddInt { to: element, left: element, right: one });
     asm.emit(Inst::Jump { to: head });
     asm.bind(done);
 }
@@ -104,12 +93,7 @@ fn each_around(
     let from = asm.constant_int(0);
     asm.emit(Inst::Copy { to: index, from });
     asm.bind(head);
-    asm.emit(Inst::BufferNext {
-        buffer,
-        index,
-        to: halfedge,
-        otherwise: done,
-    });
+    asm.emit(Inst::BufferNext { buffer, index, to: halfedge, otherwise: done });
     let element = make(asm, place, wanted, halfedge, head);
     turn(asm, scope, element, head);
     asm.emit(Inst::Jump { to: head });
@@ -145,22 +129,12 @@ fn collect(
         Vertex | Face => {
             // An isolated vertex has nothing around it.
             let (none, end) = (asm.none(), asm.label());
-            asm.emit(Inst::JumpEqual {
-                left: from,
-                right: none,
-                to: end,
-            });
+            asm.emit(Inst::JumpEqual { left: from, right: none, to: end });
             let walk = match of {
                 Vertex => Walk::Star,
                 _ => Walk::Loop,
             };
-            let collect = Inst::Collect {
-                walk,
-                buffer,
-                from,
-                until: from,
-                whole: true,
-            };
+            let collect = Inst::Collect { walk, buffer, from, until: from, whole: true };
             asm.trap_at(place, collect);
             asm.bind(end);
         }
@@ -184,11 +158,7 @@ fn make(asm: &mut Assembler, place: u32, wanted: Wanted, halfedge: Reg, next: La
         }
         Wanted::Face => {
             load(asm, place, HalfedgeField::Face, [halfedge, halfedge]);
-            asm.emit(Inst::JumpUnlessLiving {
-                of: Elements::Faces,
-                element: halfedge,
-                to: next,
-            });
+            asm.emit(Inst::JumpUnlessLiving { of: Elements::Faces, element: halfedge, to: next });
         }
     }
     halfedge

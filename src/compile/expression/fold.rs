@@ -14,12 +14,7 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
     }
     let done = asm.label();
     let (seen, best) = (asm.reg(), asm.reg());
-    let sum = Sum {
-        ty: of.ty,
-        to,
-        seen,
-        best,
-    };
+    let sum = Sum { ty: of.ty, to, seen, best };
     sum.start(asm, fold.function);
     let turn = &mut |asm: &mut Assembler, scope: &mut dyn Scope, element: Reg, next: Label| {
         let mark = asm.mark();
@@ -38,10 +33,7 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
             }
             FoldFunction::All => {
                 let condition = lower(asm, scope, &fold.body);
-                asm.emit(Inst::JumpIf {
-                    condition,
-                    to: next,
-                });
+                asm.emit(Inst::JumpIf { condition, to: next });
                 settle(asm, to, false, done);
             }
             FoldFunction::Sum | FoldFunction::Mean => {
@@ -76,20 +68,14 @@ fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     let of = elements(&fold.collection).filter(|_| counts)?;
     Some(match of {
         Elements::Holes => Inst::CountHoles { to },
-        of => Inst::Count {
-            kind: of.kind(),
-            to,
-        },
+        of => Inst::Count { kind: of.kind(), to },
     })
 }
 
 fn skip_unless(asm: &mut Assembler, scope: &mut dyn Scope, condition: &Expr, next: Label) {
     if condition.kind != ExprKind::Bool(true) {
         let condition = lower(asm, scope, condition);
-        asm.emit(Inst::JumpUnless {
-            condition,
-            to: next,
-        });
+        asm.emit(Inst::JumpUnless { condition, to: next });
     }
 }
 
@@ -115,16 +101,10 @@ impl Sum {
         // The bits of zero are the same for an int, a real and a bool.
         let start = asm.constant_bits(u64::from(function == FoldFunction::All));
         for part in 0..width(self.ty) {
-            asm.emit(Inst::Copy {
-                to: self.to.part(part),
-                from: start,
-            });
+            asm.emit(Inst::Copy { to: self.to.part(part), from: start });
         }
         let from = asm.constant_int(0);
-        asm.emit(Inst::Copy {
-            to: self.seen,
-            from,
-        });
+        asm.emit(Inst::Copy { to: self.seen, from });
     }
 
     /// The body, as a value of the aggregate's type.
@@ -157,10 +137,7 @@ impl Sum {
     fn take_better(self, asm: &mut Assembler, function: FoldFunction, right: Reg, next: Label) {
         let compare = asm.label();
         let (to, left) = (self.to, self.to);
-        asm.emit(Inst::JumpIf {
-            condition: self.seen,
-            to: compare,
-        });
+        asm.emit(Inst::JumpIf { condition: self.seen, to: compare });
         copy(asm, self.ty, to, right);
         self.add_one(asm, self.seen);
         asm.emit(Inst::Jump { to: next });
@@ -184,14 +161,8 @@ impl Sum {
     ) {
         let (take, better) = (asm.label(), asm.reg());
         let condition = self.seen;
-        asm.emit(Inst::Not {
-            to: better,
-            from: condition,
-        });
-        asm.emit(Inst::JumpIf {
-            condition: better,
-            to: take,
-        });
+        asm.emit(Inst::Not { to: better, from: condition });
+        asm.emit(Inst::JumpIf { condition: better, to: take });
         let (left, right) = match function {
             FoldFunction::ArgMin => (value, self.best),
             _ => (self.best, value),
@@ -199,23 +170,14 @@ impl Sum {
         let to = better;
         asm.emit(Inst::LessReal { to, left, right });
         let condition = better;
-        asm.emit(Inst::JumpIf {
-            condition,
-            to: take,
-        });
+        asm.emit(Inst::JumpIf { condition, to: take });
         // Only what is not a number differs from itself.
         let (left, right) = (self.best, self.best);
         asm.emit(Inst::EqualReal { to, left, right });
-        asm.emit(Inst::JumpIf {
-            condition,
-            to: next,
-        });
+        asm.emit(Inst::JumpIf { condition, to: next });
         let (left, right) = (value, value);
         asm.emit(Inst::EqualReal { to, left, right });
-        asm.emit(Inst::JumpUnless {
-            condition,
-            to: next,
-        });
+        asm.emit(Inst::JumpUnless { condition, to: next });
         asm.bind(take);
         let (to, from) = (self.best, value);
         asm.emit(Inst::Copy { to, from });
@@ -233,10 +195,7 @@ impl Sum {
             _ => return,
         };
         let some = asm.label();
-        asm.emit(Inst::JumpIf {
-            condition: self.seen,
-            to: some,
-        });
+        asm.emit(Inst::JumpIf { condition: self.seen, to: some });
         let text = asm.text(text);
         asm.trap_at(place, Inst::Fail { text });
         asm.bind(some);

@@ -75,13 +75,7 @@ pub(super) fn wide(operation: Lanes, ty: Type, [to, left, right]: [Reg; 3]) -> I
 
 /// A computation of matrices of this type, or with vectors of as many components.
 pub(super) fn matrix(operation: Matrix, ty: Type, [to, left, right]: [Reg; 3]) -> Inst {
-    Inst::Matrix {
-        operation,
-        size: ty.size(),
-        to,
-        left,
-        right,
-    }
+    Inst::Matrix { operation, size: ty.size(), to, left, right }
 }
 
 /// An operator whose left operand is a vector or matrix of this type.

@@ -9,11 +9,7 @@ pub(super) fn load(
     field: HalfedgeField,
     [to, halfedge]: [Reg; 2],
 ) {
-    let inst = Inst::Load {
-        field,
-        to,
-        halfedge,
-    };
+    let inst = Inst::Load { field, to, halfedge };
     asm.trap_at(place, inst);
 }
 

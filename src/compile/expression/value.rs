@@ -57,15 +57,10 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let element = lower(asm, scope, base);
             let place = scope.place(expr.span);
             let inst = match *access {
-                Access::Position => Inst::LoadPosition {
-                    to,
-                    vertex: element,
-                },
-                Access::Declared(number) => Inst::LoadAttribute {
-                    attribute: attribute(number),
-                    to,
-                    element,
-                },
+                Access::Position => Inst::LoadPosition { to, vertex: element },
+                Access::Declared(number) => {
+                    Inst::LoadAttribute { attribute: attribute(number), to, element }
+                }
             };
             asm.trap_at(place, inst);
         }
@@ -88,20 +83,13 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let of = args.first().map_or(expr.ty, |first| first.ty);
             let args: Vec<Reg> = args.iter().map(|arg| lower(asm, scope, arg)).collect();
             let place = scope.place(expr.span);
-            let made = Made {
-                of,
-                result: expr.ty,
-                to,
-            };
+            let made = Made { of, result: expr.ty, to };
             call(asm, place, *builtin, &args, made);
         }
         ExprKind::If(condition, then, otherwise) => {
             let (second, end) = (asm.label(), asm.label());
             let condition = lower(asm, scope, condition);
-            asm.emit(Inst::JumpUnless {
-                condition,
-                to: second,
-            });
+            asm.emit(Inst::JumpUnless { condition, to: second });
             lower_into(asm, scope, then, to);
             asm.emit(Inst::Jump { to: end });
             asm.bind(second);
@@ -113,12 +101,7 @@ pub fn lower_into(asm: &mut Assembler, scope: &mut dyn Scope, expr: &Expr, to: R
             let place = scope.place(expr.span);
             let args = arguments(asm, scope, args);
             // Ids may be held in registers that nobody can name.
-            let inst = Inst::Call {
-                function: function_number(*function),
-                args,
-                to,
-                holds: true,
-            };
+            let inst = Inst::Call { function: function_number(*function), args, to, holds: true };
             asm.trap_at(place, inst);
         }
         ExprKind::Let(variable, value, body) => {
@@ -158,11 +141,7 @@ pub fn copy(asm: &mut Assembler, ty: Type, to: Reg, from: Reg) {
         1 => Inst::Copy { to, from },
         3 => Inst::CopyVec { to, from },
         // No value is as wide as 256.
-        width => Inst::CopyWide {
-            to,
-            from,
-            width: width as u8,
-        },
+        width => Inst::CopyWide { to, from, width: width as u8 },
     });
 }
 

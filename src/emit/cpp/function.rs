@@ -40,9 +40,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         sheet: None,
     };
     let called = called.iter();
-    let called: Vec<_> = called
-        .map(|(home, item)| printer.called(home, item))
-        .collect();
+    let called: Vec<_> = called.map(|(home, item)| printer.called(home, item)).collect();
     for (at, op) in ops.iter().enumerate() {
         if at > 0 {
             printer.lines.line("");
@@ -114,14 +112,10 @@ impl Printer<'_> {
                 headers.insert(header);
             }
         }
-        let headers: String = headers
-            .iter()
-            .map(|header| format!("#include <{header}>\n"))
-            .collect();
+        let headers: String =
+            headers.iter().map(|header| format!("#include <{header}>\n")).collect();
         let fields = self.fields.iter();
-        let fields = fields
-            .map(|field| format!("//   {field}\n"))
-            .collect::<String>();
+        let fields = fields.map(|field| format!("//   {field}\n")).collect::<String>();
         let headers = match fields.is_empty() {
             true => headers,
             false => format!("// Elements have these attributes:\n{fields}\n{headers}"),
@@ -174,8 +168,7 @@ impl Printer<'_> {
         let params = params.collect::<Vec<_>>().join(", ");
         let result = helper.result.map(|ty| self.outer_type(ty));
         let (result, name) = (result.unwrap_or("void".into()), invoked(&helper.name));
-        self.lines
-            .open(&format!("inline {result} {name}({params}) {{"));
+        self.lines.open(&format!("inline {result} {name}({params}) {{"));
         match helper.body.split_last() {
             Some((Statement::Action(Action::Leave), others)) => self.block(others),
             _ => self.block(&helper.body),
@@ -235,12 +228,7 @@ impl Printer<'_> {
             types(&rule.body, &mut |ty| seen.push(ty));
         }
         self.head(
-            Head {
-                name: &routine.name,
-                params: &routine.params,
-                result: routine.result,
-                alone,
-            },
+            Head { name: &routine.name, params: &routine.params, result: routine.result, alone },
             &used,
             &seen,
         );
@@ -260,8 +248,7 @@ impl Printer<'_> {
                     );
                     let name = name.replace('\'', "_");
                     self.lines.blank();
-                    self.lines
-                        .open(&format!("auto {name} = [&]() -> {inner} {{"));
+                    self.lines.open(&format!("auto {name} = [&]() -> {inner} {{"));
                     self.alternative(&rule.body, routine);
                     self.lines.close("};");
                     names.push(name);
@@ -371,8 +358,7 @@ impl Printer<'_> {
                 (result, name)
             }
         };
-        self.lines
-            .open(&format!("{result} {name}({}) {{", params.join(", ")));
+        self.lines.open(&format!("{result} {name}({}) {{", params.join(", ")));
         if member {
             return;
         }
@@ -400,8 +386,7 @@ impl Printer<'_> {
             None => "return false;",
         };
         let last = self.refusal;
-        self.lines
-            .line("// 1. Collect: nothing is written before all of this has passed.");
+        self.lines.line("// 1. Collect: nothing is written before all of this has passed.");
         self.block(body);
         if matches!(body.last(), Some(Statement::Attempt { .. })) {
             self.lines.line(last);

@@ -10,10 +10,8 @@ impl Printer<'_> {
     pub(super) fn foresee(&mut self, sheet: &str, body: &[Statement]) {
         self.used.push("Sheet");
         self.lines.blank();
-        self.lines.comment(
-            "//",
-            "The guard looks at what there would be, on a sheet over the mesh.",
-        );
+        self.lines
+            .comment("//", "The guard looks at what there would be, on a sheet over the mesh.");
         self.lines.open("{");
         self.lines.line(&format!("hedgerow::Sheet {sheet};"));
         let outer = self.sheet.replace(sheet.to_string());

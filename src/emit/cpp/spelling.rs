@@ -24,10 +24,9 @@ impl Language for Printer<'_> {
         let of = of.at(Level::Whole);
         match (pointer, self.style.read(&of, pointer)) {
             (_, Some(text)) => Spelled::whole(text),
-            (Pointer::Target, None) => Spelled::whole(
-                self.style
-                    .chained(&self.style.chained(&of, "twin"), "vertex"),
-            ),
+            (Pointer::Target, None) => {
+                Spelled::whole(self.style.chained(&self.style.chained(&of, "twin"), "vertex"))
+            }
             (_, None) => Spelled::whole(self.support("prev", vec![of])),
         }
     }
@@ -57,18 +56,11 @@ impl Language for Printer<'_> {
 
     fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
         let (condition, then) = (condition.at(Level::Or), then.at(Level::Or));
-        Spelled::new(
-            format!("{condition} ? {then} : {}", otherwise.text),
-            Level::Choice,
-        )
+        Spelled::new(format!("{condition} ? {then} : {}", otherwise.text), Level::Choice)
     }
 
     fn to_real(&mut self, of: Spelled) -> Spelled {
-        Spelled::whole(format!(
-            "static_cast<{}>({})",
-            self.style.name("real"),
-            of.text
-        ))
+        Spelled::whole(format!("static_cast<{}>({})", self.style.name("real"), of.text))
     }
 
     fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled {

@@ -31,16 +31,10 @@ impl Printer<'_> {
                 let ty = self.ty(*ty);
                 self.lines.line(&format!("{ty} {name} = {value};"));
             }
-            Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body,
-            } => self.attempt(*kind, element, halfedge, body),
-            Statement::Refuse {
-                when: Term::Bool(true),
-                reason,
-            } if self.is_noted => {
+            Statement::Attempt { kind, element, halfedge, body } => {
+                self.attempt(*kind, element, halfedge, body)
+            }
+            Statement::Refuse { when: Term::Bool(true), reason } if self.is_noted => {
                 let (refusal, reason) = (self.refusal, reason.replace('\n', " "));
                 self.lines.line(&format!("{refusal}  // {reason}"));
             }
@@ -79,20 +73,13 @@ impl Printer<'_> {
                 self.headers.insert("vector");
                 let value = self.text(value);
                 let ty = self.ty(*ty);
-                self.lines
-                    .line(&format!("std::vector<{ty}> {name} = {value};"));
+                self.lines.line(&format!("std::vector<{ty}> {name} = {value};"));
             }
             Statement::Size { name, list } => {
                 self.headers.insert("cstddef");
-                self.lines
-                    .line(&format!("std::size_t {name} = {list}.size();"));
+                self.lines.line(&format!("std::size_t {name} = {list}.size();"));
             }
-            Statement::Gather {
-                ty,
-                name,
-                turns,
-                item,
-            } => {
+            Statement::Gather { ty, name, turns, item } => {
                 let item = self.text(item);
                 self.gather(&self.ty(*ty), name, turns, &item);
             }
@@ -139,11 +126,7 @@ impl Printer<'_> {
                 let line = format!("{} = {value};", self.style.position(&vertex));
                 self.lines.line(&line);
             }
-            Statement::SetAttribute {
-                attribute,
-                element,
-                value,
-            } => {
+            Statement::SetAttribute { attribute, element, value } => {
                 let (element, value) = (self.spelled_whole(element), self.text(value));
                 let line = format!("{} = {value};", self.field(attribute, &element));
                 self.lines.line(&line);
@@ -161,9 +144,7 @@ impl Printer<'_> {
                 self.lines.line(&format!("return {value};"));
             }
             Statement::Return { result } => {
-                let result = result
-                    .as_ref()
-                    .map_or("true".into(), |result| self.text(result));
+                let result = result.as_ref().map_or("true".into(), |result| self.text(result));
                 self.lines.line(&format!("return {result};"));
             }
             Statement::Action(action) => self.action(action),
@@ -234,25 +215,20 @@ impl Printer<'_> {
             Kind::Edge => {
                 let first = first(self, Pointer::EdgeHalfedge);
                 let twin = self.style.read(&first, Pointer::Twin).unwrap_or_default();
-                self.lines
-                    .line(&format!("// Both directions of {element} are tried."));
+                self.lines.line(&format!("// Both directions of {element} are tried."));
                 format!("{{{first}, {twin}}}")
             }
             Kind::Vertex => {
-                self.lines.line(&format!(
-                    "// Each halfedge that starts at {element} is tried."
-                ));
+                self.lines.line(&format!("// Each halfedge that starts at {element} is tried."));
                 self.support("spokes", vec![element.to_string()])
             }
             _ => {
-                self.lines
-                    .line(&format!("// Each halfedge of {element} is tried."));
+                self.lines.line(&format!("// Each halfedge of {element} is tried."));
                 self.support("halfedges", vec![element.to_string()])
             }
         };
         let outer = std::mem::replace(&mut self.refusal, "continue;");
-        self.lines
-            .open(&format!("for ({ty} {halfedge} : {range}) {{"));
+        self.lines.open(&format!("for ({ty} {halfedge} : {range}) {{"));
         self.block(body);
         if matches!(body.last(), Some(Statement::Attempt { .. })) {
             self.lines.line("continue;");
@@ -284,11 +260,8 @@ impl Printer<'_> {
                 Step::Next => step.follow(Pointer::Next),
                 Step::Clockwise => step.follow(Pointer::Twin).follow(Pointer::Next),
             };
-            let (from, until, step) = (
-                self.text(&walk.from),
-                self.spelled_whole(&walk.until),
-                self.text(&step),
-            );
+            let (from, until, step) =
+                (self.text(&walk.from), self.spelled_whole(&walk.until), self.text(&step));
             format!("for ({ty} {h} = {from}; {h} != {until}; {h} = {step})")
         };
         self.held(&head, body);

@@ -27,12 +27,7 @@ impl Printer<'_> {
         types(&whole.asks, &mut |ty| seen.push(ty));
         types(&whole.body, &mut |ty| seen.push(ty));
         self.head(
-            Head {
-                name: &whole.name,
-                params: &whole.params,
-                result: whole.result,
-                alone,
-            },
+            Head { name: &whole.name, params: &whole.params, result: whole.result, alone },
             &used,
             &seen,
         );
@@ -43,13 +38,8 @@ impl Printer<'_> {
         self.block(&whole.asks);
         self.used.push("Journal");
         if !self.is_noted {
-            let mesh = if self.style.is_member() {
-                "*this"
-            } else {
-                "mesh"
-            };
-            self.lines
-                .line(&format!("hedgerow::Journal journal({mesh});"));
+            let mesh = if self.style.is_member() { "*this" } else { "mesh" };
+            self.lines.line(&format!("hedgerow::Journal journal({mesh});"));
         }
         let level = match whole.level {
             diagram::Level::Map => "map",
@@ -60,9 +50,8 @@ impl Printer<'_> {
             Some(ty) => format!("std::optional<{}>", self.ty(ty)),
             None => "bool".into(),
         };
-        self.lines.open(&format!(
-            "return journal.whole(hedgerow::Level::{level}, [&]() -> {result} {{"
-        ));
+        self.lines
+            .open(&format!("return journal.whole(hedgerow::Level::{level}, [&]() -> {result} {{"));
         let outer = std::mem::replace(&mut self.is_noted, true);
         self.block(&whole.body);
         self.is_noted = outer;
@@ -90,17 +79,10 @@ impl Printer<'_> {
                 let text = self.call_of(call);
                 self.lines.line(&format!("{text};"));
             }
-            Action::Apply {
-                call,
-                place,
-                then,
-                otherwise,
-            } => self.apply(call, place.as_ref(), [then, otherwise]),
-            Action::Choose {
-                condition,
-                then,
-                otherwise,
-            } => {
+            Action::Apply { call, place, then, otherwise } => {
+                self.apply(call, place.as_ref(), [then, otherwise])
+            }
+            Action::Choose { condition, then, otherwise } => {
                 let condition = self.text(condition);
                 match otherwise.as_slice() {
                     [] => self.held(&format!("if ({condition})"), then),
@@ -137,39 +119,28 @@ impl Printer<'_> {
                     return self.held(&head, body);
                 }
                 self.lines.open(&format!("{head} {{"));
-                self.lines
-                    .line(&format!("if ({}) continue;", skipped.join(" || ")));
+                self.lines.line(&format!("if ({}) continue;", skipped.join(" || ")));
                 self.block(body);
                 self.lines.close("}");
             }
             Action::Update { visit, held } => {
                 self.headers.extend(["utility", "vector"]);
-                for Held {
-                    list, element, ty, ..
-                } in held
-                {
+                for Held { list, element, ty, .. } in held {
                     let (element, ty) = (self.ty(*element), self.ty(*ty));
-                    self.lines
-                        .line(&format!("std::vector<std::pair<{element}, {ty}>> {list};"));
+                    self.lines.line(&format!("std::vector<std::pair<{element}, {ty}>> {list};"));
                 }
                 self.action(visit);
                 held.iter().for_each(|held| self.release(held));
             }
-            Action::Hold {
-                list,
-                element,
-                value,
-            } => {
+            Action::Hold { list, element, value } => {
                 let (element, value) = (self.text(element), self.text(value));
-                self.lines
-                    .line(&format!("{list}.emplace_back({element}, {value});"));
+                self.lines.line(&format!("{list}.emplace_back({element}, {value});"));
             }
             Action::Break => self.lines.line("break;"),
             Action::Continue => self.lines.line("continue;"),
             Action::Move { vertex, value, .. } => {
                 let (vertex, value) = (self.text(vertex), self.text(value));
-                self.lines
-                    .line(&format!("journal.set_position({vertex}, {value});"));
+                self.lines.line(&format!("journal.set_position({vertex}, {value});"));
             }
             Action::Keep(elements) => self.keep(elements),
             Action::KeepAttribute { attribute, element } => {
@@ -190,9 +161,8 @@ impl Printer<'_> {
         };
         let [of, back] = ["element", "at"].map(|name| self.style.attribute(name, &attribute.name));
         self.lines.open(&format!("{head} {{"));
-        self.lines.line(&format!(
-            "journal.undone_by([at = element, was = {of}] {{ {back} = was; }});"
-        ));
+        self.lines
+            .line(&format!("journal.undone_by([at = element, was = {of}] {{ {back} = was; }});"));
         self.lines.line(&format!("{of} = value;"));
         self.lines.close("}");
     }
@@ -207,8 +177,7 @@ impl Printer<'_> {
         match (place, then, otherwise) {
             (Some(Parameter { name, ty, .. }), ..) => {
                 let ty = self.ty(*ty);
-                self.lines
-                    .open(&format!("if (auto made_{name} = {text}) {{"));
+                self.lines.open(&format!("if (auto made_{name} = {text}) {{"));
                 self.lines.line(&format!("{ty} {name} = *made_{name};"));
                 self.block(then);
                 self.otherwise(otherwise);
@@ -245,9 +214,8 @@ impl Printer<'_> {
             _ => (format!("at = {of}"), "at"),
         };
         let back = self.style.attribute(name, &attribute.name);
-        self.lines.line(&format!(
-            "journal.undone_by([{capture}, was = {was}] {{ {back} = was; }});"
-        ));
+        self.lines
+            .line(&format!("journal.undone_by([{capture}, was = {was}] {{ {back} = was; }});"));
     }
 
     fn put(&mut self, place: &Place, value: &str) {
@@ -277,26 +245,15 @@ impl Printer<'_> {
     fn otherwise(&mut self, otherwise: &[Statement]) {
         match otherwise {
             [] => {}
-            [
-                Statement::Action(Action::Choose {
-                    condition,
-                    then,
-                    otherwise,
-                }),
-            ] => {
+            [Statement::Action(Action::Choose { condition, then, otherwise })] => {
                 let condition = self.text(condition);
                 self.lines.reopen(&format!("}} else if ({condition}) {{"));
                 self.block(then);
                 self.otherwise(otherwise);
             }
-            [
-                Statement::Action(Action::Apply {
-                    call,
-                    place: None,
-                    then,
-                    otherwise,
-                }),
-            ] if !then.is_empty() => {
+            [Statement::Action(Action::Apply { call, place: None, then, otherwise })]
+                if !then.is_empty() =>
+            {
                 let text = self.call_of(call);
                 self.lines.reopen(&format!("}} else if ({text}) {{"));
                 self.block(then);

@@ -11,11 +11,7 @@ use crate::diagram::{Kind, Pointer};
 /// meshes with accessors have.
 const PATTERNS: &[(&str, &str, Option<&str>)] = &[
     ("read", "{of}->{pointer}", Some("{of}->{pointer}()")),
-    (
-        "write",
-        "{of}->{pointer} = {value}",
-        Some("{of}->{pointer}() = {value}"),
-    ),
+    ("write", "{of}->{pointer} = {value}", Some("{of}->{pointer}() = {value}")),
     ("next", "next", None),
     ("prev", "", None),
     ("twin", "twin", None),
@@ -60,12 +56,7 @@ pub struct Style {
 impl Default for Style {
     /// Fields: `h->next`.
     fn default() -> Self {
-        Self {
-            patterns: PATTERNS
-                .iter()
-                .map(|(_, fields, _)| fields.to_string())
-                .collect(),
-        }
+        Self { patterns: PATTERNS.iter().map(|(_, fields, _)| fields.to_string()).collect() }
     }
 }
 
@@ -96,10 +87,7 @@ impl fmt::Display for StyleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotAStyle(text) => {
-                write!(
-                    f,
-                    "`{text}` is no style: write fields, accessors, or NAME=PATTERN"
-                )
+                write!(f, "`{text}` is no style: write fields, accessors, or NAME=PATTERN")
             }
             Self::Unknown(name) => {
                 let names: Vec<_> = PATTERNS.iter().map(|(name, _, _)| *name).collect();
@@ -132,9 +120,8 @@ impl Style {
                 }
             }
             _ => {
-                let (name, value) = text
-                    .split_once('=')
-                    .ok_or_else(|| StyleError::NotAStyle(text.to_string()))?;
+                let (name, value) =
+                    text.split_once('=').ok_or_else(|| StyleError::NotAStyle(text.to_string()))?;
                 let at = PATTERNS
                     .iter()
                     .position(|(known, _, _)| *known == name)
@@ -351,10 +338,7 @@ fn understand(name: &str, usual: &str, value: &str) -> Result<(), StyleError> {
     if known && !value.contains('\n') {
         return Ok(());
     }
-    Err(StyleError::NotAName {
-        name: name.to_string(),
-        value: value.to_string(),
-    })
+    Err(StyleError::NotAName { name: name.to_string(), value: value.to_string() })
 }
 
 #[cfg(test)]
@@ -385,14 +369,9 @@ mod tests {
     #[test]
     fn what_no_style_has_is_an_error() {
         let mut style = Style::default();
-        for text in [
-            "pascal",
-            "nexxt=n",
-            "write={of}->{pointer}",
-            "next=->x",
-            "member=maybe",
-            "mesh=",
-        ] {
+        for text in
+            ["pascal", "nexxt=n", "write={of}->{pointer}", "next=->x", "member=maybe", "mesh="]
+        {
             assert!(style.set(text).is_err(), "{text}");
         }
     }

@@ -86,9 +86,7 @@ pub(super) fn spelled(name: &str, style: &Style) -> String {
         out.push_str(&rest[..at]);
         if rest[at..].starts_with('$') {
             let word = &rest[at + 1..];
-            let end = word
-                .find(|c: char| !c.is_ascii_alphanumeric())
-                .unwrap_or(word.len());
+            let end = word.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(word.len());
             out.push_str(&match &word[..end] {
                 "Mesh" => style.name("mesh").to_string(),
                 ty => style.qualified(ty),

@@ -81,10 +81,7 @@ impl Printer<'_> {
             }
             Operation::Make if ty.is_matrix() => {
                 if ty == Type::Mat3 {
-                    args = args
-                        .into_iter()
-                        .map(|arg| self.parts(Type::Vec3, arg))
-                        .collect();
+                    args = args.into_iter().map(|arg| self.parts(Type::Vec3, arg)).collect();
                 }
                 self.templated("columns.n", &[self.ty(ty)], &args)
             }

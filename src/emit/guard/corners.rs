@@ -104,17 +104,12 @@ impl Tests<'_, '_> {
         }
         if sure == 1 && later.is_empty() {
             let found = self.tally("meets", Type::Bool, Term::Bool(false));
-            let change = Statement::Change {
-                name: found.clone(),
-                value: Term::Bool(true),
-            };
+            let change = Statement::Change { name: found.clone(), value: Term::Bool(true) };
             self.where_paths_meet(&paths, vertex, &change)?;
             return Ok(Term::name(found));
         }
         let count = self.tally("corners", Type::Int, Term::Int(sure));
-        let raise = Statement::Raise {
-            name: count.clone(),
-        };
+        let raise = Statement::Raise { name: count.clone() };
         for path in later {
             let condition = self.names.empty(path).not();
             let body = vec![raise.clone()];
@@ -217,10 +212,7 @@ impl Tests<'_, '_> {
                 condition = self.term(corners.face).hole().not().and(condition);
             }
         }
-        self.body.push(Statement::When {
-            condition,
-            body: vec![found(same)],
-        });
+        self.body.push(Statement::When { condition, body: vec![found(same)] });
     }
 
     /// Looks at the undrawn faces around a vertex: compares each with the drawn ones, and with
@@ -235,10 +227,7 @@ impl Tests<'_, '_> {
         let list = self.list("faces", Type::Face, Vec::new());
         let note = |tests: &Self, h: Term| Statement::When {
             condition: tests.is_undrawn_face(h.clone()),
-            body: vec![Statement::Push {
-                list: list.clone(),
-                item: h.follow(Pointer::Face),
-            }],
+            body: vec![Statement::Push { list: list.clone(), item: h.follow(Pointer::Face) }],
         };
         let mut body = self.spokes(vertex, |tests, h| Ok(vec![note(tests, h)]))?;
         for spoke in self.result.spokes_after(vertex) {
@@ -275,31 +264,18 @@ impl Tests<'_, '_> {
         if !drawn.iter().any(|corners| corners.new.is_empty()) && !each_other {
             return Ok(Vec::new());
         }
-        body.push(Statement::Each {
-            item: one.face,
-            list,
-            body: each,
-        });
+        body.push(Statement::Each { item: one.face, list, body: each });
         Ok(body)
     }
 
     /// Lists the corners of a face that is not drawn.
     fn corners_of_undrawn(&mut self) -> Result<(Undrawn, Vec<Statement>), Untold> {
-        let undrawn = Undrawn {
-            face: self.names.fresh("f"),
-            corners: self.names.fresh("corners"),
-        };
+        let undrawn = Undrawn { face: self.names.fresh("f"), corners: self.names.fresh("corners") };
         let halfedge = self.names.fresh("h");
-        let item = self
-            .result
-            .known_origin(self.names, Term::name(&halfedge))?;
+        let item = self.result.known_origin(self.names, Term::name(&halfedge))?;
         let first = Term::name(&undrawn.face).follow(Pointer::FaceHalfedge);
         let body = vec![
-            Statement::List {
-                ty: Type::Vertex,
-                name: undrawn.corners.clone(),
-                items: Vec::new(),
-            },
+            Statement::List { ty: Type::Vertex, name: undrawn.corners.clone(), items: Vec::new() },
             Statement::Walk {
                 walk: Walk {
                     halfedge,
@@ -308,10 +284,7 @@ impl Tests<'_, '_> {
                     until: first,
                     around: true,
                 },
-                body: vec![Statement::Push {
-                    list: undrawn.corners.clone(),
-                    item,
-                }],
+                body: vec![Statement::Push { list: undrawn.corners.clone(), item }],
             },
         ];
         Ok((undrawn, body))
@@ -327,8 +300,5 @@ impl Tests<'_, '_> {
 }
 
 fn found(name: &str) -> Statement {
-    Statement::Change {
-        name: name.to_string(),
-        value: Term::Bool(true),
-    }
+    Statement::Change { name: name.to_string(), value: Term::Bool(true) }
 }

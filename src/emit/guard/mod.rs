@@ -46,12 +46,8 @@ fn by_walks(
     guard: &[Obligation],
     names: &mut Names,
 ) -> Result<Vec<Statement>, Untold> {
-    let mut tests = Tests {
-        result: Outcome::new(drawing, names),
-        drawing,
-        names,
-        body: Vec::new(),
-    };
+    let mut tests =
+        Tests { result: Outcome::new(drawing, names), drawing, names, body: Vec::new() };
     for obligation in guard.iter().filter(|obligation| obligation.is_test()) {
         let reason = obligation.statement.refusal(drawing.rule);
         tests.test(&obligation.statement, reason)?;
@@ -107,30 +103,18 @@ impl Tests<'_, '_> {
     }
 
     fn more_than_one(count: &str) -> Term {
-        Term::Binary(
-            Binary::LessInt,
-            Box::new(Term::Int(1)),
-            Box::new(Term::name(count)),
-        )
+        Term::Binary(Binary::LessInt, Box::new(Term::Int(1)), Box::new(Term::name(count)))
     }
 
     fn tally(&mut self, wanted: &str, ty: Type, value: Term) -> String {
         let name = self.names.fresh(wanted);
-        self.body.push(Statement::Tally {
-            ty,
-            name: name.clone(),
-            value,
-        });
+        self.body.push(Statement::Tally { ty, name: name.clone(), value });
         name
     }
 
     fn list(&mut self, wanted: &str, ty: Type, items: Vec<Term>) -> String {
         let name = self.names.fresh(wanted);
-        self.body.push(Statement::List {
-            ty,
-            name: name.clone(),
-            items,
-        });
+        self.body.push(Statement::List { ty, name: name.clone(), items });
         name
     }
 
@@ -149,10 +133,7 @@ impl Tests<'_, '_> {
         let body = body(self, h.clone())?;
         self.names.release(&halfedge);
         let condition = h.differs_from(self.term(path));
-        Ok(vec![Statement::Walk {
-            walk,
-            body: vec![Statement::only_where(condition, body)],
-        }])
+        Ok(vec![Statement::Walk { walk, body: vec![Statement::only_where(condition, body)] }])
     }
 
     /// What the walk over the spokes of a vertex of `after` does with each that is not drawn.
@@ -172,9 +153,7 @@ impl Tests<'_, '_> {
                 result::Piece::Star(source) => self.result.spokes_before(*source),
                 result::Piece::Run { .. } => Vec::new(),
             };
-            let other = drawn
-                .into_iter()
-                .map(|half| h.clone().differs_from(self.term(half)));
+            let other = drawn.into_iter().map(|half| h.clone().differs_from(self.term(half)));
             let inner = match other.reduce(Term::and) {
                 Some(condition) => vec![Statement::only_where(condition, inner)],
                 None => inner,
@@ -202,10 +181,7 @@ impl Tests<'_, '_> {
             let before = self.drawing.before.loop_of_item(item.item.name);
             let alone = before.filter(|before| {
                 let others = before.items.iter();
-                others
-                    .filter(|item| self.result.is_path(item.item.name))
-                    .count()
-                    == 1
+                others.filter(|item| self.result.is_path(item.item.name)).count() == 1
             });
             match (alone, &mut sizes) {
                 (Some(before), Some(sizes)) => {
@@ -218,10 +194,7 @@ impl Tests<'_, '_> {
             Some(sizes) => {
                 let drawn: i64 = sizes.iter().map(|(_, drawn)| drawn).sum();
                 let size = |(face, _): &(NameId, i64)| {
-                    Term::Call(
-                        Function::Builtin(Builtin::DegreeFace),
-                        vec![self.term(*face)],
-                    )
+                    Term::Call(Function::Builtin(Builtin::DegreeFace), vec![self.term(*face)])
                 };
                 let total = sizes.iter().map(size).reduce(plus);
                 match total {
@@ -234,9 +207,7 @@ impl Tests<'_, '_> {
                 for path in paths {
                     let halfedge = self.names.fresh("h");
                     let walk = super::walks::along_path(self.drawing, self.names, path, halfedge);
-                    let body = vec![Statement::Raise {
-                        name: count.clone(),
-                    }];
+                    let body = vec![Statement::Raise { name: count.clone() }];
                     let walk = walk.map(|walk| Statement::Walk { walk, body });
                     self.body.extend(walk);
                 }
@@ -269,11 +240,7 @@ impl Tests<'_, '_> {
             };
         }
         let count = self.tally("spokes", Type::Int, Term::Int(drawn));
-        let raise = |_: &Self, _: Term| {
-            Ok(vec![Statement::Raise {
-                name: count.clone(),
-            }])
-        };
+        let raise = |_: &Self, _: Term| Ok(vec![Statement::Raise { name: count.clone() }]);
         if let Ok(walks) = self.spokes(vertex, raise) {
             self.body.extend(walks);
         }
@@ -292,19 +259,14 @@ impl Tests<'_, '_> {
             }
         }
         let count = self.tally("holes", Type::Int, Term::Int(sure));
-        let raise = || Statement::Raise {
-            name: count.clone(),
-        };
+        let raise = || Statement::Raise { name: count.clone() };
         for condition in asked {
             let body = vec![raise()];
             self.body.push(Statement::When { condition, body });
         }
         let walks = self.spokes(vertex, |tests, h| {
             let condition = tests.result.hole(tests.names, h);
-            Ok(vec![Statement::When {
-                condition,
-                body: vec![raise()],
-            }])
+            Ok(vec![Statement::When { condition, body: vec![raise()] }])
         })?;
         self.body.extend(walks);
         Ok(Self::more_than_one(&count))
@@ -317,11 +279,7 @@ impl Tests<'_, '_> {
         let condition = self.result.hole(self.names, Term::name(&spoke));
         let walk = self.inside(path, |_, h| {
             Ok(vec![
-                Statement::Tally {
-                    ty: Type::Int,
-                    name: holes.clone(),
-                    value: Term::Int(0),
-                },
+                Statement::Tally { ty: Type::Int, name: holes.clone(), value: Term::Int(0) },
                 Statement::Walk {
                     walk: Walk {
                         halfedge: spoke.clone(),
@@ -332,9 +290,7 @@ impl Tests<'_, '_> {
                     },
                     body: vec![Statement::When {
                         condition,
-                        body: vec![Statement::Raise {
-                            name: holes.clone(),
-                        }],
+                        body: vec![Statement::Raise { name: holes.clone() }],
                     }],
                 },
                 Statement::When {
@@ -386,9 +342,8 @@ impl Tests<'_, '_> {
         told: Vec<Told>,
         tell: impl Fn(&Self, Term) -> Told,
     ) -> Result<Term, Untold> {
-        let (new, old): (Vec<_>, Vec<_>) = drawn
-            .into_iter()
-            .partition(|&name| self.result.is_new(name));
+        let (new, old): (Vec<_>, Vec<_>) =
+            drawn.into_iter().partition(|&name| self.result.is_new(name));
         if has_repetition(&new) {
             return Ok(Term::Bool(true));
         }
@@ -441,9 +396,7 @@ impl Tests<'_, '_> {
             let condition = end.is(to, tests.old_term(to));
             Ok(vec![Statement::When {
                 condition,
-                body: vec![Statement::Raise {
-                    name: count.clone(),
-                }],
+                body: vec![Statement::Raise { name: count.clone() }],
             }])
         })?;
         self.body.extend(walks);
@@ -453,10 +406,7 @@ impl Tests<'_, '_> {
 
 /// Lists what a halfedge will have, or counts it if it is new.
 fn note(told: Told, list: &str, counts: &[(NameId, String)]) -> Vec<Statement> {
-    let push = Statement::Push {
-        list: list.to_string(),
-        item: told.other.clone(),
-    };
+    let push = Statement::Push { list: list.to_string(), item: told.other.clone() };
     let mut body = match told.is_known() {
         Some(condition) => vec![Statement::only_where(condition, vec![push])],
         None => vec![push],
@@ -465,9 +415,7 @@ fn note(told: Told, list: &str, counts: &[(NameId, String)]) -> Vec<Statement> {
         if let Some((_, count)) = counts.iter().find(|(of, _)| *of == name) {
             body.push(Statement::When {
                 condition,
-                body: vec![Statement::Raise {
-                    name: count.clone(),
-                }],
+                body: vec![Statement::Raise { name: count.clone() }],
             });
         }
     }

@@ -111,9 +111,7 @@ impl Told {
         match term {
             Some(term) => {
                 let is = self.other.clone().is(term);
-                self.is_known()
-                    .into_iter()
-                    .fold(is, |is, known| known.and(is))
+                self.is_known().into_iter().fold(is, |is, known| known.and(is))
             }
             None => {
                 let new = self.new.into_iter().filter(|(_, to)| *to == element);
@@ -126,10 +124,7 @@ impl Told {
 
 impl<'d> Outcome<'d> {
     pub fn new(drawing: &'d Drawing<'d>, names: &mut Names) -> Self {
-        let mut outcome = Self {
-            drawing,
-            parted: Vec::new(),
-        };
+        let mut outcome = Self { drawing, parted: Vec::new() };
         let mut moves = outcome.moves();
         moves.extend(outcome.homes());
         // Those that hardly anything asks for come last, so that names have no gaps.
@@ -180,10 +175,7 @@ impl<'d> Outcome<'d> {
 
     /// Whether a halfedge is one of those that move, `at` being its vertex or face.
     fn moved(&self, names: &Names, one: &Move, half: &Term, at: &Term) -> Term {
-        let list = self
-            .parted
-            .iter()
-            .find(|parted| Some(parted.which) == one.run);
+        let list = self.parted.iter().find(|parted| Some(parted.which) == one.run);
         match list {
             Some(parted) => {
                 parted.is_asked.set(true);
@@ -283,10 +275,7 @@ impl<'d> Outcome<'d> {
     /// What a halfedge will have instead of what it has: as moves tell.
     fn told(&self, names: &Names, half: &Term, at: Pointer, moves: Vec<Move>) -> Told {
         let has = half.clone().follow(at);
-        let mut told = Told {
-            new: Vec::new(),
-            other: has.clone(),
-        };
+        let mut told = Told { new: Vec::new(), other: has.clone() };
         for one in moves.into_iter().filter(|one| one.from != one.to) {
             let moved = self.moved(names, &one, half, &has);
             told.unless(moved, self.is_new(one.to), (one.to, names.term(one.to)));
@@ -341,9 +330,8 @@ impl<'d> Outcome<'d> {
             let from = orbit.face.name;
             let items = orbit.items.iter().map(|item| item.item.name);
             let paths = items.filter(|&item| self.is_path(item));
-            let paths: Vec<_> = paths
-                .filter_map(|path| Some((path, self.drawing.after.face(path)?)))
-                .collect();
+            let paths: Vec<_> =
+                paths.filter_map(|path| Some((path, self.drawing.after.face(path)?))).collect();
             let part = paths.iter().any(|(_, to)| *to != paths[0].1);
             let count = if part { paths.len() } else { 1 };
             homes.extend(paths.into_iter().take(count).map(|(path, to)| Move {
@@ -368,10 +356,8 @@ impl<'d> Outcome<'d> {
         for one in self.homes() {
             let Move { from, to, .. } = one;
             let kind = |orbit: Option<&crate::diagram::Loop>| orbit.map(|orbit| orbit.kind);
-            let (before, after) = (
-                kind(drawing.before.loop_of_face(from)),
-                kind(drawing.after.loop_of_face(to)),
-            );
+            let (before, after) =
+                (kind(drawing.before.loop_of_face(from)), kind(drawing.after.loop_of_face(to)));
             let same = before == after && (before != Some(LoopKind::Any) || from == to);
             if same {
                 continue;

@@ -51,21 +51,11 @@ fn seen(statement: Statement) -> Option<Statement> {
             return None;
         }
         Statement::Set {
-            pointer: Pointer::Edge | Pointer::EdgeHalfedge | Pointer::Prev,
-            ..
+            pointer: Pointer::Edge | Pointer::EdgeHalfedge | Pointer::Prev, ..
         } => return None,
-        Statement::Turn { turns, body } => Statement::Turn {
-            turns,
-            body: seen_of(body)?,
-        },
-        Statement::When { condition, body } => Statement::When {
-            condition,
-            body: seen_of(body)?,
-        },
-        Statement::Walk { walk, body } => Statement::Walk {
-            walk,
-            body: seen_of(body)?,
-        },
+        Statement::Turn { turns, body } => Statement::Turn { turns, body: seen_of(body)? },
+        Statement::When { condition, body } => Statement::When { condition, body: seen_of(body)? },
+        Statement::Walk { walk, body } => Statement::Walk { walk, body: seen_of(body)? },
         statement => statement,
     })
 }
@@ -110,10 +100,7 @@ impl Sheet<'_, '_> {
         let sheet = Term::name(&self.name);
         let holds = self.names.for_each(repeated, |names| {
             let of = of.iter().map(|&name| names.term(name));
-            Term::Call(
-                Function::Foreseen(question),
-                std::iter::once(sheet).chain(of).collect(),
-            )
+            Term::Call(Function::Foreseen(question), std::iter::once(sheet).chain(of).collect())
         });
         match repeated {
             true => holds.not().for_some(self.names.turns()),
@@ -131,24 +118,18 @@ impl Sheet<'_, '_> {
         });
         let halfedge = self.names.fresh("h");
         let repeated = self.drawing.rule.is_member(path);
-        let walk = self.names.for_each(repeated, |names| {
-            along_path(self.drawing, names, path, halfedge.clone())
-        });
+        let walk = self
+            .names
+            .for_each(repeated, |names| along_path(self.drawing, names, path, halfedge.clone()));
         self.names.release(&halfedge);
         let sheet = || Term::name(&self.name);
-        let origin = Term::Call(
-            Function::Foreseen("vertex"),
-            vec![sheet(), Term::name(&halfedge)],
-        );
+        let origin = Term::Call(Function::Foreseen("vertex"), vec![sheet(), Term::name(&halfedge)]);
         let one_hole = Term::Call(Function::Foreseen("one_hole"), vec![sheet(), origin]);
         let walk = walk.map(|walk| Statement::Walk {
             walk,
             body: vec![Statement::When {
                 condition: one_hole.not(),
-                body: vec![Statement::Change {
-                    name: pinched.clone(),
-                    value: Term::Bool(true),
-                }],
+                body: vec![Statement::Change { name: pinched.clone(), value: Term::Bool(true) }],
             }],
         });
         self.body.extend(match repeated {

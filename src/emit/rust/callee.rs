@@ -36,11 +36,7 @@ impl Printer {
         for line in &helper.docs {
             self.lines.line(format!("/// {line}").trim_end());
         }
-        let mesh = if names(&body, "mesh") {
-            "mesh"
-        } else {
-            "_mesh"
-        };
+        let mesh = if names(&body, "mesh") { "mesh" } else { "_mesh" };
         let mesh = match helper.changes {
             true => format!("{mesh}: &mut Mesh"),
             false => format!("{mesh}: &Mesh"),

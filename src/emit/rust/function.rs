@@ -17,12 +17,8 @@ use crate::diagram::Type;
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
 pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
-    let conventions = build::Conventions {
-        prev: true,
-        isolated_vertices: true,
-        columns: true,
-        undoes: true,
-    };
+    let conventions =
+        build::Conventions { prev: true, isolated_vertices: true, columns: true, undoes: true };
     let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {
         lines: Lines::new(4),
@@ -72,16 +68,12 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         true => "use std::collections::HashMap;\n",
         false => "",
     };
-    Ok(format!(
-        "{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}",
-        used.join(", ")
-    ))
+    Ok(format!("{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}", used.join(", ")))
 }
 
 /// Whether a text has a word.
 pub(super) fn names(text: &str, word: &str) -> bool {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-        .any(|part| part == word)
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|part| part == word)
 }
 
 pub(super) struct Printer {
@@ -148,23 +140,13 @@ impl Printer {
             None => "bool".to_string(),
         };
         let params = |used: &BTreeSet<String>| {
-            let params = routine
-                .params
-                .iter()
-                .filter(|param| used.contains(&param.name));
+            let params = routine.params.iter().filter(|param| used.contains(&param.name));
             let params = params.map(|param| format!(", {}: {}", param.name, ty(param.ty)));
             params.collect::<String>()
         };
-        let all: BTreeSet<_> = routine
-            .params
-            .iter()
-            .map(|param| param.name.clone())
-            .collect();
-        let head = format!(
-            "{visible} {}(mesh: &mut Mesh{}) -> {result} {{",
-            routine.name,
-            params(&all)
-        );
+        let all: BTreeSet<_> = routine.params.iter().map(|param| param.name.clone()).collect();
+        let head =
+            format!("{visible} {}(mesh: &mut Mesh{}) -> {result} {{", routine.name, params(&all));
         if let [rule] = routine.rules.as_slice() {
             self.allow(&rule.body, &routine.params);
             self.lines.open(&head);
@@ -183,10 +165,7 @@ impl Printer {
                     used.insert(name.to_string());
                 });
             });
-            let args = routine
-                .params
-                .iter()
-                .filter(|param| used.contains(&param.name));
+            let args = routine.params.iter().filter(|param| used.contains(&param.name));
             let args: String = args.map(|param| format!(", {}", param.name)).collect();
             calls.push(format!("{name}(mesh{args})"));
             bodies.push((name, params(&used), rule));
@@ -206,9 +185,7 @@ impl Printer {
         for (name, params, rule) in bodies {
             self.lines.line("");
             self.allow(&rule.body, &routine.params);
-            self.lines.open(&format!(
-                "fn {name}(mesh: &mut Mesh{params}) -> {result} {{"
-            ));
+            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
             self.alternative(&rule.body, routine);
             self.lines.close("}");
         }
@@ -231,8 +208,7 @@ impl Printer {
             None => ("return false;", "false"),
         };
         self.refusal = refused;
-        self.lines
-            .line("// 1. Collect: nothing is written before all of this has passed.");
+        self.lines.line("// 1. Collect: nothing is written before all of this has passed.");
         let (result, rest) = match body.split_last() {
             Some((Statement::Return { result }, rest)) => (Some(result), rest),
             _ => (None, body),

@@ -9,11 +9,9 @@ impl Printer {
     /// A sheet, and the block in which it is looked at.
     pub(super) fn foresee(&mut self, sheet: &str, body: &[Statement], has_result: bool) {
         self.used.insert("Sheet");
-        self.lines
-            .line("// The guard looks at what there would be, on a sheet over the mesh.");
+        self.lines.line("// The guard looks at what there would be, on a sheet over the mesh.");
         self.lines.open("{");
-        self.lines
-            .line(&format!("let mut {sheet} = Sheet::new(mesh);"));
+        self.lines.line(&format!("let mut {sheet} = Sheet::new(mesh);"));
         let outer = self.sheet.replace(sheet.to_string());
         self.block(body, has_result);
         self.sheet = outer;

@@ -48,10 +48,8 @@ impl Language for Printer {
     }
 
     fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
-        let text = format!(
-            "if {} {{ {} }} else {{ {} }}",
-            condition.text, then.text, otherwise.text
-        );
+        let text =
+            format!("if {} {{ {} }} else {{ {} }}", condition.text, then.text, otherwise.text);
         Spelled::new(text, Level::Choice)
     }
 
@@ -66,10 +64,8 @@ impl Language for Printer {
             Function::Of(operation, ty) => return self.of_type(operation, ty, args),
             function => return self.own(function, args),
         };
-        let first = |args: &[Spelled]| {
-            args.first()
-                .map_or_else(String::new, |arg| arg.text.clone())
-        };
+        let first =
+            |args: &[Spelled]| args.first().map_or_else(String::new, |arg| arg.text.clone());
         let of_mesh = |name: &str, args: &[Spelled]| {
             let args: Vec<_> = args.iter().map(|arg| arg.text.clone()).collect();
             Spelled::whole(format!("mesh.{name}({})", args.join(", ")))
@@ -130,19 +126,15 @@ impl Language for Printer {
             Builtin::Normalize => return self.support("direction", &[first(&args)]),
             Builtin::Distance => "distance",
             Builtin::Angle => {
-                let (a, b) = (
-                    first(&args),
-                    args.get(1).map_or_else(String::new, |b| b.text.clone()),
-                );
+                let (a, b) =
+                    (first(&args), args.get(1).map_or_else(String::new, |b| b.text.clone()));
                 return Spelled::whole(format!(
                     "f64::atan2(DVec3::cross({a}, {b}).length(), DVec3::dot({a}, {b}))"
                 ));
             }
             Builtin::Round => {
-                let value = args
-                    .into_iter()
-                    .next()
-                    .map_or_else(String::new, |arg| arg.at(Level::Whole));
+                let value =
+                    args.into_iter().next().map_or_else(String::new, |arg| arg.at(Level::Whole));
                 let text = format!("{value}.round_ties_even() as i64");
                 return Spelled::new(text, Level::Compare);
             }

@@ -27,8 +27,7 @@ impl Printer {
             false => format!("vec![{}]", items.join(", ")),
         };
         let ty = ty(of);
-        self.lines
-            .line(&format!("{bind} {name}: Vec<{ty}> = {value};"));
+        self.lines.line(&format!("{bind} {name}: Vec<{ty}> = {value};"));
     }
 
     fn statement(&mut self, statement: &Statement, has_result: bool) {
@@ -52,9 +51,7 @@ impl Printer {
                 let found = format!("mesh.find_column(ElementKind::{kind}, \"{declared}\")");
                 if self.is_asked {
                     let why = "whoever calls asks for it";
-                    return self
-                        .lines
-                        .line(&format!("let {column} = {found}.expect(\"{why}\");"));
+                    return self.lines.line(&format!("let {column} = {found}.expect(\"{why}\");"));
                 }
                 self.lines.line(&format!("let {column} = {found};"));
                 self.lines.open(&format!(
@@ -70,12 +67,7 @@ impl Printer {
                 let value = self.text(value);
                 self.lines.line(&format!("let {name} = {value};"));
             }
-            Statement::Attempt {
-                kind,
-                element,
-                halfedge,
-                body,
-            } => {
+            Statement::Attempt { kind, element, halfedge, body } => {
                 let all = match kind {
                     Kind::Edge => format!(
                         "[mesh.edge_halfedge({element}), mesh.twin(mesh.edge_halfedge({element}))]"
@@ -101,11 +93,7 @@ impl Printer {
             Statement::Refuse { when, reason } => {
                 let when = self.text(when);
                 self.lines.open(&format!("if {when} {{"));
-                self.lines.line(&format!(
-                    "{} // {}",
-                    self.refusal,
-                    reason.replace('\n', " ")
-                ));
+                self.lines.line(&format!("{} // {}", self.refusal, reason.replace('\n', " ")));
                 self.lines.close("}");
             }
             Statement::List { ty, name, items } => self.list(*ty, "let mut", name, items),
@@ -124,23 +112,14 @@ impl Printer {
             Statement::Size { name, list } => {
                 self.lines.line(&format!("let {name} = {list}.len();"));
             }
-            Statement::Gather {
-                ty: of,
-                name,
-                turns: Turns { index, size },
-                item,
-            } => {
+            Statement::Gather { ty: of, name, turns: Turns { index, size }, item } => {
                 let item = self.text(item);
                 let ty = ty(*of);
                 self.lines.line(&format!(
                     "let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"
                 ));
             }
-            Statement::NewEach {
-                kind,
-                name,
-                turns: Turns { size, .. },
-            } => {
+            Statement::NewEach { kind, name, turns: Turns { size, .. } } => {
                 let kind = word(*kind);
                 self.lines.line(&format!(
                     "let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();"
@@ -171,13 +150,11 @@ impl Printer {
                 self.lines.close("}");
             }
             Statement::New { kind, name } => {
-                self.lines
-                    .line(&format!("let {name} = mesh.add_{}();", word(*kind)));
+                self.lines.line(&format!("let {name} = mesh.add_{}();", word(*kind)));
             }
             Statement::Set { pointer, of, value } => {
                 let (of, value) = (self.text(of), self.text(value));
-                self.lines
-                    .line(&format!("mesh.set_{}({of}, {value});", field(*pointer)));
+                self.lines.line(&format!("mesh.set_{}({of}, {value});", field(*pointer)));
             }
             Statement::SetHole { face, hole } => {
                 let face = self.text(face);
@@ -185,25 +162,17 @@ impl Printer {
             }
             Statement::SetPosition { vertex, value } => {
                 let (vertex, value) = (self.text(vertex), self.text(value));
-                self.lines
-                    .line(&format!("mesh.set_position({vertex}, {value});"));
+                self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
             }
-            Statement::SetAttribute {
-                attribute,
-                element,
-                value,
-            } => {
+            Statement::SetAttribute { attribute, element, value } => {
                 self.used.insert("set_attribute");
                 let (element, value) = (self.text(element), self.text(value));
                 let column = &attribute.column;
-                self.lines.line(&format!(
-                    "set_attribute(mesh, {column}, {element}.0, {value});"
-                ));
+                self.lines.line(&format!("set_attribute(mesh, {column}, {element}.0, {value});"));
             }
             Statement::Erase { kind, element } => {
                 let element = self.text(element);
-                self.lines
-                    .line(&format!("mesh.erase_{}({element});", word(*kind)));
+                self.lines.line(&format!("mesh.erase_{}({element});", word(*kind)));
             }
             Statement::Give(value) => {
                 let value = self.text(value);
@@ -231,8 +200,7 @@ impl Printer {
                 Step::Next => format!("mesh.loop_from({from})"),
                 Step::Clockwise => format!("mesh.spokes_from({from})"),
             };
-            self.lines
-                .open(&format!("for {h} in {all}.collect::<Vec<_>>() {{"));
+            self.lines.open(&format!("for {h} in {all}.collect::<Vec<_>>() {{"));
             self.block(body, has_result);
         } else {
             let until = self.text(&walk.until);

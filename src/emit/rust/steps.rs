@@ -19,9 +19,7 @@ impl Printer {
         let result = whole.result.map(ty);
         let result = result.map_or("bool".into(), |result| format!("Option<{result}>"));
         let name = &whole.name;
-        self.lines.open(&format!(
-            "{visible} {name}(mesh: &mut Mesh{params}) -> {result} {{"
-        ));
+        self.lines.open(&format!("{visible} {name}(mesh: &mut Mesh{params}) -> {result} {{"));
         self.refusal = match whole.result {
             Some(_) => "return None;",
             None => "return false;",
@@ -33,8 +31,7 @@ impl Printer {
             diagram::Level::Surface => "Surface",
             diagram::Level::Simple => "Simple",
         };
-        self.lines
-            .open(&format!("all_or_nothing(mesh, Level::{level}, |mesh| {{"));
+        self.lines.open(&format!("all_or_nothing(mesh, Level::{level}, |mesh| {{"));
         (self.refusal, self.applied) = ("return None;", "Some(())");
         let (last, others) = match whole.body.split_last() {
             Some((Statement::Return { result }, others)) => (Some(result), others),
@@ -65,12 +62,7 @@ impl Printer {
                 let call = self.called(call);
                 self.lines.line(&format!("{call};"));
             }
-            Action::Apply {
-                call,
-                place,
-                then,
-                otherwise,
-            } => {
+            Action::Apply { call, place, then, otherwise } => {
                 let text = self.called(call);
                 let condition = match (place, call.of, then.is_empty()) {
                     (Some(Parameter { name, .. }), ..) => format!("let Some({name}) = {text}"),
@@ -84,11 +76,7 @@ impl Printer {
                     false => self.branches(&condition, [then, otherwise], has_result),
                 }
             }
-            Action::Choose {
-                condition,
-                then,
-                otherwise,
-            } => {
+            Action::Choose { condition, then, otherwise } => {
                 let condition = self.text(condition);
                 self.branches(&condition, [then, otherwise], has_result);
             }
@@ -100,18 +88,10 @@ impl Printer {
                 let condition = self.text(condition);
                 self.held(&format!("while {condition} {{"), body, has_result);
             }
-            Action::For {
-                variable,
-                around,
-                element,
-                may_go,
-                filter,
-                body,
-            } => {
+            Action::For { variable, around, element, may_go, filter, body } => {
                 let all = self.all_around(*around, element);
                 let Parameter { name, ty: of, .. } = variable;
-                self.lines
-                    .open(&format!("for {name} in {all}.collect::<Vec<_>>() {{"));
+                self.lines.open(&format!("for {name} in {all}.collect::<Vec<_>>() {{"));
                 let gone = may_go.then(|| format!("!mesh.{}_alive({name})", of.word()));
                 let others = filter.as_ref().map(|filter| {
                     let others = spell(self, &filter.clone().not());
@@ -133,30 +113,20 @@ impl Printer {
                 self.action(visit, has_result);
                 held.iter().for_each(|held| self.release(held));
             }
-            Action::Hold {
-                list,
-                element,
-                value,
-            } => {
+            Action::Hold { list, element, value } => {
                 let (element, value) = (self.text(element), self.text(value));
                 let value = bare(&value);
-                self.lines
-                    .line(&format!("{list}.push(({element}, {value}));"));
+                self.lines.line(&format!("{list}.push(({element}, {value}));"));
             }
             Action::Break => self.lines.line("break;"),
             Action::Continue => self.lines.line("continue;"),
-            Action::Move {
-                vertex,
-                value,
-                is_finite,
-            } => {
+            Action::Move { vertex, value, is_finite } => {
                 let (vertex, mut value) = (self.text(vertex), self.text(value));
                 if !is_finite {
                     self.used.insert("finite");
                     value = format!("finite({value})?");
                 }
-                self.lines
-                    .line(&format!("mesh.set_position({vertex}, {value});"));
+                self.lines.line(&format!("mesh.set_position({vertex}, {value});"));
             }
             Action::Ask(attribute) => {
                 let declared = &attribute.declared;
@@ -189,19 +159,16 @@ impl Printer {
     /// Writes what was put off.
     fn release(&mut self, held: &Held) {
         let list = &held.list;
-        self.lines
-            .open(&format!("for (element, value) in {list} {{"));
+        self.lines.open(&format!("for (element, value) in {list} {{"));
         match &held.attribute {
             None => {
                 self.used.insert("finite");
-                self.lines
-                    .line("mesh.set_position(element, finite(value)?);");
+                self.lines.line("mesh.set_position(element, finite(value)?);");
             }
             Some(attribute) => {
                 self.used.insert("set_attribute");
                 let column = &attribute.column;
-                self.lines
-                    .line(&format!("set_attribute(mesh, {column}, element.0, value);"));
+                self.lines.line(&format!("set_attribute(mesh, {column}, element.0, value);"));
             }
         }
         self.lines.close("}");
@@ -271,13 +238,7 @@ impl Printer {
     fn otherwise(&mut self, otherwise: &[Statement], has_result: bool) {
         match otherwise {
             [] => {}
-            [
-                Statement::Action(Action::Choose {
-                    condition,
-                    then,
-                    otherwise,
-                }),
-            ] => {
+            [Statement::Action(Action::Choose { condition, then, otherwise })] => {
                 let condition = self.text(condition);
                 self.lines.reopen(&format!("}} else if {condition} {{"));
                 self.block(then, has_result);

@@ -3,11 +3,8 @@
 use std::collections::BTreeSet;
 
 /// Each behind a line with its name.
-const TEXTS: &str = concat!(
-    include_str!("functions.txt"),
-    include_str!("values.txt"),
-    include_str!("sheet.txt")
-);
+const TEXTS: &str =
+    concat!(include_str!("functions.txt"), include_str!("values.txt"), include_str!("sheet.txt"));
 
 /// The names and texts of all functions, in order.
 fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -26,17 +23,11 @@ pub(super) fn needed(mut used: BTreeSet<&'static str>) -> Vec<(&'static str, &'s
         let count = used.len();
         for (name, text) in functions() {
             if used.contains(name) {
-                used.extend(
-                    functions()
-                        .map(|(other, _)| other)
-                        .filter(|other| calls(text, other)),
-                );
+                used.extend(functions().map(|(other, _)| other).filter(|other| calls(text, other)));
             }
         }
         if used.len() == count {
-            return functions()
-                .filter(|(name, _)| used.contains(name))
-                .collect();
+            return functions().filter(|(name, _)| used.contains(name)).collect();
         }
     }
 }

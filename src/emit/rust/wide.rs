@@ -27,11 +27,7 @@ impl Printer {
                     Binary::EqualVector => ("==", Level::Compare, Level::Sum),
                     _ => ("*", Level::Product, Level::Prefix),
                 };
-                let before = if level == Level::Compare {
-                    behind
-                } else {
-                    level
-                };
+                let before = if level == Level::Compare { behind } else { level };
                 let (left, right) = (left.at(before), right.at(behind));
                 Spelled::new(format!("{left} {symbol} {right}"), level)
             }

@@ -68,10 +68,7 @@ impl<'s> Writer<'s> {
         let mut read = BTreeSet::new();
         each(&body.block, &mut |statement| {
             if let StatementKind::Set { variable, .. }
-            | StatementKind::IfApply {
-                variable: Some(variable),
-                ..
-            } = statement.kind
+            | StatementKind::IfApply { variable: Some(variable), .. } = statement.kind
                 && !set.insert(variable)
             {
                 changing.insert(variable);
@@ -106,13 +103,8 @@ impl<'s> Writer<'s> {
             return Err(NotEmitted::new(what, variable.span));
         }
         let mut written = self.block(&body.block)?;
-        let leaves = matches!(
-            body.block.last(),
-            Some(Statement {
-                kind: StatementKind::Return(_),
-                ..
-            })
-        );
+        let leaves =
+            matches!(body.block.last(), Some(Statement { kind: StatementKind::Return(_), .. }));
         match self.ending {
             Ending::Steps if !leaves && !self.gives_back() => {
                 written.push(routine::Statement::Return { result: None });
@@ -159,11 +151,9 @@ impl<'s> Writer<'s> {
         let span = statement.span;
         let action = match &statement.kind {
             StatementKind::Set { variable, value } => return self.set(*variable, value, out),
-            StatementKind::Write {
-                target,
-                attribute,
-                value,
-            } => return self.put(target, *attribute, value, out),
+            StatementKind::Write { target, attribute, value } => {
+                return self.put(target, *attribute, value, out);
+            }
             StatementKind::Repeat { count, body } => {
                 let count = self.term(count)?;
                 let outer = self.names.mark();
@@ -172,21 +162,13 @@ impl<'s> Writer<'s> {
                 self.names.back_to(outer);
                 Action::Repeat { index, count, body }
             }
-            StatementKind::While { condition, body } => Action::While {
-                condition: self.term(condition)?,
-                body: self.block(body)?,
-            },
-            StatementKind::For {
-                variable,
-                collection,
-                filter,
-                body,
-            } => self.visit((*variable, collection), filter.as_ref(), body, span)?,
-            StatementKind::If {
-                condition,
-                then,
-                otherwise,
-            } => Action::Choose {
+            StatementKind::While { condition, body } => {
+                Action::While { condition: self.term(condition)?, body: self.block(body)? }
+            }
+            StatementKind::For { variable, collection, filter, body } => {
+                self.visit((*variable, collection), filter.as_ref(), body, span)?
+            }
+            StatementKind::If { condition, then, otherwise } => Action::Choose {
                 condition: self.term(condition)?,
                 then: self.block(then)?,
                 otherwise: self.block(otherwise)?,
@@ -198,13 +180,7 @@ impl<'s> Writer<'s> {
                     false => Action::May { call },
                 }
             }
-            StatementKind::IfApply {
-                op,
-                args,
-                variable,
-                then,
-                otherwise,
-            } => {
+            StatementKind::IfApply { op, args, variable, then, otherwise } => {
                 let call = self.operation(*op, args, out)?;
                 if let [only] = otherwise.as_slice()
                     && matches!(only.kind, StatementKind::Refused { .. })
@@ -219,12 +195,7 @@ impl<'s> Writer<'s> {
                         .map(|variable| self.bind(variable));
                     let then = self.block(then)?;
                     self.names.back_to(outer);
-                    Action::Apply {
-                        call,
-                        place,
-                        then,
-                        otherwise: self.block(otherwise)?,
-                    }
+                    Action::Apply { call, place, then, otherwise: self.block(otherwise)? }
                 }
             }
             StatementKind::Require { condition, reason } => {
@@ -246,12 +217,7 @@ impl<'s> Writer<'s> {
                 let call = self.function(*function, args, out)?;
                 Action::Must { call, place: None }
             }
-            StatementKind::Update {
-                variable,
-                collection,
-                filter,
-                body,
-            } => {
+            StatementKind::Update { variable, collection, filter, body } => {
                 let outer = self.names.mark();
                 self.held = self.written_in(body);
                 let held: Vec<_> = self.held.iter().map(|(_, held)| held.clone()).collect();
@@ -323,16 +289,11 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         match self.place(variable) {
             None => {}
-            Some(Place {
-                name,
-                form: Form::Known,
-                ..
-            }) => out.push(routine::Statement::Change { name, value }),
+            Some(Place { name, form: Form::Known, .. }) => {
+                out.push(routine::Statement::Change { name, value })
+            }
             Some(place) => {
-                out.push(routine::Statement::Action(Action::Variable {
-                    place,
-                    value,
-                }));
+                out.push(routine::Statement::Action(Action::Variable { place, value }));
             }
         }
         Ok(())
@@ -343,12 +304,7 @@ impl<'s> Writer<'s> {
     fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
         let mut held: Vec<(Access, Held)> = Vec::new();
         each(body, &mut |statement| {
-            let StatementKind::Write {
-                target,
-                attribute: access,
-                value,
-            } = &statement.kind
-            else {
+            let StatementKind::Write { target, attribute: access, value } = &statement.kind else {
                 return;
             };
             if held.iter().any(|(known, _)| known == access) {
@@ -383,11 +339,7 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         if let Some((_, held)) = self.held.iter().find(|(of, _)| *of == attribute) {
             let list = held.list.clone();
-            out.push(routine::Statement::Action(Action::Hold {
-                list,
-                element,
-                value,
-            }));
+            out.push(routine::Statement::Action(Action::Hold { list, element, value }));
             return Ok(());
         }
         match attribute {
@@ -410,11 +362,7 @@ impl<'s> Writer<'s> {
                         element: element.clone(),
                     }));
                 }
-                out.push(routine::Statement::SetAttribute {
-                    attribute,
-                    element,
-                    value,
-                });
+                out.push(routine::Statement::SetAttribute { attribute, element, value });
             }
         }
         Ok(())
@@ -457,11 +405,7 @@ impl<'s> Writer<'s> {
                     let call = self.function(function, args, out)?;
                     let name = self.names.fresh("result");
                     let given = Term::name(&name);
-                    let place = Some(Place {
-                        name,
-                        ty: value.ty,
-                        form: Form::Fixed,
-                    });
+                    let place = Some(Place { name, ty: value.ty, form: Form::Fixed });
                     out.push(routine::Statement::Action(Action::Must { call, place }));
                     given
                 }

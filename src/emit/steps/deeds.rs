@@ -60,8 +60,7 @@ impl AllDeeds {
         }
         for function in &program.functions {
             let block = function.body.as_ref().map(|body| &body.block);
-            all.functions
-                .push(block.map_or_else(Deeds::default, Deeds::of_block));
+            all.functions.push(block.map_or_else(Deeds::default, Deeds::of_block));
         }
         while all.spread() {}
         all
@@ -111,8 +110,7 @@ impl AllDeeds {
         let ops = deeds.ops.iter().filter_map(|&op| self.ops.get(op));
         let functions = deeds.functions.iter();
         let functions = functions.filter_map(|&function| self.function(function));
-        ops.chain(functions)
-            .any(|called| called.erases.contains(ty.word()))
+        ops.chain(functions).any(|called| called.erases.contains(ty.word()))
     }
 }
 
@@ -165,12 +163,8 @@ pub(super) fn each<'b>(block: &'b Block, see: &mut dyn FnMut(&'b Statement)) {
             | StatementKind::For { body, .. }
             | StatementKind::Update { body, .. }
             | StatementKind::Drain { body, .. } => each(body, see),
-            StatementKind::If {
-                then, otherwise, ..
-            }
-            | StatementKind::IfApply {
-                then, otherwise, ..
-            } => {
+            StatementKind::If { then, otherwise, .. }
+            | StatementKind::IfApply { then, otherwise, .. } => {
                 each(then, see);
                 each(otherwise, see);
             }
@@ -195,21 +189,12 @@ pub(super) fn values<'s>(statement: &'s Statement, see: &mut dyn FnMut(&'s Expr)
         | StatementKind::If { condition, .. }
         | StatementKind::Assert { condition, .. }
         | StatementKind::Require { condition, .. } => see(condition),
-        StatementKind::For {
-            collection, filter, ..
-        }
-        | StatementKind::Update {
-            collection, filter, ..
-        } => {
+        StatementKind::For { collection, filter, .. }
+        | StatementKind::Update { collection, filter, .. } => {
             around(collection, see);
             filter.iter().for_each(see);
         }
-        StatementKind::Drain {
-            collection,
-            key,
-            condition,
-            ..
-        } => {
+        StatementKind::Drain { collection, key, condition, .. } => {
             around(collection, see);
             see(key);
             condition.iter().for_each(see);

@@ -70,10 +70,7 @@ pub(in crate::emit) fn items(
         }
         ops.push(item);
     }
-    Ok(Items {
-        called: builder.called,
-        ops,
-    })
+    Ok(Items { called: builder.called, ops })
 }
 
 /// What the operations are called: those of the selection come first.
@@ -221,13 +218,8 @@ impl Builder<'_> {
         }
         let mut names = self.names(&steps.body, &resolved.params);
         let params = parameters(&resolved.params, &mut names)?;
-        let mut writer = Writer::new(
-            self.surroundings(),
-            &steps.body,
-            params.len(),
-            Ending::Steps,
-            &mut names,
-        );
+        let mut writer =
+            Writer::new(self.surroundings(), &steps.body, params.len(), Ending::Steps, &mut names);
         let mut asks = Vec::new();
         for require in &steps.requires {
             asks.push(Statement::Refuse {

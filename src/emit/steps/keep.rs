@@ -11,15 +11,9 @@ pub(super) fn kept(routine: Routine) -> Routine {
     let rules = routine.rules.into_iter().map(|rule| {
         let mut new = BTreeSet::new();
         created(&rule.body, &mut new);
-        Alternative {
-            body: noted(rule.body, &new),
-            ..rule
-        }
+        Alternative { body: noted(rule.body, &new), ..rule }
     });
-    Routine {
-        rules: rules.collect(),
-        ..routine
-    }
+    Routine { rules: rules.collect(), ..routine }
 }
 
 /// The names of what is new.
@@ -50,17 +44,13 @@ fn noted(body: Vec<Statement>, new: &BTreeSet<String>) -> Vec<Statement> {
         if let Some(element) = target(&statement) {
             // All of a block are noted at once, but those that are only found on the way.
             if !written.is_empty() {
-                out.push(Statement::Action(Action::Keep(std::mem::take(
-                    &mut written,
-                ))));
+                out.push(Statement::Action(Action::Keep(std::mem::take(&mut written))));
             }
             if !is_settled(element) && !is_new(element, new) {
                 out.push(Statement::Action(Action::Keep(vec![element.clone()])));
             }
         }
-        if let Statement::SetAttribute {
-            attribute, element, ..
-        } = &statement
+        if let Statement::SetAttribute { attribute, element, .. } = &statement
             && !is_new(element, new)
         {
             out.push(Statement::Action(Action::KeepAttribute {

@@ -10,14 +10,10 @@ pub fn read_dump(text: &str) -> Result<Dump, DumpError> {
     let mut dump = Dump::default();
     let mut table: Option<(String, Table)> = None;
     let finish = |table: Option<(String, Table)>, dump: &mut Dump| {
-        dump.meshes
-            .extend(table.map(|(name, table)| (name, table.mesh())));
+        dump.meshes.extend(table.map(|(name, table)| (name, table.mesh())));
     };
     for (at, line) in text.lines().enumerate() {
-        let failed = |reason| DumpError {
-            line: at + 1,
-            reason,
-        };
+        let failed = |reason| DumpError { line: at + 1, reason };
         if let Some(remark) = line.trim_start().strip_prefix('#') {
             dump.remarks.push(remark.trim().into());
             continue;
@@ -47,12 +43,7 @@ fn read_name(words: &[&str], ids: Ids) -> Result<(String, Vec<Element>), DumpRea
         return Err(DumpReason::NotOfForm(FORM));
     };
     let kind = read_kind(kind).ok_or(DumpReason::NotOfForm(FORM))?;
-    let element = |text: &&str| {
-        Ok(Element {
-            kind,
-            index: ids.read(text)?,
-        })
-    };
+    let element = |text: &&str| Ok(Element { kind, index: ids.read(text)? });
     let elements = listed.iter().map(element).collect::<Result<_, _>>()?;
     Ok(((*name).into(), elements))
 }
@@ -80,17 +71,12 @@ impl Ids {
 
     fn of(text: &str) -> Self {
         let bytes = u32::try_from(text.len()).unwrap_or(u32::MAX - 1);
-        Self {
-            below: bytes.clamp(Self::LEAST, u32::MAX - 1),
-        }
+        Self { below: bytes.clamp(Self::LEAST, u32::MAX - 1) }
     }
 
     pub(super) fn read(self, text: &str) -> Result<u32, DumpReason> {
         let id = text.parse().ok().filter(|&id: &u32| id < self.below);
-        id.ok_or_else(|| DumpReason::NotAnId {
-            text: text.into(),
-            below: self.below,
-        })
+        id.ok_or_else(|| DumpReason::NotAnId { text: text.into(), below: self.below })
     }
 
     /// An id, or `-` for none.

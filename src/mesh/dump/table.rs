@@ -33,12 +33,7 @@ impl Table {
             ["vertex", id, "halfedge", half, "at", x, y, z] => {
                 let at = DVec3::new(read_number(x)?, read_number(y)?, read_number(z)?);
                 let vertex = (halfedge(half)?, at);
-                put(
-                    &mut self.vertices,
-                    ElementKind::Vertex,
-                    ids.read(id)?,
-                    vertex,
-                )
+                put(&mut self.vertices, ElementKind::Vertex, ids.read(id)?, vertex)
             }
             ["vertex", ..] => Err(DumpReason::NotOfForm("vertex ID halfedge ID at X Y Z")),
             #[rustfmt::skip]

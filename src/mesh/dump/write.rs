@@ -17,9 +17,7 @@ pub fn write_dump(dump: &Dump) -> String {
         write_mesh(mesh, &mut lines);
     }
     for (name, elements) in &dump.names {
-        let kind = elements
-            .first()
-            .map_or(ElementKind::Halfedge, |first| first.kind);
+        let kind = elements.first().map_or(ElementKind::Halfedge, |first| first.kind);
         let ids: String = elements.iter().map(|of| format!(" {}", of.index)).collect();
         lines.push(format!("name {name} {kind}{ids}"));
     }
@@ -35,10 +33,7 @@ fn write_mesh(mesh: &Mesh, lines: &mut Vec<String>) {
     for vertex in mesh.vertices() {
         let half = id(mesh.vertex_halfedge(vertex).into());
         let DVec3 { x, y, z } = mesh.position(vertex);
-        lines.push(format!(
-            "vertex {} halfedge {half} at {x} {y} {z}",
-            vertex.0
-        ));
+        lines.push(format!("vertex {} halfedge {half} at {x} {y} {z}", vertex.0));
     }
     for half in mesh.halfedges() {
         let record = mesh.halfedge(half);
@@ -71,11 +66,7 @@ fn write_mesh(mesh: &Mesh, lines: &mut Vec<String>) {
 fn write_column(mesh: &Mesh, id: ColumnId, column: &Column, lines: &mut Vec<String>) {
     let (name, ty) = (column.name(), column.attribute_type());
     let default = column.default_value();
-    lines.push(format!(
-        "attribute {} {name} {ty} {}",
-        id.kind,
-        words(default)
-    ));
+    lines.push(format!("attribute {} {name} {ty} {}", id.kind, words(default)));
     for index in 0..mesh.capacity(id.kind) as u32 {
         let value = mesh.value(id, index);
         if let Some(value) = value.filter(|value| !value.is_identical(default)) {

@@ -70,8 +70,7 @@ impl Obj {
         let values: Vec<(u32, Value)> = match kind {
             ElementKind::Halfedge => {
                 let all = self.mesh.halfedges();
-                all.filter_map(|h| Some((h.0, value(ty, self.kept_value(what, h)?))))
-                    .collect()
+                all.filter_map(|h| Some((h.0, value(ty, self.kept_value(what, h)?)))).collect()
             }
             _ => {
                 let all = self.mesh.vertices();
@@ -85,10 +84,7 @@ impl Obj {
         };
         for (index, value) in values {
             let set = self.mesh.set_value(column, index, value);
-            debug_assert!(
-                set,
-                "the element lives, and the value is of the column's type"
-            );
+            debug_assert!(set, "the element lives, and the value is of the column's type");
         }
     }
 
@@ -110,9 +106,7 @@ impl Obj {
             let mut all = OfCorner::ALL.into_iter();
             Some(id) != self.color() && all.all(|what| self.written_column(what) != Some(id))
         });
-        unheld
-            .map(|(id, column)| (id.kind, column.name(), column.attribute_type()))
-            .collect()
+        unheld.map(|(id, column)| (id.kind, column.name(), column.attribute_type())).collect()
     }
 
     /// The words of the statements of the file, such as `l` and `p`, that are no part of a mesh
@@ -223,10 +217,7 @@ impl<'o> Corners<'o> {
         };
         let mesh = &obj.mesh;
         let is_flat = mesh.values::<DVec2>(column).is_some();
-        let mut rows = Rows {
-            rows: Vec::new(),
-            width: if is_flat { 2 } else { 3 },
-        };
+        let mut rows = Rows { rows: Vec::new(), width: if is_flat { 2 } else { 3 } };
         let mut places = vec![MISSING; mesh.capacity(ElementKind::Halfedge)];
         let mut known: HashMap<[u64; 3], u32> = HashMap::new();
         for h in faces.iter().flat_map(|&f| mesh.face_halfedges(f)) {

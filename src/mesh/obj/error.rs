@@ -105,39 +105,23 @@ impl fmt::Display for ObjReason {
             }
             Self::FewCorners { corners } => {
                 let s = if *corners == 1 { "" } else { "s" };
-                write!(
-                    f,
-                    "a face needs 3 corners or more, and this has {corners} corner{s}"
-                )
+                write!(f, "a face needs 3 corners or more, and this has {corners} corner{s}")
             }
             Self::NotFinite { vertex } => {
-                write!(
-                    f,
-                    "vertex {vertex} has a coordinate that is not a finite number"
-                )
+                write!(f, "vertex {vertex} has a coordinate that is not a finite number")
             }
             Self::RepeatedCorner { vertex } => {
                 write!(f, "the face has vertex {vertex} as a corner twice")
             }
-            Self::EdgeUsedThrice {
-                ends: [v, w],
-                lines: [a, b, c],
-            } => write!(
+            Self::EdgeUsedThrice { ends: [v, w], lines: [a, b, c] } => write!(
                 f,
                 "the faces of lines {a}, {b} and {c} share the edge between vertices {v} and {w}, and an edge has two sides"
             ),
-            Self::SameDirection {
-                from,
-                to,
-                lines: [a, b],
-            } => write!(
+            Self::SameDirection { from, to, lines: [a, b] } => write!(
                 f,
                 "the faces of lines {a} and {b} both run from vertex {from} to vertex {to}, so one of them is turned over"
             ),
-            Self::BowTie {
-                vertex,
-                lines: [a, b],
-            } => write!(
+            Self::BowTie { vertex, lines: [a, b] } => write!(
                 f,
                 "the faces of lines {a} and {b} meet at vertex {vertex} only, so the surface is pinched there"
             ),
@@ -176,55 +160,30 @@ impl ObjReason {
             BuildError::TooFewCorners { polygon, corners } => {
                 (Some(face_line(polygon)), Self::FewCorners { corners })
             }
-            BuildError::NoSuchVertex {
-                polygon,
-                vertex,
-                vertices,
-            } => {
+            BuildError::NoSuchVertex { polygon, vertex, vertices } => {
                 let index = i64::from(vertex) + 1;
-                let reason = Self::NoSuch {
-                    what: Indexed::Vertex,
-                    index,
-                    have: vertices,
-                };
+                let reason = Self::NoSuch { what: Indexed::Vertex, index, have: vertices };
                 (Some(face_line(polygon)), reason)
             }
-            BuildError::RepeatedCorner { polygon, vertex } => (
-                Some(face_line(polygon)),
-                Self::RepeatedCorner { vertex: vertex + 1 },
-            ),
-            BuildError::EdgeUsedThrice {
-                ends: [v, w],
-                polygons,
-            } => {
+            BuildError::RepeatedCorner { polygon, vertex } => {
+                (Some(face_line(polygon)), Self::RepeatedCorner { vertex: vertex + 1 })
+            }
+            BuildError::EdgeUsedThrice { ends: [v, w], polygons } => {
                 let mut lines = polygons.map(face_line);
                 lines.sort_unstable();
-                let reason = Self::EdgeUsedThrice {
-                    ends: [v + 1, w + 1],
-                    lines,
-                };
+                let reason = Self::EdgeUsedThrice { ends: [v + 1, w + 1], lines };
                 (lines.last().copied(), reason)
             }
             BuildError::SameDirection { from, to, polygons } => {
                 let mut lines = polygons.map(face_line);
                 lines.sort_unstable();
-                let reason = Self::SameDirection {
-                    from: from + 1,
-                    to: to + 1,
-                    lines,
-                };
+                let reason = Self::SameDirection { from: from + 1, to: to + 1, lines };
                 (lines.last().copied(), reason)
             }
             BuildError::BowTie { vertex, polygons } => {
                 let mut lines = polygons.map(face_line);
                 lines.sort_unstable();
-                (
-                    lines.last().copied(),
-                    Self::BowTie {
-                        vertex: vertex + 1,
-                        lines,
-                    },
-                )
+                (lines.last().copied(), Self::BowTie { vertex: vertex + 1, lines })
             }
         }
     }

@@ -84,18 +84,12 @@ impl<R: BufRead> Filter<R> {
     /// An index that leads out of the file. Known at its end only: a face may name a
     /// vertex that comes later.
     pub(super) fn index_out_of_range(&self) -> Option<(Option<u32>, ObjReason)> {
-        let have = [
-            self.vertex_lines.len(),
-            self.kept.texture.rows.len(),
-            self.kept.normals.rows.len(),
-        ];
+        let have =
+            [self.vertex_lines.len(), self.kept.texture.rows.len(), self.kept.normals.rows.len()];
         (0..3).find_map(|i| {
             let Highest { index, line } = self.highest[i];
-            let reason = || ObjReason::NoSuch {
-                what: KINDS[i],
-                index: index as i64,
-                have: have[i],
-            };
+            let reason =
+                || ObjReason::NoSuch { what: KINDS[i], index: index as i64, have: have[i] };
             (index > have[i] as u64).then(|| (Some(line), reason()))
         })
     }
@@ -155,27 +149,18 @@ impl<R: BufRead> Filter<R> {
 
     fn statement(&mut self) -> Result<(), ObjReason> {
         let text = self.statements.text().trim_ascii();
-        let end = text
-            .iter()
-            .position(u8::is_ascii_whitespace)
-            .unwrap_or(text.len());
+        let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
         let (keyword, rest) = text.split_at(end);
         match keyword {
             b"v" => self.vertex(),
             b"f" | b"fo" => self.face(),
             b"vt" => match self.kept.texture.push(words(rest), 1) {
                 true => Ok(()),
-                false => Err(ObjReason::NotNumbers {
-                    statement: "vt",
-                    needs: "a number or more",
-                }),
+                false => Err(ObjReason::NotNumbers { statement: "vt", needs: "a number or more" }),
             },
             b"vn" => match self.kept.normals.push(words(rest), 3) {
                 true => Ok(()),
-                false => Err(ObjReason::NotNumbers {
-                    statement: "vn",
-                    needs: "three numbers",
-                }),
+                false => Err(ObjReason::NotNumbers { statement: "vn", needs: "three numbers" }),
             },
             b"mtllib" => {
                 let library = rest.trim_ascii();
@@ -203,10 +188,7 @@ impl<R: BufRead> Filter<R> {
         self.out.push(b'v');
         for _ in 0..3 {
             // A weight after the coordinates belongs to curves; it is passed over.
-            let needs = ObjReason::NotNumbers {
-                statement: "v",
-                needs: "three numbers",
-            };
+            let needs = ObjReason::NotNumbers { statement: "v", needs: "three numbers" };
             let word = words.next().and_then(|word| std::str::from_utf8(word).ok());
             self.out.push(b' ');
             self.out.extend_from_slice(word.ok_or(needs)?.as_bytes());
@@ -233,11 +215,8 @@ impl<R: BufRead> Filter<R> {
             self.roll();
         }
         let line = self.statements.line();
-        let have = [
-            self.vertex_lines.len(),
-            self.kept.texture.rows.len(),
-            self.kept.normals.rows.len(),
-        ];
+        let have =
+            [self.vertex_lines.len(), self.kept.texture.rows.len(), self.kept.normals.rows.len()];
         let first = self.corners;
         self.out.push(b'f');
         for word in words(self.statements.text()).skip(1) {
@@ -251,10 +230,7 @@ impl<R: BufRead> Filter<R> {
                 let index = integer(part).ok_or_else(malformed)?;
                 let number = resolve(index, KINDS[i], have[i])?;
                 if number > self.highest[i].index {
-                    self.highest[i] = Highest {
-                        index: number,
-                        line,
-                    };
+                    self.highest[i] = Highest { index: number, line };
                 }
                 // What does not fit is out of range and refused at the end.
                 places[i] = u32::try_from(number - 1).unwrap_or(MISSING);
@@ -302,17 +278,13 @@ fn keep_corner(table: &mut Vec<u32>, corner: usize, place: u32) {
 }
 
 fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
-    text.split(u8::is_ascii_whitespace)
-        .filter(|word| !word.is_empty())
+    text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
 fn integer(word: &[u8]) -> Option<i64> {
     // Almost all indices are a few digits.
     if matches!(word.len(), 1..=18) && word.iter().all(u8::is_ascii_digit) {
-        return Some(
-            word.iter()
-                .fold(0, |value, &digit| value * 10 + i64::from(digit - b'0')),
-        );
+        return Some(word.iter().fold(0, |value, &digit| value * 10 + i64::from(digit - b'0')));
     }
     std::str::from_utf8(word).ok()?.parse().ok()
 }

@@ -49,9 +49,7 @@ impl Kept {
     /// The state at a face of the file.
     pub(super) fn state(&self, face: u32) -> State {
         let after = self.states.partition_point(|&(first, _)| first <= face);
-        after
-            .checked_sub(1)
-            .map_or(State::EMPTY, |i| self.states[i].1)
+        after.checked_sub(1).map_or(State::EMPTY, |i| self.states[i].1)
     }
 
     /// Notes a statement that holds from `face` on.

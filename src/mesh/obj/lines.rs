@@ -13,13 +13,7 @@ pub(super) struct Statements<R> {
 
 impl<R: BufRead> Statements<R> {
     pub(super) fn new(input: R) -> Self {
-        Self {
-            input,
-            text: Vec::new(),
-            first_line: 0,
-            last_line: 0,
-            after_return: false,
-        }
+        Self { input, text: Vec::new(), first_line: 0, last_line: 0, after_return: false }
     }
 
     /// Goes to the next statement, which may be blank; false at the end of the file.
@@ -68,8 +62,7 @@ impl<R: BufRead> Statements<R> {
             }
             found = true;
             let end = bytes.iter().position(|&b| b == b'\n' || b == b'\r');
-            self.text
-                .extend_from_slice(&bytes[..end.unwrap_or(bytes.len())]);
+            self.text.extend_from_slice(&bytes[..end.unwrap_or(bytes.len())]);
             let Some(end) = end else {
                 let all = bytes.len();
                 self.input.consume(all);
@@ -114,10 +107,7 @@ mod tests {
         let mut all = Vec::new();
         while statements.advance().unwrap() {
             let text = String::from_utf8_lossy(statements.text());
-            all.push((
-                statements.line(),
-                text.split_whitespace().collect::<Vec<_>>().join(" "),
-            ));
+            all.push((statements.line(), text.split_whitespace().collect::<Vec<_>>().join(" ")));
         }
         all
     }
@@ -130,10 +120,7 @@ mod tests {
 
     #[test]
     fn lines_end_in_three_ways() {
-        let lines: Vec<u32> = statements(b"a\r\n\nb\rc\\\r\nd\r")
-            .iter()
-            .map(|s| s.0)
-            .collect();
+        let lines: Vec<u32> = statements(b"a\r\n\nb\rc\\\r\nd\r").iter().map(|s| s.0).collect();
         assert_eq!(lines, [1, 2, 3, 4]);
         // Across the ends of a small buffer too.
         let input = io::BufReader::with_capacity(2, &b"a\r\nb\r\n"[..]);
@@ -146,9 +133,6 @@ mod tests {
     fn comments_end_a_line_and_are_not_continued() {
         let found = statements(b"\xef\xbb\xbf# c:\\dir\\\ng a#b # x \\\n\xff# y\nv");
         let texts: Vec<&str> = found.iter().map(|(_, text)| text.as_str()).collect();
-        assert_eq!(
-            texts,
-            ["", "g a#b", "\u{fffd}#y".replace("#y", "# y").as_str(), "v"]
-        );
+        assert_eq!(texts, ["", "g a#b", "\u{fffd}#y".replace("#y", "# y").as_str(), "v"]);
     }
 }

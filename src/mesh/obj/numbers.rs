@@ -38,22 +38,12 @@ impl Obj {
     /// A mesh that comes from no file: everything in it is new.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let kept = Kept::default();
-        Self {
-            mesh,
-            kept,
-            vertex_numbers: None,
-            face_numbers: None,
-            corners: None,
-            by_ids: false,
-        }
+        Self { mesh, kept, vertex_numbers: None, face_numbers: None, corners: None, by_ids: false }
     }
 
     /// A mesh whose file numbers its elements by their ids.
     pub fn from_tables(mesh: Mesh) -> Self {
-        Self {
-            by_ids: true,
-            ..Self::from_mesh(mesh)
-        }
+        Self { by_ids: true, ..Self::from_mesh(mesh) }
     }
 
     /// A mesh just built from a file, its elements in the order of the file. `colors` is
@@ -72,9 +62,7 @@ impl Obj {
         if !colors.is_empty() {
             let white = Value::Vec3(DVec3::ONE);
             let column = obj.mesh.add_column(ElementKind::Vertex, "color", white);
-            let values = column
-                .ok()
-                .and_then(|column| obj.mesh.values_mut::<DVec3>(column));
+            let values = column.ok().and_then(|column| obj.mesh.values_mut::<DVec3>(column));
             for (value, &color) in values.into_iter().flatten().zip(colors) {
                 *value = DVec3::from_array(color);
             }
@@ -166,10 +154,8 @@ impl Obj {
     /// The numbers in the file as it would be written now: what came from a file first,
     /// in its old order, then what is new. Holes have none.
     pub fn written_numbers(&self) -> WrittenNumbers {
-        let (old, new): (Vec<_>, Vec<_>) = self
-            .mesh
-            .vertices()
-            .partition(|&v| self.vertex_number(v).is_some());
+        let (old, new): (Vec<_>, Vec<_>) =
+            self.mesh.vertices().partition(|&v| self.vertex_number(v).is_some());
         let vertex_order: Vec<VertexId> = old.into_iter().chain(new).collect();
         let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
         let (old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_number(f).is_some());
@@ -182,12 +168,7 @@ impl Obj {
         for (number, f) in (1..).zip(&face_order) {
             faces[f.index()] = number;
         }
-        WrittenNumbers {
-            vertices,
-            faces,
-            vertex_order,
-            face_order,
-        }
+        WrittenNumbers { vertices, faces, vertex_order, face_order }
     }
 }
 
@@ -207,17 +188,11 @@ impl WrittenNumbers {
     }
 
     pub fn vertex(&self, v: VertexId) -> Option<u32> {
-        self.vertices
-            .get(v.index())
-            .copied()
-            .filter(|&number| number != MISSING)
+        self.vertices.get(v.index()).copied().filter(|&number| number != MISSING)
     }
 
     /// The number of a face among the faces; a hole has none.
     pub fn face(&self, f: FaceId) -> Option<u32> {
-        self.faces
-            .get(f.index())
-            .copied()
-            .filter(|&number| number != MISSING)
+        self.faces.get(f.index()).copied().filter(|&number| number != MISSING)
     }
 }

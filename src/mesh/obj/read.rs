@@ -18,21 +18,13 @@ pub fn read_obj(path: &Path) -> Result<Obj, ObjError> {
     let name = path.display().to_string();
     match File::open(path) {
         Ok(file) => read_obj_from(&name, BufReader::with_capacity(1 << 16, file)),
-        Err(error) => Err(ObjError {
-            file: name,
-            line: None,
-            reason: ObjReason::Io(error),
-        }),
+        Err(error) => Err(ObjError { file: name, line: None, reason: ObjReason::Io(error) }),
     }
 }
 
 /// Reads a file that is open already, or no file at all; messages call it `name`.
 pub fn read_obj_from(name: &str, input: impl BufRead) -> Result<Obj, ObjError> {
-    read(input).map_err(|(line, reason)| ObjError {
-        file: name.to_owned(),
-        line,
-        reason,
-    })
+    read(input).map_err(|(line, reason)| ObjError { file: name.to_owned(), line, reason })
 }
 
 type Failure = (Option<u32>, ObjReason);
@@ -44,9 +36,7 @@ fn read(input: impl BufRead) -> Result<Obj, Failure> {
     let (positions, polygons) = renumber(parsed, &filter)?;
     let mesh = Mesh::from_owned_polygons(positions, &polygons)
         .map_err(|error| ObjReason::from_build(&error, &filter.vertex_lines, &filter.face_lines))?;
-    let Filter {
-        mut kept, colors, ..
-    } = filter;
+    let Filter { mut kept, colors, .. } = filter;
     if !(kept.corner_texture.is_empty() && kept.corner_normals.is_empty()) {
         kept.corner_vertices = polygons.into_corners();
     }
@@ -62,11 +52,7 @@ fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
         ignore_lines: false,
     };
     let loaded = tobj::load_obj_buf(filter, &options, |_| Err(LoadError::GenericFailure));
-    if let Some(failure) = filter
-        .failure
-        .take()
-        .or_else(|| filter.index_out_of_range())
-    {
+    if let Some(failure) = filter.failure.take().or_else(|| filter.index_out_of_range()) {
         return Err(failure);
     }
     match loaded {
@@ -75,10 +61,7 @@ fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
             _ => Err((None, ObjReason::Garbled)),
         },
         Err(LoadError::PositionParseError) => {
-            let reason = ObjReason::NotNumbers {
-                statement: "v",
-                needs: "three numbers",
-            };
+            let reason = ObjReason::NotNumbers { statement: "v", needs: "three numbers" };
             Err((Some(filter.line()), reason))
         }
         Err(_) => Err((Some(filter.line()), ObjReason::Garbled)),
@@ -87,28 +70,12 @@ fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
 
 /// Vertices under the numbers of the file, and its faces without the rolls.
 fn renumber<R>(parsed: tobj::Mesh, filter: &Filter<R>) -> Result<(Vec<DVec3>, Polygons), Failure> {
-    let tobj::Mesh {
-        positions: given,
-        indices,
-        face_arities,
-        ..
-    } = parsed;
+    let tobj::Mesh { positions: given, indices, face_arities, .. } = parsed;
     let (placed, _) = given.as_chunks::<3>();
     let garbled = || (None, ObjReason::Garbled);
     // An empty list of arities stands for triangles throughout.
-    let triangles = vec![
-        3;
-        if face_arities.is_empty() {
-            indices.len() / 3
-        } else {
-            0
-        }
-    ];
-    let arities = if face_arities.is_empty() {
-        &triangles
-    } else {
-        &face_arities
-    };
+    let triangles = vec![3; if face_arities.is_empty() { indices.len() / 3 } else { 0 }];
+    let arities = if face_arities.is_empty() { &triangles } else { &face_arities };
 
     let mut ours = vec![u32::MAX; placed.len()];
     let mut positions = Vec::with_capacity(placed.len());
@@ -143,9 +110,5 @@ fn renumber<R>(parsed: tobj::Mesh, filter: &Filter<R>) -> Result<(Vec<DVec3>, Po
     }
     let complete =
         positions.len() == filter.vertex_lines.len() && polygons.len() == filter.face_lines.len();
-    if complete {
-        Ok((positions, polygons))
-    } else {
-        Err(garbled())
-    }
+    if complete { Ok((positions, polygons)) } else { Err(garbled()) }
 }

@@ -47,10 +47,7 @@ pub fn replace_file(
     let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
         // A device or a pipe cannot be replaced, only written to.
-        let file = fs::OpenOptions::new()
-            .write(true)
-            .open(&target)
-            .map_err(ObjReason::Io)?;
+        let file = fs::OpenOptions::new().write(true).open(&target).map_err(ObjReason::Io)?;
         let mut output = BufWriter::new(file);
         write(&mut output)?;
         return output.flush().map_err(ObjReason::Io);
@@ -69,12 +66,9 @@ pub fn replace_file(
         output.flush().map_err(ObjReason::Io)?;
     }
     if let Some(old) = old {
-        file.as_file()
-            .set_permissions(old.permissions())
-            .map_err(ObjReason::Io)?;
+        file.as_file().set_permissions(old.permissions()).map_err(ObjReason::Io)?;
     }
-    file.persist(&target)
-        .map_err(|failed| ObjReason::Io(failed.error))?;
+    file.persist(&target).map_err(|failed| ObjReason::Io(failed.error))?;
     Ok(())
 }
 
@@ -105,20 +99,13 @@ fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
 
 #[cfg(not(unix))]
 fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
-    tempfile::Builder::new()
-        .prefix(".hedgerow-")
-        .tempfile_in(folder)
+    tempfile::Builder::new().prefix(".hedgerow-").tempfile_in(folder)
 }
 
 fn check_positions(obj: &Obj, numbers: &WrittenNumbers) -> Result<(), ObjReason> {
-    let stray = numbers
-        .vertex_order
-        .iter()
-        .position(|&v| !obj.mesh.position(v).is_finite());
+    let stray = numbers.vertex_order.iter().position(|&v| !obj.mesh.position(v).is_finite());
     match stray {
-        Some(place) => Err(ObjReason::NotFinite {
-            vertex: place as u32 + 1,
-        }),
+        Some(place) => Err(ObjReason::NotFinite { vertex: place as u32 + 1 }),
         None => Ok(()),
     }
 }
@@ -165,13 +152,8 @@ fn state_of(obj: &Obj, f: FaceId) -> Option<State> {
     if obj.kept.states.is_empty() {
         return None;
     }
-    let across = obj
-        .mesh
-        .face_halfedges(f)
-        .filter_map(|h| obj.mesh.get_face(obj.mesh.twin(h)));
-    let number = std::iter::once(f)
-        .chain(across)
-        .find_map(|f| obj.face_number(f))?;
+    let across = obj.mesh.face_halfedges(f).filter_map(|h| obj.mesh.get_face(obj.mesh.twin(h)));
+    let number = std::iter::once(f).chain(across).find_map(|f| obj.face_number(f))?;
     Some(obj.kept.state(number - 1))
 }
 
@@ -220,11 +202,7 @@ fn write_face(
     let number = |corners: &Corners, h| corners.row(h).map_or(0, |row| row + 1);
     output.write_all(b"f")?;
     for h in obj.mesh.face_halfedges(f) {
-        write!(
-            output,
-            " {}",
-            numbers.vertex(obj.mesh.vertex(h)).unwrap_or(0)
-        )?;
+        write!(output, " {}", numbers.vertex(obj.mesh.vertex(h)).unwrap_or(0))?;
         match (with_texture, with_normals) {
             (false, false) => {}
             (true, false) => write!(output, "/{}", number(texture, h))?,

@@ -23,20 +23,14 @@ pub(super) struct Code<'t> {
 pub(super) fn code<'t>() -> Code<'t> {
     let mut block = Recursive::declare();
     let expression = expression(block.clone().boxed());
-    let code = Code {
-        block: block.clone().boxed(),
-        expression,
-    };
+    let code = Code { block: block.clone().boxed(), expression };
     block.define(braces(action(&code)));
     code
 }
 
 /// `{ … }`; where the closing brace is missing, the end of the item closes.
 fn braces<'t>(action: Rule<'t, Action>) -> Rule<'t, Block> {
-    let broken = recover::action().map(|span| Action {
-        kind: ActionKind::Broken,
-        span,
-    });
+    let broken = recover::action().map(|span| Action { kind: ActionKind::Broken, span });
     let statements = just(T::RightBrace)
         .not()
         .ignore_then(action.recover_with(via_parser(broken)))
@@ -45,10 +39,7 @@ fn braces<'t>(action: Rule<'t, Action>) -> Rule<'t, Block> {
     just(T::LeftBrace)
         .ignore_then(statements)
         .then_ignore(mark(T::RightBrace))
-        .map_with(|statements, scene| Block {
-            statements,
-            span: scene.span(),
-        })
+        .map_with(|statements, scene| Block { statements, span: scene.span() })
         .boxed()
 }
 
@@ -60,17 +51,10 @@ fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
         .or(expression.clone().map(Shown::Value));
     let values = shown.separated_by(just(T::Comma)).at_least(1).collect();
     let print = just(T::Print).ignore_then(values).map(ActionKind::Print);
-    let back = just(T::Return)
-        .ignore_then(expression.clone().or_not())
-        .map(ActionKind::Return);
+    let back = just(T::Return).ignore_then(expression.clone().or_not()).map(ActionKind::Return);
     choice((
         binding(expression),
-        choice((
-            counted(code),
-            visit(code),
-            repeated_while(code),
-            drain(code),
-        )),
+        choice((counted(code), visit(code), repeated_while(code), drain(code))),
         conditional(code),
         print,
         demand(expression),
@@ -79,10 +63,7 @@ fn action<'t>(code: &Code<'t>) -> Rule<'t, Action> {
         block.clone().map(ActionKind::Block),
         value_or_assignment(expression),
     ))
-    .map_with(|kind, scene| Action {
-        kind,
-        span: scene.span(),
-    })
+    .map_with(|kind, scene| Action { kind, span: scene.span() })
     .labelled(Phrase::Statement)
     .as_context()
     .boxed()
@@ -109,12 +90,7 @@ fn binding<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
         .then(ty.or_not())
         .then_ignore(just(T::Equals))
         .then(tail(expression))
-        .map(|(((mutable, name), ty), value)| ActionKind::Let {
-            mutable,
-            name,
-            ty,
-            value,
-        })
+        .map(|(((mutable, name), ty), value)| ActionKind::Let { mutable, name, ty, value })
         .boxed()
 }
 
@@ -138,10 +114,7 @@ fn repeated_while<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
 
 /// `x in xs`
 fn source<'t>(code: &Code<'t>) -> Rule<'t, (Ident, Expr)> {
-    ident()
-        .then_ignore(just(T::In))
-        .then(head(&code.expression))
-        .boxed()
+    ident().then_ignore(just(T::In)).then(head(&code.expression)).boxed()
 }
 
 /// `for x in xs where c { … }`, `update x in xs where c { … }`
@@ -154,19 +127,9 @@ fn visit<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
         .then(code.block.clone())
         .map(|(((update, (variable, sequence)), filter), body)| {
             if update {
-                ActionKind::Update {
-                    variable,
-                    sequence,
-                    filter,
-                    body,
-                }
+                ActionKind::Update { variable, sequence, filter, body }
             } else {
-                ActionKind::For {
-                    variable,
-                    sequence,
-                    filter,
-                    body,
-                }
+                ActionKind::For { variable, sequence, filter, body }
             }
         })
         .boxed()
@@ -181,23 +144,19 @@ fn drain<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
         .then(head(&code.expression))
         .then(condition.or_not())
         .then(code.block.clone())
-        .map(
-            |((((variable, sequence), key), condition), body)| ActionKind::Drain {
-                variable,
-                sequence,
-                key,
-                condition,
-                body,
-            },
-        )
+        .map(|((((variable, sequence), key), condition), body)| ActionKind::Drain {
+            variable,
+            sequence,
+            key,
+            condition,
+            body,
+        })
         .boxed()
 }
 
 /// `if c { … } else { … }`, `if let m = split(e) { … }`; `else if` is a block of that `if`.
 fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
-    let binding = just(T::Let)
-        .ignore_then(ident())
-        .then_ignore(just(T::Equals));
+    let binding = just(T::Let).ignore_then(ident()).then_ignore(just(T::Equals));
     let behind_if = recursive(|behind_if| {
         let chained = just(T::If).ignored().boxed();
         let [chained, contracted] = [chained, habit::else_if()].map(|word| {
@@ -240,9 +199,7 @@ fn demand<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
 
 /// A call or the value of a block; with `=` behind it, an assignment.
 fn value_or_assignment<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, ActionKind> {
-    let assigned = just(T::Equals)
-        .labelled(Phrase::Operator)
-        .ignore_then(tail(expression));
+    let assigned = just(T::Equals).labelled(Phrase::Operator).ignore_then(tail(expression));
     expression
         .clone()
         .then(assigned.or_not())

@@ -20,9 +20,8 @@ pub(super) struct Known<'t>(HashMap<&'t str, (u32, &'t Item)>);
 impl<'t> Known<'t> {
     fn of(text: &'t str, read: &'t Parsed) -> Self {
         let labels = read.diagnostics.iter().flat_map(|told| &told.labels);
-        let mut wrong: Vec<u32> = labels
-            .flat_map(|label| [label.span.start, label.span.end])
-            .collect();
+        let mut wrong: Vec<u32> =
+            labels.flat_map(|label| [label.span.start, label.span.end]).collect();
         wrong.sort_unstable();
         let is_right = |span: Span| {
             let first = wrong.partition_point(|&place| place < span.start);

@@ -25,12 +25,7 @@ pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
         starts.insert(0, 0);
     }
     let ends = starts.iter().skip(1).copied().chain([tokens.len()]);
-    starts
-        .iter()
-        .copied()
-        .zip(ends)
-        .map(|(start, end)| start..end)
-        .collect()
+    starts.iter().copied().zip(ends).map(|(start, end)| start..end).collect()
 }
 
 /// What an item begins with, as far as that tells it from everything else.
@@ -60,7 +55,5 @@ fn indent(text: &str, tokens: &[Token], at: usize) -> Option<usize> {
         None => return Some(0),
     };
     let between = text.get(before..start)?;
-    between
-        .rfind('\n')
-        .map(|line_end| between.len() - line_end - 1)
+    between.rfind('\n').map(|line_end| between.len() - line_end - 1)
 }

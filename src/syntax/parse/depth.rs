@@ -28,10 +28,7 @@ pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
         }
         match kind {
             T::LeftBrace | T::LeftParen | T::LeftBracket => {
-                open.push(Open {
-                    bracket: kind,
-                    chained,
-                });
+                open.push(Open { bracket: kind, chained });
                 total += 1;
                 chained = 0;
             }

@@ -16,31 +16,20 @@ use chumsky::prelude::*;
 /// `before { … }` or `after { … }`
 pub(super) fn side<'t>(keyword: T, expression: Rule<'t, Expr>) -> Rule<'t, Side> {
     let end = select! { T::RightBrace => (), kind if recover::begins_part(kind) => () };
-    let statement = statement(expression).recover_with(via_parser(
-        recover::drawing_statement().map(Statement::Broken),
-    ));
-    let statements = end
-        .not()
-        .ignore_then(statement)
-        .repeated()
-        .collect::<Vec<_>>();
+    let statement = statement(expression)
+        .recover_with(via_parser(recover::drawing_statement().map(Statement::Broken)));
+    let statements = end.not().ignore_then(statement).repeated().collect::<Vec<_>>();
     just(keyword)
         .ignore_then(mark(T::LeftBrace))
         .ignore_then(statements)
         .then_ignore(mark(T::RightBrace))
-        .map_with(|statements, scene| Side {
-            statements,
-            span: scene.span(),
-        })
+        .map_with(|statements, scene| Side { statements, span: scene.span() })
         .boxed()
 }
 
 /// A token whose lack is reported and harms nothing else.
 pub(super) fn mark<'t>(kind: T) -> Rule<'t, ()> {
-    just(kind)
-        .ignored()
-        .recover_with(via_parser(empty()))
-        .boxed()
+    just(kind).ignored().recover_with(via_parser(empty())).boxed()
 }
 
 fn statement<'t>(expression: Rule<'t, Expr>) -> Rule<'t, Statement> {
@@ -90,12 +79,7 @@ fn loop_statement<'t>() -> Rule<'t, Loop> {
 type Followed = ((Arrow, Span), Name);
 
 fn followed_vertices<'t>() -> Rule<'t, Vec<Followed>> {
-    arrow()
-        .then(name().labelled(Phrase::Vertex))
-        .repeated()
-        .at_least(1)
-        .collect()
-        .boxed()
+    arrow().then(name().labelled(Phrase::Vertex)).repeated().at_least(1).collect().boxed()
 }
 
 /// Gives each arrow the vertex it leaves; the last vertex is left over.
@@ -169,12 +153,7 @@ fn star_statement<'t>() -> Rule<'t, Star> {
         .ignore_then(name())
         .then_ignore(just(T::Colon))
         .then(period.or(run))
-        .map_with(|(name, (each, spokes)), scene| Star {
-            name,
-            each,
-            spokes,
-            span: scene.span(),
-        })
+        .map_with(|(name, (each, spokes)), scene| Star { name, each, spokes, span: scene.span() })
         .boxed()
 }
 
@@ -186,23 +165,14 @@ fn spoke<'t>() -> Rule<'t, Spoke> {
         .filter(|(star, name)| star.end == name.span.start)
         .map(|(star, name)| Spoke::Fan(Some(name.clone()), star.to(name.span)));
     let unnamed = just(T::Star).map_with(|_, scene| Spoke::Fan(None, scene.span()));
-    choice((listed_name().map(Spoke::Halfedge), named, unnamed))
-        .labelled(Phrase::Spoke)
-        .boxed()
+    choice((listed_name().map(Spoke::Halfedge), named, unnamed)).labelled(Phrase::Spoke).boxed()
 }
 
 /// `new m p q`
 fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
     let kind = habit::kind_in_list().repeated();
-    let list = kind
-        .ignore_then(listed_name())
-        .repeated()
-        .at_least(1)
-        .collect();
-    just(keyword)
-        .ignore_then(list)
-        .map_with(|names, scene| (names, scene.span()))
-        .boxed()
+    let list = kind.ignore_then(listed_name()).repeated().at_least(1).collect();
+    just(keyword).ignore_then(list).map_with(|names, scene| (names, scene.span())).boxed()
 }
 
 /// `v.position = …`

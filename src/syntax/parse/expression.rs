@@ -71,16 +71,13 @@ fn chain<'t>(operand: Rule<'t, Expr>, operator: Rule<'t, BinaryOp>) -> Rule<'t, 
     let missing = empty().map_with(|(), scene: &mut Scene<'t, '_>| broken_value(scene.span()));
     let right = operand.clone().recover_with(via_parser(missing));
     operand
-        .foldl_with(
-            operator.then(right).repeated(),
-            |left, (op, right), scene| {
-                if is_comparison(op) {
-                    comparison(left, op, right, scene)
-                } else {
-                    binary(left, op, right)
-                }
-            },
-        )
+        .foldl_with(operator.then(right).repeated(), |left, (op, right), scene| {
+            if is_comparison(op) {
+                comparison(left, op, right, scene)
+            } else {
+                binary(left, op, right)
+            }
+        })
         .boxed()
 }
 
@@ -92,10 +89,7 @@ pub(super) fn broken_value(span: Span) -> Expr {
 
 fn binary(left: Expr, op: BinaryOp, right: Expr) -> Expr {
     let span = left.span.to(right.span);
-    Expr {
-        kind: ExprKind::Binary(op, Box::new(left), Box::new(right)),
-        span,
-    }
+    Expr { kind: ExprKind::Binary(op, Box::new(left), Box::new(right)), span }
 }
 
 /// A comparison of a comparison is a mistake, unless parentheses say that it is meant.
@@ -113,10 +107,7 @@ fn comparison(left: Expr, op: BinaryOp, right: Expr, scene: &mut Scene) -> Expr 
 
 fn is_comparison(op: BinaryOp) -> bool {
     use BinaryOp::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
-    matches!(
-        op,
-        Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual
-    )
+    matches!(op, Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual)
 }
 
 /// `x.edge.face`
@@ -135,10 +126,7 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
     let literal = select! { T::True => ExprKind::Bool(true), T::False => ExprKind::Bool(false) };
     let int = select! { T::Int => () }.map_with(|(), scene| ExprKind::Int(int_here(scene)));
     let real = select! { T::Real => () }.map_with(|(), scene| {
-        let value = slice(scene)
-            .parse()
-            .ok()
-            .filter(|value: &f64| value.is_finite());
+        let value = slice(scene).parse().ok().filter(|value: &f64| value.is_finite());
         ExprKind::Real(value.unwrap_or(f64::MAX))
     });
     let misplaced = text_with_values(expression.clone()).validate(|_, scene, emitter| {
@@ -153,32 +141,15 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
     let broken = recover::parentheses().map(|_| ExprKind::Broken);
     let parenthesised = just(T::LeftParen).ignore_then(inside.recover_with(via_parser(broken)));
     let call = call(expression.clone());
-    let must = just(T::Must)
-        .ignore_then(called(call.clone()))
-        .map(|call| ExprKind::Must(Box::new(call)));
-    choice((
-        call,
-        int,
-        real,
-        literal,
-        parenthesised,
-        text,
-        must,
-        branches(expression, block),
-    ))
-    .map_with(|kind, scene| Expr {
-        kind,
-        span: scene.span(),
-    })
-    .boxed()
+    let must =
+        just(T::Must).ignore_then(called(call.clone())).map(|call| ExprKind::Must(Box::new(call)));
+    choice((call, int, real, literal, parenthesised, text, must, branches(expression, block)))
+        .map_with(|kind, scene| Expr { kind, span: scene.span() })
+        .boxed()
 }
 
 fn called<'t>(call: Rule<'t, ExprKind>) -> Rule<'t, Expr> {
-    call.map_with(|kind, scene| Expr {
-        kind,
-        span: scene.span(),
-    })
-    .boxed()
+    call.map_with(|kind, scene| Expr { kind, span: scene.span() }).boxed()
 }
 
 /// What stands between the parentheses of a call.
@@ -202,19 +173,13 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
         .then_ignore(just(T::In))
         .then(expression.clone())
         .then(filter.or_not())
-        .map(|((variable, sequence), filter)| Each {
-            variable,
-            sequence,
-            filter,
-        });
+        .map(|((variable, sequence), filter)| Each { variable, sequence, filter });
     let rest = just(T::Comma)
         .ignore_then(expression.clone())
         .repeated()
         .collect::<Vec<_>>()
         .then_ignore(just(T::Comma).or_not());
-    let after_first = each
-        .map(|each| (Vec::new(), Some(each)))
-        .or(rest.map(|rest| (rest, None)));
+    let after_first = each.map(|each| (Vec::new(), Some(each))).or(rest.map(|rest| (rest, None)));
     let inside = expression
         .then(after_first)
         .map(|(first, (rest, each))| Arguments {
@@ -222,17 +187,10 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
             each,
         })
         .or_not()
-        .map(|arguments| {
-            arguments.unwrap_or(Arguments {
-                values: Vec::new(),
-                each: None,
-            })
-        })
+        .map(|arguments| arguments.unwrap_or(Arguments { values: Vec::new(), each: None }))
         .then_ignore(recover::right_paren());
-    let broken = recover::parentheses().map(|span| Arguments {
-        values: vec![broken_value(span)],
-        each: None,
-    });
+    let broken = recover::parentheses()
+        .map(|span| Arguments { values: vec![broken_value(span)], each: None });
     // One that begins a line begins the next statement.
     let open = just(T::LeftParen).try_map_with(|_, scene| match begins_line(scene) {
         true => Err(Failure::at(scene.span())),

@@ -159,22 +159,13 @@ pub(super) struct Failure {
 impl Failure {
     /// Something unexpected, of which nothing more is known.
     pub(super) fn at(span: Span) -> Self {
-        Self {
-            span,
-            found: None,
-            wanted: Wanted::default(),
-            context: None,
-            mistake: None,
-        }
+        Self { span, found: None, wanted: Wanted::default(), context: None, mistake: None }
     }
 
     /// A mistake with a sentence of its own.
     pub(super) fn mistake(mistake: Mistake, span: Span) -> Self {
         let mistake = Some(mistake);
-        Self {
-            mistake,
-            ..Self::at(span)
-        }
+        Self { mistake, ..Self::at(span) }
     }
 }
 
@@ -200,11 +191,7 @@ impl<'t> LabelError<'t, Tokens<'t>, DefaultExpected<'t, TokenKind>> for Failure 
             }
         }
         let found = found.map(|kind| *kind);
-        Self {
-            found,
-            wanted,
-            ..Self::at(span)
-        }
+        Self { found, wanted, ..Self::at(span) }
     }
 }
 
@@ -219,11 +206,7 @@ impl<'t> LabelError<'t, Tokens<'t>, Phrase> for Failure {
             wanted.add(Wanted::phrase(phrase));
         }
         let found = found.map(|kind| *kind);
-        Self {
-            found,
-            wanted,
-            ..Self::at(span)
-        }
+        Self { found, wanted, ..Self::at(span) }
     }
 
     fn label_with(&mut self, label: Phrase) {

@@ -34,23 +34,14 @@ pub fn parse(file: FileId, text: &str) -> Parsed {
 
 /// The same, where some items are known.
 pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
-    let Lexed {
-        tokens,
-        comments,
-        mut diagnostics,
-    } = lex(file, text);
+    let Lexed { tokens, comments, mut diagnostics } = lex(file, text);
     let tree = File {
         docs: file_docs(text, &tokens, &comments),
         items: items(text, &tokens, &comments, &mut diagnostics, known),
     };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
-    Parsed {
-        tree,
-        tokens,
-        comments,
-        diagnostics,
-    }
+    Parsed { tree, tokens, comments, diagnostics }
 }
 
 fn items(
@@ -61,17 +52,8 @@ fn items(
     known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
-    let mut reading = Reading {
-        text,
-        tokens,
-        grammar: &grammar,
-        diagnostics,
-    };
-    let mut docs = Docs {
-        text,
-        comments,
-        next: 0,
-    };
+    let mut reading = Reading { text, tokens, grammar: &grammar, diagnostics };
+    let mut docs = Docs { text, comments, next: 0 };
     let mut items = Vec::new();
     for range in cut(text, tokens) {
         let first = tokens[range.start].span;
@@ -121,10 +103,8 @@ impl Reading<'_, '_> {
         }
         let mut source = Source::from(self.text);
         let input = input::tokens(inside, whole.after());
-        let (item, failures) = self
-            .grammar
-            .parse_with_state(input, &mut source)
-            .into_output_errors();
+        let (item, failures) =
+            self.grammar.parse_with_state(input, &mut source).into_output_errors();
         if failures.is_empty() {
             return item.unwrap_or(Item::Broken(whole));
         }

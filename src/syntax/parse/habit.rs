@@ -31,9 +31,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::Equals if before.last().is_some_and(|last| is_sign(last, here)) => {
             let changed = changed(before, around.text).unwrap_or("x");
             let sign = last.and_then(T::spelling).unwrap_or("+");
-            told.note(format!(
-                "a change is written out: `{changed} = {changed} {sign} …`"
-            ))
+            told.note(format!("a change is written out: `{changed} = {changed} {sign} …`"))
         }
         T::Plus | T::Minus if last == Some(here.kind) => {
             told.note("a change is written out: `x = x + 1`")
@@ -68,12 +66,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
             told.note("there are no ranges; `repeat n { … }` does something `n` times")
         }
         T::Colon if failure.wanted.has(T::LeftBrace) => told.note("a block stands in braces"),
-        T::Arrow
-            if failure
-                .wanted
-                .phrases()
-                .any(|phrase| phrase == Phrase::Arrow) =>
-        {
+        T::Arrow if failure.wanted.phrases().any(|phrase| phrase == Phrase::Arrow) => {
             told.note("an arrow has the name of its halfedge: `v0 -a-> v1`")
         }
         T::Word => match around.text.get(here.span.range()) {
@@ -121,10 +114,7 @@ pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
 pub(super) fn no_type<'t>() -> Rule<'t, Ident> {
     let ends = |kind: T| matches!(kind, T::Comma | T::RightParen | T::Equals);
     ahead(move |_, kind, _| ends(kind))
-        .map_with(|(), scene| Ident {
-            text: String::new(),
-            span: scene.span(),
-        })
+        .map_with(|(), scene| Ident { text: String::new(), span: scene.span() })
         .boxed()
 }
 
@@ -169,8 +159,7 @@ fn ahead<'t>(is_one: impl Fn(&mut Input<'t, '_>, T, &str) -> bool + 't) -> Rule<
 }
 
 fn written(told: Diagnostic, span: Span, word: &str) -> Diagnostic {
-    told.saying(format!("here it is written `{word}`"))
-        .fix(format!("write `{word}`"), span, word)
+    told.saying(format!("here it is written `{word}`")).fix(format!("write `{word}`"), span, word)
 }
 
 /// Whether a token makes one sign with an equals sign behind it, as in `+=`.
@@ -187,10 +176,7 @@ fn in_condition(before: &[Token]) -> bool {
         let is_end = matches!(kind, T::LeftBrace | T::RightBrace | T::Equals);
         !is_word && !is_end
     });
-    matches!(
-        words.next(),
-        Some(T::If | T::While | T::Where | T::Assert | T::Require)
-    )
+    matches!(words.next(), Some(T::If | T::While | T::Where | T::Assert | T::Require))
 }
 
 /// What is changed by a sign with an equals sign behind it: what stands before it on its line.
@@ -207,10 +193,7 @@ fn is_field(before: &[Token]) -> bool {
 
 /// Whether an item should have begun.
 fn begins_item(failure: &Failure) -> bool {
-    failure
-        .wanted
-        .phrases()
-        .any(|phrase| phrase == Phrase::Item)
+    failure.wanted.phrases().any(|phrase| phrase == Phrase::Item)
 }
 
 /// What stands here for a word with which items begin elsewhere.

@@ -29,20 +29,14 @@ pub(super) fn item<'t>() -> Rule<'t, Item> {
     ));
     let item = item.labelled(Phrase::Item).as_context();
     let leftover = end().recover_with(via_parser(recover::rest().ignored()));
-    item.recover_with(via_parser(recover::rest().map(Item::Broken)))
-        .then_ignore(leftover)
-        .boxed()
+    item.recover_with(via_parser(recover::rest().map(Item::Broken))).then_ignore(leftover).boxed()
 }
 
 /// `use "path"`
 fn file_use<'t>() -> Rule<'t, Use> {
     just(T::Use)
         .ignore_then(text().or(habit::bare_path()))
-        .map_with(|(path, path_span), scene| Use {
-            path,
-            path_span,
-            span: scene.span(),
-        })
+        .map_with(|(path, path_span), scene| Use { path, path_span, span: scene.span() })
         .boxed()
 }
 
@@ -80,19 +74,13 @@ fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
             if ty.text.is_empty() {
                 emitter.emit(Failure::mistake(Mistake::Untyped, name.span));
             }
-            Param {
-                name,
-                ty,
-                default,
-                span: scene.span(),
-            }
+            Param { name, ty, default, span: scene.span() }
         })
         .labelled(Phrase::Parameter)
         .map(Some);
     let end = just(T::RightParen);
-    let param = end
-        .not()
-        .ignore_then(param.recover_with(via_parser(recover::entry().map(|_| None))));
+    let param =
+        end.not().ignore_then(param.recover_with(via_parser(recover::entry().map(|_| None))));
     param
         .separated_by(just(T::Comma))
         .allow_trailing()
@@ -105,14 +93,8 @@ fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
 
 /// `-> real`
 fn result<'t>(word: Rule<'t, Ident>) -> Rule<'t, Option<Ident>> {
-    let word = word
-        .map(Some)
-        .recover_with(via_parser(empty().map(|()| None)));
-    just(T::Arrow)
-        .ignore_then(word)
-        .or_not()
-        .map(Option::flatten)
-        .boxed()
+    let word = word.map(Some).recover_with(via_parser(empty().map(|()| None)));
+    just(T::Arrow).ignore_then(word).or_not().map(Option::flatten).boxed()
 }
 
 /// The block of an item, whatever stands before it.
@@ -160,11 +142,7 @@ fn test<'t>(code: &Code<'t>) -> Rule<'t, Test> {
     just(T::Test)
         .ignore_then(text())
         .then(code.block.clone())
-        .map_with(|((name, _), body), scene| Test {
-            name,
-            body,
-            span: scene.span(),
-        })
+        .map_with(|((name, _), body), scene| Test { name, body, span: scene.span() })
         .boxed()
 }
 
@@ -182,18 +160,16 @@ fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
         .then(result(returned()))
         .then(keeps)
         .then(rules(code))
-        .map_with(
-            |((((name, params), result), keeps), (rules, steps)), scene| Op {
-                docs: Vec::new(),
-                name,
-                params,
-                result,
-                keeps,
-                rules,
-                steps,
-                span: scene.span(),
-            },
-        )
+        .map_with(|((((name, params), result), keeps), (rules, steps)), scene| Op {
+            docs: Vec::new(),
+            name,
+            params,
+            result,
+            keeps,
+            rules,
+            steps,
+            span: scene.span(),
+        })
         .boxed()
 }
 
@@ -234,11 +210,7 @@ fn rules<'t>(code: &Code<'t>) -> Rule<'t, (Vec<Alternative>, Option<Steps>)> {
     let end = just(T::RightBrace).and_is(stray.not()).boxed();
     parts(part, end)
         .validate(|parts, scene, emitter| {
-            let Assembled {
-                alone,
-                mut rules,
-                steps,
-            } = assembled(parts, scene.span(), emitter);
+            let Assembled { alone, mut rules, steps } = assembled(parts, scene.span(), emitter);
             if let Some((body, span)) = steps {
                 if alone.before.is_some() || alone.after.is_some() || !rules.is_empty() {
                     emitter.emit(Failure::mistake(
@@ -252,10 +224,7 @@ fn rules<'t>(code: &Code<'t>) -> Rule<'t, (Vec<Alternative>, Option<Steps>)> {
             if rules.is_empty() {
                 rules.push(alone);
             } else if alone.before.is_some() || alone.after.is_some() {
-                let span = alone
-                    .before
-                    .or(alone.after)
-                    .map_or(alone.span, |side| side.span);
+                let span = alone.before.or(alone.after).map_or(alone.span, |side| side.span);
                 emitter.emit(Failure::mistake(Mistake::RuleAmongParts, span));
             } else {
                 for condition in &alone.conditions {
@@ -286,14 +255,8 @@ fn parts<'t>(part: Rule<'t, Part>, end: Rule<'t, T>) -> Rule<'t, Vec<Part>> {
     let later = recover::to_braces().ignore_then(open.or_not().ignored());
     let open = open.recover_with(via_parser(later));
     let broken = recover::part().map(|_| Part::Broken);
-    let parts = end
-        .not()
-        .ignore_then(part.recover_with(via_parser(broken)))
-        .repeated()
-        .collect();
-    open.ignore_then(parts)
-        .then_ignore(mark(T::RightBrace))
-        .boxed()
+    let parts = end.not().ignore_then(part.recover_with(via_parser(broken))).repeated().collect();
+    open.ignore_then(parts).then_ignore(mark(T::RightBrace)).boxed()
 }
 
 /// `require CONDITION else "REASON"`, `guard LEVEL` or `alias v2 v3`
@@ -301,25 +264,17 @@ fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
     let require = just(T::Require)
         .ignore_then(expression.clone())
         .then(just(T::Else).ignore_then(plain_text()).or_not())
-        .map_with(
-            |(condition, reason), scene: &mut Scene<'t, '_>| Condition::Require {
-                condition,
-                reason,
-                span: scene.span(),
-            },
-        );
+        .map_with(|(condition, reason), scene: &mut Scene<'t, '_>| Condition::Require {
+            condition,
+            reason,
+            span: scene.span(),
+        });
     let guard = just(T::Guard)
         .ignore_then(ident())
-        .map_with(|level, scene| Condition::Guard {
-            level,
-            span: scene.span(),
-        });
+        .map_with(|level, scene| Condition::Guard { level, span: scene.span() });
     let alias = just(T::Alias)
         .ignore_then(name().repeated().at_least(2).collect())
-        .map_with(|names, scene| Condition::Alias {
-            names,
-            span: scene.span(),
-        });
+        .map_with(|names, scene| Condition::Alias { names, span: scene.span() });
     choice((require, guard, alias)).boxed()
 }
 
@@ -334,13 +289,8 @@ struct Assembled {
 }
 
 fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> Assembled {
-    let mut alone = Alternative {
-        name: None,
-        before: None,
-        conditions: Vec::new(),
-        after: None,
-        span,
-    };
+    let mut alone =
+        Alternative { name: None, before: None, conditions: Vec::new(), after: None, span };
     let mut rules = Vec::new();
     let mut steps: Option<(Block, Span)> = None;
     let mut wrong = |mistake, span| emitter.emit(Failure::mistake(mistake, span));
@@ -359,10 +309,7 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
             Part::Condition(condition) => {
                 let span = condition.span();
                 if steps.is_some() {
-                    wrong(
-                        Mistake::Misplaced("a condition stands before `steps`"),
-                        span,
-                    );
+                    wrong(Mistake::Misplaced("a condition stands before `steps`"), span);
                 }
                 if alone.after.is_some() {
                     let place = "a condition stands between `before` and `after`";
@@ -385,9 +332,5 @@ fn assembled(parts: Vec<Part>, span: Span, emitter: &mut Emitter<Failure>) -> As
             Part::Broken => {}
         }
     }
-    Assembled {
-        alone,
-        rules,
-        steps,
-    }
+    Assembled { alone, rules, steps }
 }

@@ -9,19 +9,12 @@ use crate::syntax::tree::{Ident, Index, Name};
 use chumsky::prelude::*;
 
 fn ident_here(scene: &mut Scene) -> Ident {
-    Ident {
-        text: slice(scene).to_owned(),
-        span: scene.span(),
-    }
+    Ident { text: slice(scene).to_owned(), span: scene.span() }
 }
 
 /// A keyword that is called like a function.
 pub(super) fn name_here(scene: &mut Scene) -> Name {
-    Name {
-        ident: ident_here(scene),
-        index: None,
-        span: scene.span(),
-    }
+    Name { ident: ident_here(scene), index: None, span: scene.span() }
 }
 
 /// A name without a subscript.
@@ -49,11 +42,7 @@ pub(super) fn type_word<'t>() -> Rule<'t, Ident> {
 pub(super) fn name<'t>() -> Rule<'t, Name> {
     ident()
         .then(subscript().or_not())
-        .map_with(|(ident, index), scene| Name {
-            ident,
-            index,
-            span: scene.span(),
-        })
+        .map_with(|(ident, index), scene| Name { ident, index, span: scene.span() })
         .boxed()
 }
 
@@ -82,10 +71,7 @@ fn subscript<'t>() -> Rule<'t, Index> {
             offset: sign * int,
             span: scene.span(),
         })
-        .delimited_by(
-            just(T::LeftBracket).labelled(Phrase::Subscript),
-            just(T::RightBracket),
-        )
+        .delimited_by(just(T::LeftBracket).labelled(Phrase::Subscript), just(T::RightBracket))
         .boxed()
 }
 

@@ -16,17 +16,11 @@ type Input<'t, 'p> = InputRef<'t, 'p, Tokens<'t>, Extra<'t>>;
 
 /// Whether a token begins a part of an op.
 pub(super) fn begins_part(kind: T) -> bool {
-    matches!(
-        kind,
-        T::Before | T::Require | T::Guard | T::Alias | T::After | T::Rule
-    )
+    matches!(kind, T::Before | T::Require | T::Guard | T::Alias | T::After | T::Rule)
 }
 
 fn begins_drawing_statement(kind: T) -> bool {
-    matches!(
-        kind,
-        T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::New | T::Keep | T::Erase
-    )
+    matches!(kind, T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::New | T::Keep | T::Erase)
 }
 
 fn begins_action(kind: T) -> bool {
@@ -125,10 +119,7 @@ pub(super) fn right_paren<'t>() -> Rule<'t, ()> {
             _ => Ok(()),
         }
     });
-    just(T::RightParen)
-        .ignored()
-        .recover_with(via_parser(lack))
-        .boxed()
+    just(T::RightParen).ignored().recover_with(via_parser(lack)).boxed()
 }
 
 fn ends_parentheses(kind: T) -> bool {
@@ -214,11 +205,7 @@ pub(super) fn assignment_ahead<'t>() -> Rule<'t, ()> {
         let goes_on = matches!(input.peek(), Some(T::Dot | T::LeftBracket));
         let first = input.span_since(start.cursor());
         input.rewind(start);
-        if named && goes_on {
-            Ok(())
-        } else {
-            Err(Failure::at(first))
-        }
+        if named && goes_on { Ok(()) } else { Err(Failure::at(first)) }
     })
     .boxed()
 }

@@ -23,12 +23,7 @@ impl<'t> Around<'t> {
     /// Looks around in an item of a file.
     pub(super) fn new(text: &'t str, item: &'t [Token], next: Option<Token>) -> Self {
         let open = open_braces(item);
-        Self {
-            text,
-            item,
-            next,
-            open,
-        }
+        Self { text, item, next, open }
     }
 
     /// The innermost brace that is open at a place, if braces are missing in this item.
@@ -84,9 +79,11 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
             let until_name = text.get(span.end as usize..).unwrap_or("");
             let gap = until_name.len() - until_name.trim_start().len();
             let end = span.end + u32::try_from(gap).unwrap_or(0);
-            found
-                .note("what a name stands for is found from where it is drawn")
-                .fix(format!("leave out `{written}`"), Span { end, ..span }, "")
+            found.note("what a name stands for is found from where it is drawn").fix(
+                format!("leave out `{written}`"),
+                Span { end, ..span },
+                "",
+            )
         }
         Mistake::BarePath => {
             let message = "the path of a file stands in quotes";
@@ -152,17 +149,9 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     if let Some(place) = place {
         message = format!("{message} {place}");
     }
-    let span = if anew {
-        failure.span
-    } else {
-        behind_the_last_line(failure.span, around)
-    };
+    let span = if anew { failure.span } else { behind_the_last_line(failure.span, around) };
     let told = Diagnostic::error("syntax-error", message, span);
-    let told = if wanted.is_empty() {
-        told
-    } else {
-        told.saying(format!("expected {wanted}"))
-    };
+    let told = if wanted.is_empty() { told } else { told.saying(format!("expected {wanted}")) };
     let told = if is_of_a_drawing(&failure) {
         told.note(
             "what is drawn, kept, new, erased or set stands in `before { … }` or `after { … }`",
@@ -183,11 +172,7 @@ fn is_of_a_drawing(failure: &Failure) -> bool {
         failure.found,
         Some(T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::Keep | T::New | T::Erase)
     );
-    begins_one
-        && failure
-            .wanted
-            .phrases()
-            .any(|phrase| phrase == Phrase::Part)
+    begins_one && failure.wanted.phrases().any(|phrase| phrase == Phrase::Part)
 }
 
 /// Whether something whole could have begun here, so that nothing is missing before.

@@ -57,9 +57,7 @@ fn cut(token: &str) -> (Option<Digits>, String) {
         None => Some(Digits::Few),
         Some("full") => Some(Digits::All),
         Some(format) => {
-            let count = format
-                .strip_prefix('.')
-                .and_then(|count| count.parse().ok());
+            let count = format.strip_prefix('.').and_then(|count| count.parse().ok());
             let count = count.filter(|&count: &u8| count <= MOST_DIGITS);
             count.map(Digits::Behind)
         }

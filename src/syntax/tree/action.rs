@@ -25,59 +25,27 @@ pub struct Action {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ActionKind {
     /// `let x = …` or `var x = …`, perhaps with a type
-    Let {
-        mutable: bool,
-        name: Ident,
-        ty: Option<Ident>,
-        value: Expr,
-    },
+    Let { mutable: bool, name: Ident, ty: Option<Ident>, value: Expr },
     /// `x = …`, `v.position = …`
     Assign { target: Expr, value: Expr },
     /// `repeat n { … }`
     Repeat { count: Expr, body: Block },
     /// `for x in xs where c { … }`
-    For {
-        variable: Ident,
-        sequence: Expr,
-        filter: Option<Expr>,
-        body: Block,
-    },
+    For { variable: Ident, sequence: Expr, filter: Option<Expr>, body: Block },
     /// `while c { … }`
     While { condition: Expr, body: Block },
     /// `drain x in xs by key while c { … }`
-    Drain {
-        variable: Ident,
-        sequence: Expr,
-        key: Expr,
-        condition: Option<Expr>,
-        body: Block,
-    },
+    Drain { variable: Ident, sequence: Expr, key: Expr, condition: Option<Expr>, body: Block },
     /// `update x in xs where c { … }`
-    Update {
-        variable: Ident,
-        sequence: Expr,
-        filter: Option<Expr>,
-        body: Block,
-    },
+    Update { variable: Ident, sequence: Expr, filter: Option<Expr>, body: Block },
     /// `if c { … } else { … }`, `if let m = split(e) { … }`
-    If {
-        binding: Option<Ident>,
-        condition: Expr,
-        then: Block,
-        otherwise: Option<Block>,
-    },
+    If { binding: Option<Ident>, condition: Expr, then: Block, otherwise: Option<Block> },
     /// `print a, b`, `print "a {b:.3}"`
     Print(Vec<Shown>),
     /// `assert c else "…"`
-    Assert {
-        condition: Expr,
-        reason: Option<(String, Span)>,
-    },
+    Assert { condition: Expr, reason: Option<(String, Span)> },
     /// `require c else "…"`, in the steps of an op
-    Require {
-        condition: Expr,
-        reason: Option<(String, Span)>,
-    },
+    Require { condition: Expr, reason: Option<(String, Span)> },
     /// `return`, `return x`
     Return(Option<Expr>),
     /// `break`

@@ -29,10 +29,7 @@ pub struct Name {
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.ident.text)?;
-        let Some(Index {
-            variable, offset, ..
-        }) = &self.index
-        else {
+        let Some(Index { variable, offset, .. }) = &self.index else {
             return Ok(());
         };
         match variable {

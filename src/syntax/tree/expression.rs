@@ -74,11 +74,7 @@ pub enum ExprKind {
     /// `x + y`
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// `if c { x } else { y }`
-    If {
-        condition: Box<Expr>,
-        then: Box<Block>,
-        otherwise: Box<Block>,
-    },
+    If { condition: Box<Expr>, then: Box<Block>, otherwise: Box<Block> },
     /// `mean(x for e in edges where c)`
     Aggregate {
         function: Ident,
