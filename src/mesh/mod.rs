@@ -35,9 +35,12 @@ mod walk;
 mod build;
 mod build_error;
 mod dump;
+mod faults;
 mod obj;
 mod polygons;
+mod repair;
 pub mod shape;
+mod sides;
 
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
@@ -47,6 +50,7 @@ pub use connectivity::{HalfedgeRecord, Mesh};
 pub use difference::{Difference, difference};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
+pub use faults::{FaultKind, Faults};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;
 pub use invalid::Invalid;
@@ -58,6 +62,7 @@ pub use obj::{
     replace_file, write_obj, write_obj_to,
 };
 pub use polygons::Polygons;
+pub use repair::{Repair, RepairReport, Repaired};
 pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};
 pub use validate::validate;
 pub use walk::{LoopWalk, SpokeWalk};
