@@ -4,16 +4,16 @@ use std::path::Path;
 
 use glam::DVec3;
 use hedgerow::mesh::{
-    ElementKind, FaceId, HalfedgeId, Level, Mesh, Obj, VertexId, equal_up_to_renumbering,
+    ElementKind, FaceId, HalfedgeId, Level, Mesh, MeshFile, VertexId, equal_up_to_renumbering,
     identical, read_obj, read_obj_from, shape, validate, validate_level, write_obj, write_obj_to,
 };
 use proptest::prelude::*;
 
-fn read(text: &str) -> Obj {
+fn read(text: &str) -> MeshFile {
     read_obj_from("t.obj", text.as_bytes()).unwrap()
 }
 
-fn text(obj: &Obj) -> String {
+fn text(obj: &MeshFile) -> String {
     let mut bytes = Vec::new();
     write_obj_to(&mut bytes, obj).unwrap();
     String::from_utf8(bytes).unwrap()
@@ -229,7 +229,7 @@ fn new_faces_come_last_and_take_after_their_neighbors() {
 
 #[test]
 fn a_mesh_from_nowhere_is_written_in_order() {
-    let obj = Obj::from_mesh(shape::single_polygon(3));
+    let obj = MeshFile::from_mesh(shape::single_polygon(3));
     assert!(text(&obj).ends_with("f 1 2 3\n"));
     assert!(equal_up_to_renumbering(&read(&text(&obj)).mesh, &obj.mesh));
 }

@@ -11,7 +11,9 @@ use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::{Param, Type};
-use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers};
+use crate::mesh::{
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, VertexId, WrittenNumbers,
+};
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
 
@@ -73,7 +75,7 @@ fn values(
     program: &Program,
     op: usize,
     arguments: &ApplyArguments,
-    obj: &mut Obj,
+    obj: &mut MeshFile,
 ) -> Result<Vec<(String, Argument)>, Failure> {
     let params = &program.analysis.program.ops[op].params;
     let mut texts = settings(&arguments.set)?;

@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::complain;
 use crate::mesh::{
-    Dump, Level, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, validate_level,
+    Dump, Level, Mesh, MeshFile, WrittenNumbers, read_dump, read_obj, validate, validate_level,
     write_dump, write_obj,
 };
 
@@ -22,13 +22,13 @@ fn may_be_obj(path: &Path) -> bool {
 }
 
 /// Reads a mesh. A file without a vertex is taken for something else.
-pub(super) fn read(path: &Path) -> Result<Obj, Failure> {
+pub(super) fn read(path: &Path) -> Result<MeshFile, Failure> {
     let shown = path.display();
     if is_tables(path) {
         let mesh = only_table(path, read_tables(path)?)?;
         validate(&mesh)
             .map_err(|law| Failure::usage(format!("{shown}: this is no valid mesh: {law}")))?;
-        return Ok(Obj::from_tables(mesh));
+        return Ok(MeshFile::from_tables(mesh));
     }
     let obj = read_obj(path).map_err(Failure::usage)?;
     if obj.mesh.vertex_count() == 0 {
@@ -60,7 +60,7 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
 }
 
 /// Writes a mesh, and says in a line what the file cannot hold.
-pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
+pub(super) fn write(path: &Path, obj: &mut MeshFile) -> Result<(), Failure> {
     if !is_tables(path) {
         if !obj.mesh.is_polygons() {
             let shown = path.display();
@@ -96,7 +96,7 @@ fn below_simple(mesh: &Mesh) -> String {
 }
 
 /// Says which attributes an OBJ file has no place for.
-fn tell_unheld(path: &Path, obj: &Obj) {
+fn tell_unheld(path: &Path, obj: &MeshFile) {
     let unheld = obj.unheld().into_iter();
     let told: Vec<_> = unheld.map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})")).collect();
     if !told.is_empty() {
@@ -106,7 +106,7 @@ fn tell_unheld(path: &Path, obj: &Obj) {
 }
 
 /// Says what of the file that was read is not in the one that was written.
-fn tell_bare(path: &Path, obj: &Obj) {
+fn tell_bare(path: &Path, obj: &MeshFile) {
     let shown = path.display();
     let attributes = ["`uv: halfedge vec2`", "`normal: halfedge vec3`"];
     let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
@@ -131,7 +131,7 @@ fn tell_bare(path: &Path, obj: &Obj) {
 }
 
 /// The numbers that elements have in a file of this name.
-pub(super) fn numbers(path: &Path, obj: &Obj) -> WrittenNumbers {
+pub(super) fn numbers(path: &Path, obj: &MeshFile) -> WrittenNumbers {
     match is_tables(path) {
         true => WrittenNumbers::of_tables(&obj.mesh),
         false => obj.written_numbers(),

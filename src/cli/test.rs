@@ -13,7 +13,7 @@ use super::meshes;
 use super::output::{complain_of, say, say_json};
 use super::program::{self, Program};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::Obj;
+use crate::mesh::MeshFile;
 use crate::rewrite::Watch;
 use crate::run;
 use crate::source::Span;
@@ -111,7 +111,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
 }
 
 /// The mesh of a path that is written in some file: beside it.
-fn load(program: &Program, path: &str, span: Span) -> Result<Obj, String> {
+fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
     let home = Path::new(program.sources.get(span.file).name());
     let folder = home.parent().unwrap_or(Path::new(""));
     let read = meshes::read(&folder.join(path));

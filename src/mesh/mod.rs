@@ -36,7 +36,7 @@ mod build;
 mod build_error;
 mod dump;
 mod faults;
-mod obj;
+mod file;
 mod polygons;
 mod repair;
 pub mod shape;
@@ -51,16 +51,16 @@ pub use difference::{Difference, difference};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use faults::{FaultKind, Faults};
+pub use file::{
+    FileError, FileReason, Indexed, MeshFile, WantedAttribute, WrittenNumbers, read_obj,
+    read_obj_from, replace_file, write_obj, write_obj_to,
+};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;
 pub use invalid::Invalid;
 pub use journal::Bookmark;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
-pub use obj::{
-    Indexed, Obj, ObjError, ObjReason, WantedAttribute, WrittenNumbers, read_obj, read_obj_from,
-    replace_file, write_obj, write_obj_to,
-};
 pub use polygons::Polygons;
 pub use repair::{Repair, RepairReport, Repaired};
 pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};

@@ -8,14 +8,14 @@ use crate::mesh::id::ElementKind;
 
 /// A failure to read or write a file. Lines and numbers are the file's: from 1.
 #[derive(Debug)]
-pub struct ObjError {
+pub struct FileError {
     pub file: String,
     pub line: Option<u32>,
-    pub reason: ObjReason,
+    pub reason: FileReason,
 }
 
 #[derive(Debug)]
-pub enum ObjReason {
+pub enum FileReason {
     Io(io::Error),
     /// The folder to write to does not exist.
     NoFolder(String),
@@ -81,7 +81,7 @@ impl Indexed {
     }
 }
 
-impl fmt::Display for ObjError {
+impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.line {
             Some(line) => write!(f, "{}:{line}: {}", self.file, self.reason),
@@ -90,7 +90,7 @@ impl fmt::Display for ObjError {
     }
 }
 
-impl fmt::Display for ObjReason {
+impl fmt::Display for FileReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io(error) => write!(f, "{error}"),
@@ -133,16 +133,16 @@ impl fmt::Display for ObjReason {
     }
 }
 
-impl std::error::Error for ObjError {
+impl std::error::Error for FileError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.reason {
-            ObjReason::Io(error) => Some(error),
+            FileReason::Io(error) => Some(error),
             _ => None,
         }
     }
 }
 
-impl ObjReason {
+impl FileReason {
     /// The same reason in the numbers of the file, and the line to show: the last one
     /// of those concerned.
     pub(super) fn from_build(

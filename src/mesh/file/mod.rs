@@ -7,19 +7,21 @@
 //! written back; `attributes` makes values of it where a program wants them. Curves, points and lines are passed over.
 //!
 //! In memory ids start at 0 and slots are reused; in a file numbers start at 1 and have
-//! no gaps. [`Obj`] remembers which elements came from the file, and under which number.
+//! no gaps. [`MeshFile`] remembers which elements came from the file, and under which number.
 
 mod attributes;
 mod error;
 mod filter;
 mod kept;
 mod lines;
-mod numbers;
+mod mesh_file;
 mod read;
+mod replace;
 mod write;
 
 pub use attributes::WantedAttribute;
-pub use error::{Indexed, ObjError, ObjReason};
-pub use numbers::{Obj, WrittenNumbers};
+pub use error::{FileError, FileReason, Indexed};
+pub use mesh_file::{MeshFile, WrittenNumbers};
 pub use read::{read_obj, read_obj_from};
-pub use write::{replace_file, write_obj, write_obj_to};
+pub use replace::replace_file;
+pub use write::{write_obj, write_obj_to};

@@ -7,40 +7,41 @@ use std::path::Path;
 use glam::DVec3;
 use tobj::LoadError;
 
-use super::error::{ObjError, ObjReason};
+use super::error::{FileError, FileReason};
 use super::filter::Filter;
-use super::numbers::Obj;
+use super::mesh_file::MeshFile;
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::polygons::Polygons;
 
 /// Reads the file at `path`.
-pub fn read_obj(path: &Path) -> Result<Obj, ObjError> {
+pub fn read_obj(path: &Path) -> Result<MeshFile, FileError> {
     let name = path.display().to_string();
     match File::open(path) {
         Ok(file) => read_obj_from(&name, BufReader::with_capacity(1 << 16, file)),
-        Err(error) => Err(ObjError { file: name, line: None, reason: ObjReason::Io(error) }),
+        Err(error) => Err(FileError { file: name, line: None, reason: FileReason::Io(error) }),
     }
 }
 
 /// Reads a file that is open already, or no file at all; messages call it `name`.
-pub fn read_obj_from(name: &str, input: impl BufRead) -> Result<Obj, ObjError> {
-    read(input).map_err(|(line, reason)| ObjError { file: name.to_owned(), line, reason })
+pub fn read_obj_from(name: &str, input: impl BufRead) -> Result<MeshFile, FileError> {
+    read(input).map_err(|(line, reason)| FileError { file: name.to_owned(), line, reason })
 }
 
-type Failure = (Option<u32>, ObjReason);
+type Failure = (Option<u32>, FileReason);
 
-fn read(input: impl BufRead) -> Result<Obj, Failure> {
+fn read(input: impl BufRead) -> Result<MeshFile, Failure> {
     let mut filter = Filter::new(input);
     let parsed = parse(&mut filter)?;
     filter.finish();
     let (positions, polygons) = renumber(parsed, &filter)?;
-    let mesh = Mesh::from_owned_polygons(positions, &polygons)
-        .map_err(|error| ObjReason::from_build(&error, &filter.vertex_lines, &filter.face_lines))?;
+    let mesh = Mesh::from_owned_polygons(positions, &polygons).map_err(|error| {
+        FileReason::from_build(&error, &filter.vertex_lines, &filter.face_lines)
+    })?;
     let Filter { mut kept, colors, .. } = filter;
     if !(kept.corner_texture.is_empty() && kept.corner_normals.is_empty()) {
         kept.corner_vertices = polygons.into_corners();
     }
-    Ok(Obj::from_file(mesh, kept, &colors))
+    Ok(MeshFile::from_file(mesh, kept, &colors))
 }
 
 fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
@@ -58,13 +59,13 @@ fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
     match loaded {
         Ok((mut models, _)) => match (models.pop(), models.pop()) {
             (Some(model), None) => Ok(model.mesh),
-            _ => Err((None, ObjReason::Garbled)),
+            _ => Err((None, FileReason::Garbled)),
         },
         Err(LoadError::PositionParseError) => {
-            let reason = ObjReason::NotNumbers { statement: "v", needs: "three numbers" };
+            let reason = FileReason::NotNumbers { statement: "v", needs: "three numbers" };
             Err((Some(filter.line()), reason))
         }
-        Err(_) => Err((Some(filter.line()), ObjReason::Garbled)),
+        Err(_) => Err((Some(filter.line()), FileReason::Garbled)),
     }
 }
 
@@ -72,7 +73,7 @@ fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
 fn renumber<R>(parsed: tobj::Mesh, filter: &Filter<R>) -> Result<(Vec<DVec3>, Polygons), Failure> {
     let tobj::Mesh { positions: given, indices, face_arities, .. } = parsed;
     let (placed, _) = given.as_chunks::<3>();
-    let garbled = || (None, ObjReason::Garbled);
+    let garbled = || (None, FileReason::Garbled);
     // An empty list of arities stands for triangles throughout.
     let triangles = vec![3; if face_arities.is_empty() { indices.len() / 3 } else { 0 }];
     let arities = if face_arities.is_empty() { &triangles } else { &face_arities };

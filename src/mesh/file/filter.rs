@@ -23,7 +23,7 @@
 
 use std::io::{self, BufRead, Read, Write};
 
-use super::error::{Indexed, ObjReason};
+use super::error::{FileReason, Indexed};
 use super::kept::{Kept, MISSING, State, number};
 use super::lines::Statements;
 
@@ -40,7 +40,7 @@ pub(super) struct Filter<R> {
     corners: usize,
     colored: bool,
     highest: [Highest; 3],
-    pub(super) failure: Option<(Option<u32>, ObjReason)>,
+    pub(super) failure: Option<(Option<u32>, FileReason)>,
     pub(super) kept: Kept,
     pub(super) vertex_lines: Vec<u32>,
     pub(super) face_lines: Vec<u32>,
@@ -83,13 +83,13 @@ impl<R: BufRead> Filter<R> {
 
     /// An index that leads out of the file. Known at its end only: a face may name a
     /// vertex that comes later.
-    pub(super) fn index_out_of_range(&self) -> Option<(Option<u32>, ObjReason)> {
+    pub(super) fn index_out_of_range(&self) -> Option<(Option<u32>, FileReason)> {
         let have =
             [self.vertex_lines.len(), self.kept.texture.rows.len(), self.kept.normals.rows.len()];
         (0..3).find_map(|i| {
             let Highest { index, line } = self.highest[i];
             let reason =
-                || ObjReason::NoSuch { what: KINDS[i], index: index as i64, have: have[i] };
+                || FileReason::NoSuch { what: KINDS[i], index: index as i64, have: have[i] };
             (index > have[i] as u64).then(|| (Some(line), reason()))
         })
     }
@@ -128,7 +128,7 @@ impl<R: BufRead> Filter<R> {
     fn advance(&mut self) -> io::Result<bool> {
         self.statements.advance().map_err(|error| {
             let kind = error.kind();
-            self.failure = Some((None, ObjReason::Io(error)));
+            self.failure = Some((None, FileReason::Io(error)));
             kind.into()
         })
     }
@@ -147,7 +147,7 @@ impl<R: BufRead> Filter<R> {
         self.unrolled = self.vertex_lines.len();
     }
 
-    fn statement(&mut self) -> Result<(), ObjReason> {
+    fn statement(&mut self) -> Result<(), FileReason> {
         let text = self.statements.text().trim_ascii();
         let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
         let (keyword, rest) = text.split_at(end);
@@ -156,11 +156,11 @@ impl<R: BufRead> Filter<R> {
             b"f" | b"fo" => self.face(),
             b"vt" => match self.kept.texture.push(words(rest), 1) {
                 true => Ok(()),
-                false => Err(ObjReason::NotNumbers { statement: "vt", needs: "a number or more" }),
+                false => Err(FileReason::NotNumbers { statement: "vt", needs: "a number or more" }),
             },
             b"vn" => match self.kept.normals.push(words(rest), 3) {
                 true => Ok(()),
-                false => Err(ObjReason::NotNumbers { statement: "vn", needs: "three numbers" }),
+                false => Err(FileReason::NotNumbers { statement: "vn", needs: "three numbers" }),
             },
             b"mtllib" => {
                 let library = rest.trim_ascii();
@@ -183,12 +183,12 @@ impl<R: BufRead> Filter<R> {
         }
     }
 
-    fn vertex(&mut self) -> Result<(), ObjReason> {
+    fn vertex(&mut self) -> Result<(), FileReason> {
         let mut words = words(self.statements.text()).skip(1);
         self.out.push(b'v');
         for _ in 0..3 {
             // A weight after the coordinates belongs to curves; it is passed over.
-            let needs = ObjReason::NotNumbers { statement: "v", needs: "three numbers" };
+            let needs = FileReason::NotNumbers { statement: "v", needs: "three numbers" };
             let word = words.next().and_then(|word| std::str::from_utf8(word).ok());
             self.out.push(b' ');
             self.out.extend_from_slice(word.ok_or(needs)?.as_bytes());
@@ -210,7 +210,7 @@ impl<R: BufRead> Filter<R> {
         Ok(())
     }
 
-    fn face(&mut self) -> Result<(), ObjReason> {
+    fn face(&mut self) -> Result<(), FileReason> {
         if self.unrolled < self.vertex_lines.len() {
             self.roll();
         }
@@ -220,7 +220,7 @@ impl<R: BufRead> Filter<R> {
         let first = self.corners;
         self.out.push(b'f');
         for word in words(self.statements.text()).skip(1) {
-            let malformed = || ObjReason::NotAnIndex { text: lossy(word) };
+            let malformed = || FileReason::NotAnIndex { text: lossy(word) };
             let mut places = [MISSING; 3];
             let mut parts = word.split(|&b| b == b'/');
             for (i, part) in parts.by_ref().take(3).enumerate() {
@@ -249,7 +249,7 @@ impl<R: BufRead> Filter<R> {
         self.out.push(b'\n');
         self.face_lines.push(line);
         match self.corners - first {
-            corners @ 0..=2 => Err(ObjReason::FewCorners { corners }),
+            corners @ 0..=2 => Err(FileReason::FewCorners { corners }),
             _ => Ok(()),
         }
     }
@@ -258,13 +258,13 @@ impl<R: BufRead> Filter<R> {
 const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
 
 /// The number, from 1, of what an index names: negative ones count back from the last.
-fn resolve(index: i64, what: Indexed, have: usize) -> Result<u64, ObjReason> {
+fn resolve(index: i64, what: Indexed, have: usize) -> Result<u64, FileReason> {
     match index {
-        0 => Err(ObjReason::ZeroIndex),
+        0 => Err(FileReason::ZeroIndex),
         1.. => Ok(index as u64),
         _ => match (have as u64).checked_sub(index.unsigned_abs()) {
             Some(place) => Ok(place + 1),
-            None => Err(ObjReason::NoSuch { what, index, have }),
+            None => Err(FileReason::NoSuch { what, index, have }),
         },
     }
 }

@@ -15,7 +15,7 @@ use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 
 /// A mesh and what the file it came from said beyond it.
 #[derive(Clone, Debug)]
-pub struct Obj {
+pub struct MeshFile {
     pub mesh: Mesh,
     pub(super) kept: Kept,
     vertex_numbers: Option<ColumnId>,
@@ -34,7 +34,7 @@ pub struct WrittenNumbers {
     pub(super) face_order: Vec<FaceId>,
 }
 
-impl Obj {
+impl MeshFile {
     /// A mesh that comes from no file: everything in it is new.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let kept = Kept::default();

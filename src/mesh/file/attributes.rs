@@ -8,7 +8,7 @@
 //! | `uv: vertex …`, `normal: vertex vec3` | the same value at all corners of the vertex |
 //!
 //! Texture coordinates and normals stay [kept](super::kept) beside the mesh, corner by corner,
-//! until somebody wants them as values: [`Obj::bring`] makes a column of them, and a column of
+//! until somebody wants them as values: [`MeshFile::bring`] makes a column of them, and a column of
 //! such a name is what is written from then on, one row for each value that occurs.
 
 use std::collections::HashMap;
@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use glam::{DVec2, DVec3};
 
 use super::kept::{MISSING, Rows};
-use super::numbers::Obj;
+use super::mesh_file::MeshFile;
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
@@ -49,7 +49,7 @@ impl OfCorner {
 /// An attribute that a program uses: its kind, name and default.
 pub type WantedAttribute<'n> = (ElementKind, &'n str, Value);
 
-impl Obj {
+impl MeshFile {
     /// Makes a column of texture coordinates or normals that the file has, if this is how they
     /// are called. What the mesh has already stays as it is; a corner without a value has the
     /// default.
@@ -201,7 +201,7 @@ fn value(ty: AttributeType, [x, y, z]: [f64; 3]) -> Value {
 /// What the corners have, as it is written: rows, and where they are used.
 pub(super) enum Corners<'o> {
     /// As the file had it.
-    Kept { obj: &'o Obj, what: OfCorner },
+    Kept { obj: &'o MeshFile, what: OfCorner },
     /// The values of a column, each once, in the order of the faces.
     Values {
         rows: Rows,
@@ -211,7 +211,7 @@ pub(super) enum Corners<'o> {
 }
 
 impl<'o> Corners<'o> {
-    pub(super) fn of(obj: &'o Obj, what: OfCorner, faces: &[FaceId]) -> Self {
+    pub(super) fn of(obj: &'o MeshFile, what: OfCorner, faces: &[FaceId]) -> Self {
         let Some(column) = obj.written_column(what) else {
             return Self::Kept { obj, what };
         };

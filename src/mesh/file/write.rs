@@ -1,26 +1,22 @@
-//! Writing a file: all of it, or not at all.
-//!
-//! The text goes to a new file in the same folder, which takes the place of the old one
-//! when it is complete. Coordinates are printed with the fewest digits that read back
+//! Writing a file. Coordinates are printed with the fewest digits that read back
 //! as the same number.
 
-use std::fs;
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::io::{self, Write};
+use std::path::Path;
 
 use glam::DVec3;
-use tempfile::NamedTempFile;
 
 use super::attributes::{Corners, OfCorner};
-use super::error::{ObjError, ObjReason};
+use super::error::{FileError, FileReason};
 use super::kept::State;
-use super::numbers::{Obj, WrittenNumbers};
+use super::mesh_file::{MeshFile, WrittenNumbers};
+use super::replace::replace_file;
 use crate::mesh::id::FaceId;
 
 /// Writes `obj` to `path`. A symbolic link stays one: what it leads to is replaced. The
 /// permissions of an old file are kept.
-pub fn write_obj(path: &Path, obj: &Obj) -> Result<(), ObjError> {
-    replace_file(path, |mut output| write_obj_to(&mut output, obj)).map_err(|reason| ObjError {
+pub fn write_obj(path: &Path, obj: &MeshFile) -> Result<(), FileError> {
+    replace_file(path, |mut output| write_obj_to(&mut output, obj)).map_err(|reason| FileError {
         file: path.display().to_string(),
         line: None,
         reason,
@@ -28,89 +24,21 @@ pub fn write_obj(path: &Path, obj: &Obj) -> Result<(), ObjError> {
 }
 
 /// Writes the text of `obj`. The output should be buffered.
-pub fn write_obj_to(output: &mut impl Write, obj: &Obj) -> Result<(), ObjReason> {
+pub fn write_obj_to(output: &mut impl Write, obj: &MeshFile) -> Result<(), FileReason> {
     let numbers = obj.written_numbers();
     check_positions(obj, &numbers)?;
-    write_text(output, obj, &numbers).map_err(ObjReason::Io)
+    write_text(output, obj, &numbers).map_err(FileReason::Io)
 }
 
-/// Writes a file: all of it, or not at all. What is to stand in it is written by `write`.
-///
-/// # Errors
-/// [`ObjReason::NoFolder`] and [`ObjReason::Io`], and what `write` fails with; the old file, if
-/// there was one, is as it was.
-pub fn replace_file(
-    path: &Path,
-    write: impl Fn(&mut dyn Write) -> Result<(), ObjReason>,
-) -> Result<(), ObjReason> {
-    let target = followed(path).map_err(ObjReason::Io)?;
-    let old = fs::metadata(&target).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        // A device or a pipe cannot be replaced, only written to.
-        let file = fs::OpenOptions::new().write(true).open(&target).map_err(ObjReason::Io)?;
-        let mut output = BufWriter::new(file);
-        write(&mut output)?;
-        return output.flush().map_err(ObjReason::Io);
-    }
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        return Err(ObjReason::NoFolder(folder.display().to_string()));
-    }
-    let mut file = new_file(folder).map_err(ObjReason::Io)?;
-    {
-        let mut output = BufWriter::with_capacity(1 << 16, file.as_file_mut());
-        write(&mut output)?;
-        output.flush().map_err(ObjReason::Io)?;
-    }
-    if let Some(old) = old {
-        file.as_file().set_permissions(old.permissions()).map_err(ObjReason::Io)?;
-    }
-    file.persist(&target).map_err(|failed| ObjReason::Io(failed.error))?;
-    Ok(())
-}
-
-/// Where the links from `path` lead, whether something is there or not.
-fn followed(path: &Path) -> io::Result<PathBuf> {
-    let mut at = path.to_owned();
-    // As many links as Linux follows.
-    for _ in 0..40 {
-        match fs::read_link(&at) {
-            // A relative link starts from the folder of the link.
-            Ok(link) => at = at.parent().unwrap_or(Path::new("")).join(link),
-            Err(_) => return Ok(at),
-        }
-    }
-    Err(io::Error::other("too many symbolic links"))
-}
-
-/// A file that will be readable by whom a new file usually is: the process's mask
-/// applies to the mode.
-#[cfg(unix)]
-fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
-    use std::os::unix::fs::PermissionsExt;
-    tempfile::Builder::new()
-        .prefix(".hedgerow-")
-        .permissions(fs::Permissions::from_mode(0o666))
-        .tempfile_in(folder)
-}
-
-#[cfg(not(unix))]
-fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
-    tempfile::Builder::new().prefix(".hedgerow-").tempfile_in(folder)
-}
-
-fn check_positions(obj: &Obj, numbers: &WrittenNumbers) -> Result<(), ObjReason> {
+fn check_positions(obj: &MeshFile, numbers: &WrittenNumbers) -> Result<(), FileReason> {
     let stray = numbers.vertex_order.iter().position(|&v| !obj.mesh.position(v).is_finite());
     match stray {
-        Some(place) => Err(ObjReason::NotFinite { vertex: place as u32 + 1 }),
+        Some(place) => Err(FileReason::NotFinite { vertex: place as u32 + 1 }),
         None => Ok(()),
     }
 }
 
-fn write_text(output: &mut impl Write, obj: &Obj, numbers: &WrittenNumbers) -> io::Result<()> {
+fn write_text(output: &mut impl Write, obj: &MeshFile, numbers: &WrittenNumbers) -> io::Result<()> {
     for library in &obj.kept.libraries {
         write_statement(output, "mtllib", library)?;
     }
@@ -148,7 +76,7 @@ fn write_text(output: &mut impl Write, obj: &Obj, numbers: &WrittenNumbers) -> i
 
 /// The statements that should be in force at `f`. A new face takes after the first of
 /// its neighbors that came from the file.
-fn state_of(obj: &Obj, f: FaceId) -> Option<State> {
+fn state_of(obj: &MeshFile, f: FaceId) -> Option<State> {
     if obj.kept.states.is_empty() {
         return None;
     }
@@ -159,7 +87,7 @@ fn state_of(obj: &Obj, f: FaceId) -> Option<State> {
 
 fn write_state(
     output: &mut impl Write,
-    obj: &Obj,
+    obj: &MeshFile,
     current: &mut State,
     state: State,
 ) -> io::Result<()> {
@@ -193,7 +121,7 @@ fn write_statement(output: &mut impl Write, keyword: &str, operand: &[u8]) -> io
 /// A face, with texture coordinates if all its corners have one, and normals likewise.
 fn write_face(
     output: &mut impl Write,
-    obj: &Obj,
+    obj: &MeshFile,
     numbers: &WrittenNumbers,
     [texture, normals]: &[Corners; 2],
     f: FaceId,
