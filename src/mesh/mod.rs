@@ -52,8 +52,9 @@ pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use faults::{FaultKind, Faults};
 pub use file::{
-    FileError, FileReason, Indexed, MeshFile, WantedAttribute, WrittenNumbers, read_obj,
-    read_obj_from, replace_file, write_obj, write_obj_to,
+    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, MeshFile, MshVersion,
+    WantedAttribute, WrittenNumbers, read_mesh, read_mesh_from, replace_file, write_mesh,
+    write_mesh_to,
 };
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;

@@ -15,8 +15,10 @@ use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
 
+use super::format::FileFormat;
 use super::kept::{MISSING, Rows};
 use super::mesh_file::MeshFile;
+use super::{msh, obj, off};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
@@ -99,20 +101,43 @@ impl MeshFile {
         self.bring((ElementKind::Halfedge, "normal", normal));
     }
 
-    /// The attributes of the mesh that a file has no place for: kinds, names and types.
-    pub fn unheld(&self) -> Vec<(ElementKind, &str, AttributeType)> {
+    /// The attributes of the mesh that a file of a format has no place for: kinds, names and
+    /// types.
+    pub fn unheld(&self, format: FileFormat) -> Vec<(ElementKind, &str, AttributeType)> {
+        let held: Vec<Option<ColumnId>> = match format {
+            FileFormat::Obj => {
+                let corners = OfCorner::ALL.map(|what| self.written_column(what));
+                obj::vertex_columns(self).into_iter().chain(corners).collect()
+            }
+            FileFormat::Off => off::columns(self).to_vec(),
+            _ => Vec::new(),
+        };
         let columns = self.mesh.sayable_columns();
-        let unheld = columns.filter(|&(id, _)| {
-            let mut all = OfCorner::ALL.into_iter();
-            Some(id) != self.color() && all.all(|what| self.written_column(what) != Some(id))
+        let unheld = columns.filter(|(id, column)| match format {
+            FileFormat::Ply | FileFormat::Halfedges => false,
+            FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
+            _ => !held.contains(&Some(*id)),
         });
         unheld.map(|(id, column)| (id.kind, column.name(), column.attribute_type())).collect()
     }
 
-    /// The words of the statements of the file, such as `l` and `p`, that are no part of a mesh
-    /// and not written again: the first few.
-    pub fn passed_over(&self) -> &[String] {
-        &self.kept.passed_over
+    /// What the file that was read said and the mesh does not, in words: a line each.
+    pub fn losses(&self) -> Vec<String> {
+        let mut told = Vec::new();
+        let words = &self.kept.passed_over;
+        if !words.is_empty() {
+            let shown = |(word, line): &(String, u32)| format!("`{word}` (line {line})");
+            let words: Vec<_> = words.iter().map(shown).collect();
+            told.push(format!(
+                "what it says with {} is not in the mesh: a mesh has vertices and faces",
+                words.join(", ")
+            ));
+        }
+        told.extend(self.kept.notes.iter().map(|(what, count, line)| match line {
+            Some(line) => format!("{count} {what}, first in line {line}"),
+            None => format!("{count} {what}"),
+        }));
+        told
     }
 
     /// How many faces are written without texture coordinates (`vt`), and how many without
@@ -152,7 +177,7 @@ impl MeshFile {
         kinds.find_map(|kind| self.column_of_type(kind, what.name(), |ty| what.can_be(ty)))
     }
 
-    fn column_of_type(
+    pub(super) fn column_of_type(
         &self,
         kind: ElementKind,
         name: &str,

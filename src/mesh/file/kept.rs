@@ -18,10 +18,13 @@ pub(super) struct Kept {
     /// one, and are as long as the corners otherwise.
     pub(super) corner_texture: Vec<u32>,
     pub(super) corner_normals: Vec<u32>,
-    /// The vertex of each corner, from 0; empty if no corner has anything to keep.
+    /// The vertex of each corner when the file was read; empty if no corner has anything to keep.
     pub(super) corner_vertices: Vec<u32>,
-    /// The statements that are no part of a mesh, such as `l` and `p`: the first few words.
-    pub(super) passed_over: Vec<String>,
+    /// The statements that are no part of a mesh, such as `l` and `p`: the first few words, with
+    /// their lines.
+    pub(super) passed_over: Vec<(String, u32)>,
+    /// What else of the file is not in the mesh: in words, how often, and first in which line.
+    pub(super) notes: Vec<(String, usize, Option<u32>)>,
 }
 
 /// The statements in force at a face, by their places in `names`.
@@ -37,13 +40,32 @@ impl State {
 
 impl Kept {
     /// Notes a statement that is not kept.
-    pub(super) fn pass_over(&mut self, keyword: &[u8]) {
-        let word = String::from_utf8_lossy(&keyword[..keyword.len().min(16)]);
-        let is_word = word.starts_with(|c: char| c.is_ascii_alphabetic());
+    pub(super) fn pass_over(&mut self, keyword: &str, line: u32) {
+        let word: String = keyword.chars().take(16).collect();
         let known = &mut self.passed_over;
-        if is_word && known.len() < 8 && !known.iter().any(|other| *other == word) {
-            known.push(word.into_owned());
+        if known.len() < 8 && !known.iter().any(|(other, _)| *other == word) {
+            known.push((word, line));
         }
+    }
+
+    /// Notes something of the file that is not in the mesh.
+    pub(super) fn note(&mut self, what: &str, line: u32) {
+        match self.notes.iter_mut().find(|(known, ..)| known == what) {
+            Some((_, count, _)) => *count += 1,
+            None => self.notes.push((what.to_owned(), 1, Some(line))),
+        }
+    }
+
+    /// Notes something that a file does several times.
+    pub(super) fn note_count(&mut self, what: &str, count: usize) {
+        if count > 0 {
+            self.notes.push((what.to_owned(), count, None));
+        }
+    }
+
+    /// Whether corners of the file have something to keep.
+    pub(super) fn has_corners(&self) -> bool {
+        !(self.corner_texture.is_empty() && self.corner_normals.is_empty())
     }
 
     /// The state at a face of the file.
@@ -68,32 +90,34 @@ impl Kept {
     }
 }
 
+impl Kept {
+    /// Adds what number of a name each face has, -1 or the like for none.
+    pub(super) fn add_states(&mut self, keyword: usize, names: &[Vec<u8>], numbers: &[f64]) {
+        let first = self.names.len() as u32;
+        self.names.extend_from_slice(names);
+        let before = std::mem::take(&mut self.states);
+        let mut before = before.into_iter().peekable();
+        let mut state = State::EMPTY;
+        for (face, &number) in (0..).zip(numbers) {
+            let old = state;
+            if let Some((_, others)) = before.next_if(|&(at, _)| at == face) {
+                state = State(std::array::from_fn(|i| {
+                    if i == keyword { state.0[i] } else { others.0[i] }
+                }));
+            }
+            let is_named = number >= 0.0 && number < names.len() as f64;
+            state.0[keyword] = if is_named { first + number as u32 } else { MISSING };
+            if state != old {
+                self.states.push((face, state));
+            }
+        }
+    }
+}
+
 /// A table of up to three numbers a row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     pub(super) rows: Vec<[f64; 3]>,
     /// How many of the three are written.
     pub(super) width: usize,
-}
-
-impl Rows {
-    /// Adds a row; false if it has fewer than `least` numbers or something else.
-    pub(super) fn push<'t>(&mut self, words: impl Iterator<Item = &'t [u8]>, least: usize) -> bool {
-        let mut row = [0.0; 3];
-        let mut width = 0;
-        for (place, word) in row.iter_mut().zip(words) {
-            let Some(number) = number(word) else {
-                return false;
-            };
-            *place = number;
-            width += 1;
-        }
-        self.width = self.width.max(width);
-        self.rows.push(row);
-        width >= least
-    }
-}
-
-pub(super) fn number(word: &[u8]) -> Option<f64> {
-    std::str::from_utf8(word).ok()?.parse().ok()
 }

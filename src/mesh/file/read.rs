@@ -1,115 +1,66 @@
-//! Reading a file.
+//! Reading a file of any format.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-use glam::DVec3;
-use tobj::LoadError;
-
-use super::error::{FileError, FileReason};
-use super::filter::Filter;
+use super::error::{Failure, FileError, FileReason};
+use super::format::FileFormat;
 use super::mesh_file::MeshFile;
-use crate::mesh::connectivity::Mesh;
-use crate::mesh::polygons::Polygons;
+use super::{msh, obj, off, ply, stl};
+use crate::mesh::dump::read_dump;
+use crate::mesh::repair::Repair;
+use crate::mesh::validate::validate;
 
-/// Reads the file at `path`.
-pub fn read_obj(path: &Path) -> Result<MeshFile, FileError> {
+/// Reads the file at `path`, in the format that its name ends in. Polygons that are no mesh are
+/// refused, or repaired if that is asked for.
+///
+/// # Errors
+/// Where the file cannot be read, is not of its format, or is no mesh.
+pub fn read_mesh(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileError> {
     let name = path.display().to_string();
-    match File::open(path) {
-        Ok(file) => read_obj_from(&name, BufReader::with_capacity(1 << 16, file)),
-        Err(error) => Err(FileError { file: name, line: None, reason: FileReason::Io(error) }),
-    }
+    let failed = |reason| FileError { file: name.clone(), line: None, reason };
+    let format = FileFormat::of(path).map_err(failed)?;
+    let text = std::fs::read(path).map_err(|error| failed(FileReason::Io(error)))?;
+    read_mesh_from(&name, format, &text, repair)
 }
 
-/// Reads a file that is open already, or no file at all; messages call it `name`.
-pub fn read_obj_from(name: &str, input: impl BufRead) -> Result<MeshFile, FileError> {
-    read(input).map_err(|(line, reason)| FileError { file: name.to_owned(), line, reason })
-}
-
-type Failure = (Option<u32>, FileReason);
-
-fn read(input: impl BufRead) -> Result<MeshFile, Failure> {
-    let mut filter = Filter::new(input);
-    let parsed = parse(&mut filter)?;
-    filter.finish();
-    let (positions, polygons) = renumber(parsed, &filter)?;
-    let mesh = Mesh::from_owned_polygons(positions, &polygons).map_err(|error| {
-        FileReason::from_build(&error, &filter.vertex_lines, &filter.face_lines)
-    })?;
-    let Filter { mut kept, colors, .. } = filter;
-    if !(kept.corner_texture.is_empty() && kept.corner_normals.is_empty()) {
-        kept.corner_vertices = polygons.into_corners();
-    }
-    Ok(MeshFile::from_file(mesh, kept, &colors))
-}
-
-fn parse<R: BufRead>(filter: &mut Filter<R>) -> Result<tobj::Mesh, Failure> {
-    // Points and lines are rolls here, those of the file have been left out.
-    let options = tobj::LoadOptions {
-        single_index: false,
-        triangulate: false,
-        ignore_points: false,
-        ignore_lines: false,
+/// Reads a file that is in memory; messages call it `name`.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn read_mesh_from(
+    name: &str,
+    format: FileFormat,
+    text: &[u8],
+    repair: Option<Repair>,
+) -> Result<MeshFile, FileError> {
+    let read = match format {
+        FileFormat::Obj => obj::read(text),
+        FileFormat::Ply => ply::read(text),
+        FileFormat::Stl => stl::read(text),
+        FileFormat::Off => off::read(text),
+        FileFormat::Msh => msh::read(text),
+        FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
     };
-    let loaded = tobj::load_obj_buf(filter, &options, |_| Err(LoadError::GenericFailure));
-    if let Some(failure) = filter.failure.take().or_else(|| filter.index_out_of_range()) {
-        return Err(failure);
-    }
-    match loaded {
-        Ok((mut models, _)) => match (models.pop(), models.pop()) {
-            (Some(model), None) => Ok(model.mesh),
-            _ => Err((None, FileReason::Garbled)),
-        },
-        Err(LoadError::PositionParseError) => {
-            let reason = FileReason::NotNumbers { statement: "v", needs: "three numbers" };
-            Err((Some(filter.line()), reason))
-        }
-        Err(_) => Err((Some(filter.line()), FileReason::Garbled)),
-    }
+    read.and_then(|contents| contents.build(repair)).map_err(|failure| error(name, failure))
 }
 
-/// Vertices under the numbers of the file, and its faces without the rolls.
-fn renumber<R>(parsed: tobj::Mesh, filter: &Filter<R>) -> Result<(Vec<DVec3>, Polygons), Failure> {
-    let tobj::Mesh { positions: given, indices, face_arities, .. } = parsed;
-    let (placed, _) = given.as_chunks::<3>();
-    let garbled = || (None, FileReason::Garbled);
-    // An empty list of arities stands for triangles throughout.
-    let triangles = vec![3; if face_arities.is_empty() { indices.len() / 3 } else { 0 }];
-    let arities = if face_arities.is_empty() { &triangles } else { &face_arities };
+fn error(name: &str, (line, reason): Failure) -> FileError {
+    FileError { file: name.to_owned(), line, reason }
+}
 
-    let mut ours = vec![u32::MAX; placed.len()];
-    let mut positions = Vec::with_capacity(placed.len());
-    let mut rolls = filter.rolls.iter().copied().peekable();
-    let mut rest = indices.as_slice();
-    for (face, &arity) in arities.iter().enumerate() {
-        let (corners, after) = rest.split_at_checked(arity as usize).ok_or_else(garbled)?;
-        rest = after;
-        if rolls.next_if_eq(&face).is_some() {
-            for &theirs in corners {
-                let theirs = theirs as usize;
-                *ours.get_mut(theirs).ok_or_else(garbled)? = positions.len() as u32;
-                positions.push(DVec3::from_array(placed[theirs]));
-            }
+/// The mesh of a file of tables, which has one.
+fn read_tables(text: &[u8]) -> Result<MeshFile, Failure> {
+    let malformed = |words: String| (None, FileReason::Malformed(words));
+    let text = std::str::from_utf8(text).map_err(|error| malformed(error.to_string()))?;
+    let mut dump = read_dump(text).map_err(|error| malformed(error.to_string()))?;
+    match (dump.meshes.pop(), dump.meshes.len()) {
+        (Some((_, mesh)), 0) => {
+            validate(&mesh).map_err(|law| malformed(format!("this is no valid mesh: {law}")))?;
+            Ok(MeshFile::from_tables(mesh))
+        }
+        (last, others) => {
+            let count = others + usize::from(last.is_some());
+            Err(malformed(format!("a file with one `mesh` is wanted; this has {count}")))
         }
     }
-
-    let mut polygons = Polygons::with_capacity(filter.face_lines.len(), indices.len());
-    let mut rolls = filter.rolls.iter().copied().peekable();
-    let mut rest = indices.as_slice();
-    let mut polygon = Vec::new();
-    for (face, &arity) in arities.iter().enumerate() {
-        let (corners, after) = rest.split_at_checked(arity as usize).ok_or_else(garbled)?;
-        rest = after;
-        if rolls.next_if_eq(&face).is_none() {
-            polygon.clear();
-            for &theirs in corners {
-                polygon.push(*ours.get(theirs as usize).ok_or_else(garbled)?);
-            }
-            polygons.push(&polygon);
-        }
-    }
-    let complete =
-        positions.len() == filter.vertex_lines.len() && polygons.len() == filter.face_lines.len();
-    if complete { Ok((positions, polygons)) } else { Err(garbled()) }
 }

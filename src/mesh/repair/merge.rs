@@ -19,7 +19,7 @@ pub(super) fn merge(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
     if has_cells { merge_close(positions, &exact, tolerance) } else { exact }
 }
 
-fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
+pub(in crate::mesh) fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
     let mut table = Table::new();
     let mut merged = Vec::with_capacity(positions.len());
     for (point, &position) in (0..).zip(positions) {
