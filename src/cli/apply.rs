@@ -11,6 +11,7 @@ use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::{Param, Type};
+use crate::mesh::RepairReport;
 use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, VertexId, WrittenNumbers,
 };
@@ -27,7 +28,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         return Err(Failure::NotProved);
     };
     meshes::expect_mesh(&arguments.output)?;
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let attributes = run::attributes(&program.analysis.program, op, &program.analysis.plans);
     for (kind, name, default) in &attributes {
@@ -42,7 +43,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
             })?;
     match applied {
         Applied::Done { result, created } => {
-            meshes::write(&arguments.output, &mut obj)?;
+            meshes::write(&arguments.output, &mut obj, &arguments.encoding)?;
             let numbers = meshes::numbers(&arguments.output, &obj);
             let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
             let report = Report {
@@ -50,6 +51,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
                 created: created.iter().filter_map(|&new| name(new)).collect(),
                 applied: true,
                 after: Counts::of(&obj.mesh),
+                repaired: obj.repaired,
                 ..Report::nothing(plan, before)
             };
             match arguments.format {
@@ -62,6 +64,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
             if arguments.format == Format::Json {
                 say_json(&Report {
                     refused: Some(reason.clone()),
+                    repaired: obj.repaired,
                     ..Report::nothing(plan, before)
                 })?;
             }
@@ -178,6 +181,8 @@ struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     result: Option<String>,
     created: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    repaired: Option<RepairReport>,
     before: Counts,
     after: Counts,
 }
@@ -191,6 +196,7 @@ impl Report {
             refused: None,
             result: None,
             created: Vec::new(),
+            repaired: None,
             before,
             after: before,
         }

@@ -15,6 +15,7 @@ use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
 use crate::draw::{View, draw_mesh};
+use crate::mesh::RepairReport;
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
@@ -40,7 +41,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 
     let started = Instant::now();
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let load = started.elapsed().as_secs_f64();
     for attribute in prepared.attributes() {
         obj.bring(attribute);
@@ -67,7 +68,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
     if let Some(output) = &arguments.output {
-        meshes::write(output, &mut obj)?;
+        meshes::write(output, &mut obj, &arguments.encoding)?;
     }
     if let Some(picture) = &arguments.picture {
         let view = View { attribute: shown, ..View::default() };
@@ -77,6 +78,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 
     let report = Report {
         script: name,
+        repaired: obj.repaired,
         ops: report.ops.into_iter().map(Op::from).collect(),
         before,
         after: Counts::of(&obj.mesh),
@@ -97,6 +99,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 #[derive(Serialize)]
 struct Report {
     script: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    repaired: Option<RepairReport>,
     ops: Vec<Op>,
     before: Counts,
     after: Counts,

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::arguments::{Format, TestArguments};
+use super::arguments::{Format, RepairArguments, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
 use super::interrupt;
@@ -114,7 +114,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
 fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
     let home = Path::new(program.sources.get(span.file).name());
     let folder = home.parent().unwrap_or(Path::new(""));
-    let read = meshes::read(&folder.join(path));
+    let read = meshes::read(&folder.join(path), &RepairArguments::default());
     read.map_err(|failure| failure.reason().unwrap_or_default().to_owned())
 }
 

@@ -125,12 +125,12 @@ impl MeshFile {
     pub fn losses(&self) -> Vec<String> {
         let mut told = Vec::new();
         let words = &self.kept.passed_over;
-        if !words.is_empty() {
-            let shown = |(word, line): &(String, u32)| format!("`{word}` (line {line})");
-            let words: Vec<_> = words.iter().map(shown).collect();
+        if let Some((_, line)) = words.first() {
+            let shown: Vec<_> = words.iter().map(|(word, _)| format!("`{word}`")).collect();
             told.push(format!(
-                "what it says with {} is not in the mesh: a mesh has vertices and faces",
-                words.join(", ")
+                "what it says with {}, first in line {line}, is not in it: a mesh has vertices and \
+                 faces",
+                shown.join(", ")
             ));
         }
         told.extend(self.kept.notes.iter().map(|(what, count, line)| match line {
@@ -161,9 +161,17 @@ impl MeshFile {
         })
     }
 
-    /// Whether the file has groups, objects, materials or smoothing groups.
-    pub fn has_groups(&self) -> bool {
-        !self.kept.states.is_empty() || !self.kept.libraries.is_empty()
+    /// Whether the file that was read has groups, objects, materials or smoothing groups that a
+    /// file of a format has no place for.
+    pub fn loses_groups(&self, format: FileFormat) -> bool {
+        let has_more = |place: usize| self.kept.states.iter().any(|(_, s)| s.0[place] != MISSING);
+        match format {
+            FileFormat::Obj | FileFormat::Ply => false,
+            FileFormat::Msh => {
+                [0, 2, 3].into_iter().any(has_more) || !self.kept.libraries.is_empty()
+            }
+            _ => !self.kept.states.is_empty() || !self.kept.libraries.is_empty(),
+        }
     }
 
     /// The column of colours.

@@ -138,13 +138,15 @@ impl Contents {
         if self.kept.has_corners() {
             self.kept.corner_vertices = self.polygons.into_corners();
         }
-        let (encoding, msh_version) = (self.encoding, self.msh_version);
-        MeshFile { encoding, msh_version, ..MeshFile::from_file(mesh, self.kept) }
+        let mut file = MeshFile::from_file(mesh, self.kept);
+        (file.encoding, file.msh_version) = (self.encoding, self.msh_version);
+        file
     }
 
     /// A repaired mesh; `corners` are the vertices that the corners of the file had.
     fn finish_repaired(mut self, repaired: Repaired, count: usize, corners: &[u32]) -> MeshFile {
-        let Repaired { mut mesh, vertices, kept_vertices, faces, corners: places, report } = repaired;
+        let Repaired { mut mesh, vertices, kept_vertices, faces, corners: places, report } =
+            repaired;
         let mut numbers = vec![MISSING; count];
         for (slot, &vertex) in (0..).zip(&vertices[..kept_vertices]) {
             numbers[vertex as usize] = slot;
@@ -156,7 +158,8 @@ impl Contents {
                     // What was one vertex for each value is one now: the corners keep them.
                     let places = places.iter().map(|&place| corners[place as usize]);
                     column.give(&mut mesh, ElementKind::Halfedge, places);
-                    let what = format!("vertex attribute `{}`, which the corners have now", column.name);
+                    let what =
+                        format!("vertex attribute `{}`, which the corners have now", column.name);
                     self.kept.note_count(&what, 1);
                 }
                 ElementKind::Vertex => {
@@ -178,9 +181,8 @@ impl Contents {
             let halfedges = mesh.halfedges().take(places.len());
             self.kept.corner_vertices = halfedges.map(|h| mesh.vertex(h).0).collect();
         }
-        let (encoding, msh_version) = (self.encoding, self.msh_version);
-        let mut file =
-            MeshFile { encoding, msh_version, ..MeshFile::from_file(mesh, self.kept) };
+        let mut file = MeshFile::from_file(mesh, self.kept);
+        (file.encoding, file.msh_version) = (self.encoding, self.msh_version);
         file.renumber(vertices[..kept_vertices].to_vec(), faces);
         file.repaired = Some(report);
         file

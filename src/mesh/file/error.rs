@@ -37,6 +37,8 @@ pub enum FileReason {
     NotFinite {
         vertex: u32,
     },
+    /// The mesh is none that a list of polygons says: why, in words.
+    NotPolygons(String),
     /// The mesh is one that the format cannot hold, in words.
     Unheld(String),
 }
@@ -205,7 +207,8 @@ fn describe(fault: &BuildError, [vertex_lines, face_lines]: [&[u32]; 2]) -> (Opt
         BuildError::TooFewCorners { polygon, corners } => {
             let s = if corners == 1 { "" } else { "s" };
             let this = if face_lines.is_empty() { face(polygon) } else { "this".to_owned() };
-            let words = format!("a face needs 3 corners or more, and {this} has {corners} corner{s}");
+            let words =
+                format!("a face needs 3 corners or more, and {this} has {corners} corner{s}");
             (line(polygon), words)
         }
         BuildError::NoSuchVertex { polygon, vertex, vertices } => {
@@ -273,6 +276,7 @@ impl fmt::Display for FileReason {
                 FileFormat::listed()
             ),
             Self::Malformed(words) | Self::Unheld(words) => f.write_str(words),
+            Self::NotPolygons(why) => write!(f, "no list of polygons holds this mesh{why}"),
             Self::Faults(faults) => write!(f, "{faults}"),
             Self::TooLarge { kind } => {
                 write!(f, "there are more {} than can be numbered", kind.plural())
@@ -281,6 +285,13 @@ impl fmt::Display for FileReason {
                 write!(f, "vertex {vertex} has a coordinate that is not a finite number")
             }
         }
+    }
+}
+
+impl FileError {
+    /// Whether a repair would mend it.
+    pub fn is_mendable(&self) -> bool {
+        matches!(self.reason, FileReason::Faults(_))
     }
 }
 

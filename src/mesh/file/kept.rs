@@ -43,8 +43,9 @@ impl Kept {
     pub(super) fn pass_over(&mut self, keyword: &str, line: u32) {
         let word: String = keyword.chars().take(16).collect();
         let known = &mut self.passed_over;
-        if known.len() < 8 && !known.iter().any(|(other, _)| *other == word) {
-            known.push((word, line));
+        if known.len() <= 8 && !known.iter().any(|(other, _)| *other == word) {
+            // Of more than these it is said that there are others.
+            known.push((if known.len() < 8 { word } else { "…".to_owned() }, line));
         }
     }
 
@@ -101,9 +102,12 @@ impl Kept {
         for (face, &number) in (0..).zip(numbers) {
             let old = state;
             if let Some((_, others)) = before.next_if(|&(at, _)| at == face) {
-                state = State(std::array::from_fn(|i| {
-                    if i == keyword { state.0[i] } else { others.0[i] }
-                }));
+                state =
+                    State(std::array::from_fn(
+                        |i| {
+                            if i == keyword { state.0[i] } else { others.0[i] }
+                        },
+                    ));
             }
             let is_named = number >= 0.0 && number < names.len() as f64;
             state.0[keyword] = if is_named { first + number as u32 } else { MISSING };

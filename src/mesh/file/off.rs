@@ -95,9 +95,7 @@ impl Reader<'_> {
         if !self.scanner.to_line() {
             return Err("the file is empty".into());
         }
-        if self.scanner.rest()[0].is_ascii_digit()
-            && !self.scanner.rest().starts_with(b"4OFF")
-        {
+        if self.scanner.rest()[0].is_ascii_digit() && !self.scanner.rest().starts_with(b"4OFF") {
             return Ok(Prefixes::default());
         }
         let word = self.scanner.word().unwrap_or_default();
@@ -115,7 +113,9 @@ impl Reader<'_> {
         }
         match rest {
             b"" => Ok(prefixes),
-            b"4" | b"n" | b"4n" => Err(format!("`{}`: only three coordinates are read", shown(word))),
+            b"4" | b"n" | b"4n" => {
+                Err(format!("`{}`: only three coordinates are read", shown(word)))
+            }
             _ => Err(unknown()),
         }
     }

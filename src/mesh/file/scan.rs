@@ -82,7 +82,8 @@ impl<'t> Scanner<'t> {
                 Some(b' ' | b'\t' | b'\x0b' | b'\x0c') => self.at += 1,
                 Some(b'\\') => match self.continuation() {
                     Some(next) => {
-                        self.line += u32::from(next < self.text.len() || self.text[next - 1] != b'\\');
+                        self.line +=
+                            u32::from(next < self.text.len() || self.text[next - 1] != b'\\');
                         self.at = next;
                     }
                     None => return true,

@@ -30,7 +30,8 @@ pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
         Some(head) => u32::from_le_bytes([head[80], head[81], head[82], head[83]]) as usize,
         None => 0,
     };
-    let fits = claimed.checked_mul(TRIANGLE).is_some_and(|size| size == text.len().saturating_sub(HEADER));
+    let fits =
+        claimed.checked_mul(TRIANGLE).is_some_and(|size| size == text.len().saturating_sub(HEADER));
     let start = text.trim_ascii_start();
     let is_text = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     // Many binary files begin with `solid`, and some have bytes behind the triangles.
@@ -142,8 +143,7 @@ pub(super) fn write(
         }
     }
     let is_small = |&v: &_| mesh.position(v).as_vec3().is_finite();
-    if let (false, Some(stray)) =
-        (is_text, numbers.vertex_order.iter().position(|v| !is_small(v)))
+    if let (false, Some(stray)) = (is_text, numbers.vertex_order.iter().position(|v| !is_small(v)))
     {
         return Err(FileReason::Unheld(format!(
             "vertex {} has a coordinate that is too large for the 32 bits of an STL file",

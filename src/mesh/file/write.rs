@@ -48,10 +48,7 @@ fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileR
             return Err(FileReason::NotFinite { vertex: stray as u32 + 1 });
         }
         if !file.mesh.is_polygons() {
-            return Err(FileReason::Unheld(format!(
-                "no list of polygons holds this mesh{}; a .halfedges file can",
-                below_simple(&file.mesh)
-            )));
+            return Err(FileReason::NotPolygons(below_simple(&file.mesh)));
         }
     }
     let wants_corners = matches!(format, FileFormat::Ply | FileFormat::Halfedges);

@@ -127,7 +127,11 @@ impl<'t> Reader<'t> {
         self.version = match version {
             2.0..3.0 => MshVersion::V2,
             4.1 => MshVersion::V4,
-            _ => return Err(format!("version {version} of Gmsh files is not read: 2.2 and 4.1 are")),
+            _ => {
+                return Err(format!(
+                    "version {version} of Gmsh files is not read: 2.2 and 4.1 are"
+                ));
+            }
         };
         self.is_text = self.text_number()? == 0.0;
         if self.text_number()? != 8.0 {
@@ -452,7 +456,11 @@ impl Reader<'_> {
             return self.text_number().map(|number| number as i64);
         }
         let bytes = self.bytes()?;
-        Ok(i64::from(if self.is_big { i32::from_be_bytes(bytes) } else { i32::from_le_bytes(bytes) }))
+        Ok(i64::from(if self.is_big {
+            i32::from_be_bytes(bytes)
+        } else {
+            i32::from_le_bytes(bytes)
+        }))
     }
 
     fn size(&mut self) -> Answer<u64> {

@@ -133,9 +133,8 @@ impl<'w> Writer<'w> {
         }
         let blocks = usize::from(vertices > 0);
         let least = blocks;
-        self.printer.word(&format!(
-            "$EndEntities\n$Nodes\n{blocks} {vertices} {least} {vertices}\n"
-        ));
+        self.printer
+            .word(&format!("$EndEntities\n$Nodes\n{blocks} {vertices} {least} {vertices}\n"));
         if blocks > 0 {
             self.printer.word(&format!("2 1 0 {vertices}\n"));
         }

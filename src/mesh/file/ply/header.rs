@@ -142,7 +142,10 @@ impl Header {
             let end = rest.iter().position(|&b| b == b'\n' || b == b'\r');
             let fail = |words: String, line: u32| Err((Some(line), FileReason::Malformed(words)));
             let Some(end) = end else {
-                return fail("the head does not end: `end_header` is missing".into(), header.lines);
+                return fail(
+                    "the head does not end: `end_header` is missing".into(),
+                    header.lines + 1,
+                );
             };
             let line = String::from_utf8_lossy(&rest[..end]);
             let is_crlf = rest[end..].starts_with(b"\r\n");
@@ -180,7 +183,9 @@ impl Header {
             if !known {
                 let words = match header.lines {
                     1 => "a PLY file begins with a line `ply`".to_owned(),
-                    _ => format!("`{}` is no line of the head of a PLY file", shown(line.as_bytes())),
+                    _ => {
+                        format!("`{}` is no line of the head of a PLY file", shown(line.as_bytes()))
+                    }
                 };
                 return fail(words, header.lines);
             }

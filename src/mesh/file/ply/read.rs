@@ -121,7 +121,9 @@ impl<'t> Body<'t> {
             .iter()
             .map(|property| Table {
                 // A list has its numbers besides; no more than the file has bytes.
-                numbers: Vec::with_capacity(element.count * if property.list.is_some() { 3 } else { 1 }),
+                numbers: Vec::with_capacity(
+                    element.count * if property.list.is_some() { 3 } else { 1 },
+                ),
                 ends: Vec::with_capacity(if property.list.is_some() { element.count } else { 0 }),
             })
             .collect();
@@ -326,8 +328,11 @@ impl Rows<'_> {
                 kept.corner_texture.push(match end - start {
                     0 => MISSING,
                     _ => {
-                        let row = [numbers[start + 2 * corner], numbers[start + 2 * corner + 1], 0.0];
-                        if kept.texture.rows.last() != Some(&row) {
+                        let row =
+                            [numbers[start + 2 * corner], numbers[start + 2 * corner + 1], 0.0];
+                        let same =
+                            |other: &[f64; 3]| other.map(f64::to_bits) == row.map(f64::to_bits);
+                        if !kept.texture.rows.last().is_some_and(same) {
                             kept.texture.rows.push(row);
                         }
                         kept.texture.rows.len() as u32 - 1
@@ -425,7 +430,8 @@ impl Rows<'_> {
         } else if let (Some(length), Some(default)) = (common, declared(kind)) {
             Some((kind, default, length))
         } else {
-            let corner = of_corners.and_then(|each| Some((ElementKind::Halfedge, zero(each)?, each)));
+            let corner =
+                of_corners.and_then(|each| Some((ElementKind::Halfedge, zero(each)?, each)));
             corner.or_else(|| common.and_then(|length| Some((kind, zero(length)?, length))))
         };
         match found {
@@ -433,7 +439,8 @@ impl Rows<'_> {
                 self.contents.columns.push(FileColumn::new(kind, &name, default, table.numbers));
             }
             _ => {
-                let what = format!("property `{name}` of the {}, a list that is no value", kind.plural());
+                let what =
+                    format!("property `{name}` of the {}, a list that is no value", kind.plural());
                 self.contents.kept.note_count(&what, 1);
             }
         }

@@ -156,7 +156,9 @@ impl Head {
                 self.declare(kind, column);
                 let scalar = match ty {
                     AttributeType::Bool => Scalar::U8,
-                    AttributeType::Int if numbers.iter().all(|x| x.abs() <= 2147483647.0) => Scalar::I32,
+                    AttributeType::Int if numbers.iter().all(|x| x.abs() <= 2147483647.0) => {
+                        Scalar::I32
+                    }
                     AttributeType::Int => Scalar::F64,
                     _ => smallest(&numbers),
                 };
@@ -170,7 +172,8 @@ impl Head {
                 properties.push(Property { name, scalar, numbers, rows });
                 continue;
             };
-            let bytes = (names[0] == "red" || names[0] == "alpha").then(|| as_bytes(&numbers)).flatten();
+            let bytes =
+                (names[0] == "red" || names[0] == "alpha").then(|| as_bytes(&numbers)).flatten();
             match bytes {
                 Some(bytes) => together(properties, names, bytes, Some(Scalar::U8)),
                 None => together(properties, names, numbers, None),
@@ -275,7 +278,7 @@ fn numbers(file: &MeshFile, column: ColumnId, order: &[u32]) -> Vec<f64> {
 fn as_bytes(numbers: &[f64]) -> Option<Vec<f64>> {
     let byte = |&x: &f64| {
         let byte = (x * 255.0).round();
-        ((0.0..=255.0).contains(&byte) && byte / 255.0 == x).then_some(byte)
+        (x.is_sign_positive() && byte <= 255.0 && byte / 255.0 == x).then_some(byte)
     };
     numbers.iter().map(byte).collect()
 }
