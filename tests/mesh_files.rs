@@ -4,7 +4,8 @@
 use glam::{DMat3, DVec2, DVec3};
 use hedgerow::mesh::{
     ElementKind, Encoding, FileFormat, FileReason, Mesh, MeshFile, MshVersion, Repair, Value,
-    equal_up_to_renumbering, read_mesh_from, same_connectivity, shape, validate, write_mesh_to,
+    equal_up_to_renumbering, read_mesh, read_mesh_from, same_connectivity, shape, validate,
+    write_mesh_to,
 };
 
 fn read(format: FileFormat, bytes: &[u8]) -> Result<MeshFile, String> {
@@ -158,6 +159,23 @@ fn materials_groups_and_attributes_are_in_one_file() {
     let text = String::from_utf8(write(FileFormat::Obj, &msh)).unwrap();
     assert!(text.contains("g left side\nf 1 2 3\ng right\nf 1 3 4\n"), "{text}");
     assert!(obj.loses_groups(FileFormat::Msh) && obj.loses_groups(FileFormat::Stl));
+}
+
+#[test]
+fn colours_of_materials_are_attributes_of_faces() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("m.obj");
+    std::fs::write(&path, OBJ).unwrap();
+    std::fs::write(folder.path().join("a b.mtl"), "newmtl red #3\nKd 1 0.5 0\n").unwrap();
+    let mut file = read_mesh(&path, None).unwrap();
+    file.bring_all();
+    let color = file.mesh.find_column(ElementKind::Face, "color").unwrap();
+    assert_eq!(file.mesh.value(color, 1), Some(Value::Vec3(DVec3::new(1.0, 0.5, 0.0))));
+    // A library that is no file is not opened.
+    std::fs::remove_file(folder.path().join("a b.mtl")).unwrap();
+    std::fs::create_dir(folder.path().join("a b.mtl")).unwrap();
+    let file = read_mesh(&path, None).unwrap();
+    assert_eq!(file.read_materials(), (Vec::new(), vec!["a b.mtl".to_owned()]));
 }
 
 #[test]

@@ -52,9 +52,9 @@ pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use faults::{FaultKind, Faults};
 pub use file::{
-    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, MeshFile, MshVersion,
-    WantedAttribute, WrittenNumbers, read_mesh, read_mesh_from, replace_file, write_mesh,
-    write_mesh_to,
+    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Material, MeshFile,
+    MshVersion, WantedAttribute, WrittenNumbers, read_mesh, read_mesh_from, replace_file,
+    write_mesh, write_mesh_to,
 };
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;

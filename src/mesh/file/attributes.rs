@@ -52,11 +52,18 @@ impl OfCorner {
 pub type WantedAttribute<'n> = (ElementKind, &'n str, Value);
 
 impl MeshFile {
-    /// Makes a column of texture coordinates or normals that the file has, if this is how they
-    /// are called. What the mesh has already stays as it is; a corner without a value has the
-    /// default.
+    /// Makes a column of texture coordinates or normals that the file has, or of the colours of
+    /// its materials (`color: face vec3`), if this is how they are called. What the mesh has
+    /// already stays as it is, but that whole numbers of a file become reals or truth values where
+    /// these are wanted; a corner without a value has the default.
     pub fn bring(&mut self, (kind, name, default): WantedAttribute) {
         let ty = default.attribute_type();
+        self.convert(kind, name, default);
+        if (kind, name) == (ElementKind::Face, "color")
+            && self.mesh.find_column(kind, name).is_none()
+        {
+            return self.bring_face_colors(default);
+        }
         let mut all = OfCorner::ALL.into_iter();
         let of_corners = matches!(kind, ElementKind::Vertex | ElementKind::Halfedge);
         let Some(what) = all.find(|what| what.name() == name && what.can_be(ty)) else {
@@ -90,7 +97,31 @@ impl MeshFile {
         }
     }
 
-    /// Makes columns of all texture coordinates and normals that the file has, at its corners.
+    /// Makes reals or truth values of a column of whole numbers, if the file says nothing of its
+    /// type.
+    fn convert(&mut self, kind: ElementKind, name: &str, default: Value) {
+        let Some(old) = self.mesh.find_column(kind, name) else { return };
+        let Some(numbers) = self.mesh.values::<i64>(old).map(<[i64]>::to_vec) else { return };
+        let is_truth = numbers.iter().all(|&number| number == 0 || number == 1);
+        let value = |number: i64| match default {
+            Value::Real(_) => Some(Value::Real(number as f64)),
+            Value::Bool(_) if is_truth => Some(Value::Bool(number == 1)),
+            _ => None,
+        };
+        if value(0).is_none() {
+            return;
+        }
+        self.mesh.remove_column(old);
+        self.find_columns(); // their places have moved
+        if let Ok(column) = self.mesh.add_column(kind, name, default) {
+            for (index, value) in (0..).zip(numbers.into_iter().filter_map(value)) {
+                self.mesh.put_value(column, index, value);
+            }
+        }
+    }
+
+    /// Makes columns of all texture coordinates and normals that the file has, at its corners, and
+    /// of the colours of its materials.
     pub fn bring_all(&mut self) {
         let uv = match self.kept.texture.width {
             0..3 => Value::Vec2(DVec2::ZERO),
@@ -99,6 +130,7 @@ impl MeshFile {
         self.bring((ElementKind::Halfedge, "uv", uv));
         let normal = Value::Vec3(DVec3::ZERO);
         self.bring((ElementKind::Halfedge, "normal", normal));
+        self.bring((ElementKind::Face, "color", Value::Vec3(DVec3::ONE)));
     }
 
     /// The attributes of the mesh that a file of a format has no place for: kinds, names and

@@ -6,6 +6,8 @@
 //! for an old one. Names with a colon are out of reach of the language. If the polygons of the
 //! file were repaired, tables tell which number in the file each place had.
 
+use std::path::PathBuf;
+
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING, State};
 use crate::mesh::attribute::{ColumnId, Value};
@@ -25,6 +27,8 @@ pub struct MeshFile {
     by_ids: bool,
     /// The places in the file of what was read, if these are not the same: vertices, faces.
     renumbered: Option<[Vec<u32>; 2]>,
+    /// Where the file lies, to find what it names.
+    pub(super) folder: Option<PathBuf>,
     /// What was mended when the file was read, if that was asked for.
     pub repaired: Option<RepairReport>,
     /// How the file was encoded, and will be again.
@@ -54,6 +58,7 @@ impl MeshFile {
             corners: None,
             by_ids: false,
             renumbered: None,
+            folder: None,
             repaired: None,
             encoding: Encoding::default(),
             msh_version: MshVersion::default(),
@@ -78,6 +83,15 @@ impl MeshFile {
         }
         file.kept = kept;
         file
+    }
+
+    /// Finds the columns of numbers again, after another one has gone.
+    pub(super) fn find_columns(&mut self) {
+        let find = |kind, name| self.mesh.find_column(kind, name);
+        let vertices = find(ElementKind::Vertex, "file:vertex");
+        let faces = find(ElementKind::Face, "file:face");
+        let corners = find(ElementKind::Halfedge, "file:corner");
+        (self.vertex_numbers, self.face_numbers, self.corners) = (vertices, faces, corners);
     }
 
     /// Says which vertices of the file the first ones are, and which faces all were part of.

@@ -20,7 +20,9 @@ pub fn read_mesh(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileEr
     let failed = |reason| FileError { file: name.clone(), line: None, reason };
     let format = FileFormat::of(path).map_err(failed)?;
     let text = std::fs::read(path).map_err(|error| failed(FileReason::Io(error)))?;
-    read_mesh_from(&name, format, &text, repair)
+    let mut file = read_mesh_from(&name, format, &text, repair)?;
+    file.folder = path.parent().map(Path::to_owned);
+    Ok(file)
 }
 
 /// Reads a file that is in memory; messages call it `name`.
