@@ -60,7 +60,7 @@ pub enum Step {
     Attempt {
         /// The edge, vertex or face.
         element: NameId,
-        /// The halfedge that is bound.
+        /// The halfedge that is bound; or a path that is all of the loop, to its first.
         halfedge: NameId,
         /// How many are tried, if not all: further ones would match alike.
         tries: Option<u16>,
