@@ -58,12 +58,17 @@ impl Judged {
         meshes == Meshes::Survived && !BY_RULE.contains(&code) && !self.shown
     }
 
-    /// Whether a mesh breaks, by the law that was told, and none is shown.
-    pub fn lacks_a_witness(&self) -> bool {
+    /// Whether it was rejected for breaking meshes, and breaks one.
+    pub fn breaks_by_a_law(&self) -> bool {
         let Verdict::Rejected(code, meshes) = self.verdict else {
             return false;
         };
-        meshes == Meshes::Broke && !BY_RULE.contains(&code) && !self.shown
+        meshes == Meshes::Broke && !BY_RULE.contains(&code)
+    }
+
+    /// The same, and none is shown.
+    pub fn lacks_a_witness(&self) -> bool {
+        self.breaks_by_a_law() && !self.shown
     }
 }
 

@@ -46,6 +46,7 @@ fn number(variable: &str, default: usize) -> usize {
 fn the_prover_tells_the_truth() {
     let wanted = number("HEDGEROW_MUTANTS", 2_000);
     let judged = battery(&bases::plain(), wanted);
+    without_witness(&judged);
     let unfounded = unfounded(&judged);
     // A drawing may imply more than the checker sees, but next to none does.
     assert!(unfounded * 5000 <= judged.len(), "{unfounded} rejections that no mesh bears out");
@@ -56,6 +57,7 @@ fn the_prover_tells_the_truth() {
 fn the_prover_tells_the_truth_of_families() {
     let wanted = number("HEDGEROW_MUTANTS", 2_000) / 10;
     let judged = battery(&bases::with_families(), wanted);
+    without_witness(&judged);
     let unfounded = unfounded(&judged);
     assert!(unfounded * 100 <= judged.len(), "{unfounded} rejections that no mesh bears out");
 }
@@ -183,8 +185,21 @@ fn the_prover_tells_the_truth_of_what_maps_show() {
     let (all, with_alias) = (accepted.len(), with_alias.count());
     println!("{all} of {} are accepted, {with_alias} of them with an `alias`", judged.len());
     assert!(all * 8 > judged.len() && with_alias * 80 > judged.len());
+    without_witness(&judged);
     let unfounded = unfounded(&judged);
     assert!(unfounded * 100 <= judged.len(), "{unfounded} rejections that no mesh bears out");
+}
+
+/// How many ops were rejected by a law, break a mesh, and come without one; tells some.
+fn without_witness(judged: &[Judged]) -> usize {
+    let mut without: Vec<_> = judged.iter().filter(|judged| judged.lacks_a_witness()).collect();
+    without.sort_by_key(|judged| judged.text.len());
+    let broken = judged.iter().filter(|judged| judged.breaks_by_a_law()).count();
+    println!("{} of {broken} that break a mesh come without one", without.len());
+    for judged in without.iter().take(number("HEDGEROW_SHOW", 0)) {
+        println!("{:?}, and no mesh is shown:\n{}", judged.verdict, judged.text);
+    }
+    without.len()
 }
 
 /// How many ops were rejected for breaking meshes that break none; tells each.
