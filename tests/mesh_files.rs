@@ -142,7 +142,7 @@ fn polygons_make_the_round_trip_in_each_format() {
 }
 
 const OBJ: &str = "mtllib a b.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n\
-    vt 0 0\nvt 1 0\nvt 1 1\no box\ng left side\nusemtl red #3\ns 1\nf 1/1 2/2 3/3\ng right\nf 1/1 3/3 4/2\n";
+    vt 0 0\nvt 1 0\nvt 1 1\no box\ng left side\nusemtl red#3\ns 1\nf 1/1 2/2 3/3\ng right\nf 1/1 3/3 4/2\n";
 
 #[test]
 fn materials_groups_and_attributes_are_in_one_file() {
@@ -166,7 +166,7 @@ fn colours_of_materials_are_attributes_of_faces() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("m.obj");
     std::fs::write(&path, OBJ).unwrap();
-    std::fs::write(folder.path().join("a b.mtl"), "newmtl red #3\nKd 1 0.5 0\n").unwrap();
+    std::fs::write(folder.path().join("a b.mtl"), "newmtl red#3\nKd 1 0.5 0\n").unwrap();
     let mut file = read_mesh(&path, None).unwrap();
     file.bring_all();
     let color = file.mesh.find_column(ElementKind::Face, "color").unwrap();
@@ -248,7 +248,7 @@ fn other_programs_files_are_read() {
     assert_eq!(file.mesh.value(heat, 0), Some(Value::Real(1.5)));
     assert!(String::from_utf8(write(FileFormat::Obj, &file)).unwrap().contains("g top\nf 1 2 3"));
     let told =
-        ["1 sections `$Comments`, first in line 5", "2 elements that are no triangles and quads"];
+        ["1 sections `$Comments`, first in line 4", "2 elements that are no triangles and quads"];
     assert_eq!(file.losses(), told);
     // Bytes, in blocks.
     let mut bytes = b"$MeshFormat\n2.2 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Nodes\n3\n".to_vec();
@@ -431,7 +431,9 @@ fn mutated_files_are_answered() {
                 assert_eq!(validate(&file.mesh), Ok(()), "{format} {turn}");
                 let mut text = Vec::new();
                 if write_mesh_to(&mut text, *format, &file).is_ok() {
-                    let back = read_mesh_from("t", *format, &text, None);
+                    // A file of points joins again what was split.
+                    let again = repair.filter(|_| *format == FileFormat::Stl);
+                    let back = read_mesh_from("t", *format, &text, again);
                     let back = back.map_err(|error| panic!("{format} {turn}: {error}")).unwrap();
                     let is_stl = *format == FileFormat::Stl;
                     assert!(is_stl || same_connectivity(&file.mesh, &back.mesh), "{format} {turn}");

@@ -79,7 +79,7 @@ fn malformed_files_are_refused_in_words() {
             "T\nvt 0 0\nf 1/1 2/1 3/2\n",
             "5: there is no texture coordinate 2: the file has 1 texture coordinate",
         ),
-        ("T\nf 1//1 2//1 3//1\n", "4: there is no normal 1: the file has 0 normals"),
+        ("T\nf 1//1 2 3\n", "4: there is no normal 1: the file has 0 normals"),
         ("T\n#\nf 1 2\n", "5: a face needs 3 corners or more, and this has 2 corners"),
         ("T\nf\n", "4: a face needs 3 corners or more, and this has 0 corners"),
         ("T\nf 1 2 2\n", "4: the face has vertex 2 as a corner twice"),
@@ -125,7 +125,7 @@ fn all_that_is_legal_is_read() {
     assert_eq!(obj.mesh.position(VertexId(7)), DVec3::splat(9.0));
     assert!(obj.mesh.vertex_halfedge(VertexId(7)).is_none());
     let expected = "mtllib a b.mtl\n\
-        v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0.5 0\nv 0 0.25 0\nv 5 5 5\nv 9 9 9\n\
+        v 0 0 0\nv 1 0 0 0.5\nv 1 1 0\nv 0 1 0\nv 0 0.5 0\nv 0 0.25 0\nv 5 5 5\nv 9 9 9\n\
         g left\nf 1 2 3\no second thing\nusemtl red\ns 1\nf 1 3 4 5 6 7\n";
     assert_eq!(text(&obj), expected);
     assert_eq!(text(&read(expected)), expected);
@@ -155,7 +155,7 @@ fn groups_do_not_tear_and_are_kept() {
 }
 
 #[test]
-fn colors_are_kept_when_all_vertices_have_one() {
+fn colors_are_kept_and_vertices_without_are_white() {
     let file = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
     let mut obj = read(file);
     assert_eq!(text(&obj), file);
@@ -164,7 +164,9 @@ fn colors_are_kept_when_all_vertices_have_one() {
     obj.mesh.add_vertex();
     assert!(text(&obj).contains("v 0 0 0 1 1 1\n"));
     let some = "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
-    assert_eq!(text(&read(some)), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let white = "v 0 0 0 1 0 0\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
+    assert_eq!(text(&read(some)), white);
+    assert_eq!(read(some).losses(), ["1 vertices without a colour, which are white now"]);
 }
 
 #[test]
@@ -189,8 +191,13 @@ fn corners_keep_texture_and_normals() {
     assert_eq!(rows, [0, 1, 0, 2, 1, 0]);
     // A halfedge that starts elsewhere is no longer that corner.
     let mut obj = read(&format!("{TRIANGLE}v 1 1 0\nvt 0\nf 1/1 2/1 3/1\nf 2/1 4/1 3/1\n"));
-    obj.mesh.set_vertex(HalfedgeId(4), VertexId(0));
-    assert!(text(&obj).ends_with("f 1/1 2/1 3/1\nf 2 1 3\n"));
+    let old = VertexId(1);
+    let spokes: Vec<_> = obj.mesh.spokes(old).collect();
+    let new = obj.mesh.add_vertex();
+    spokes.iter().for_each(|&h| obj.mesh.set_vertex(h, new));
+    obj.mesh.set_vertex_halfedge(new, spokes[0]);
+    obj.mesh.set_vertex_halfedge(old, HalfedgeId::NONE);
+    assert!(text(&obj).ends_with("f 1 5 3\nf 5 4 3\n"));
 }
 
 #[test]

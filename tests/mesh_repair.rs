@@ -121,7 +121,8 @@ fn points_are_merged_within_a_tolerance() {
     let apart = repair(&positions, &polygons, None);
     assert_eq!((apart.mesh.edge_count(), apart.report.merged_vertices), (6, 0));
     let equal = repair(&positions, &polygons, Some(0.0));
-    assert_eq!((equal.mesh.vertex_count(), equal.report.merged_vertices), (5, 1));
+    // One vertex alone would pinch the surface, and is split again.
+    assert_eq!((equal.mesh.vertex_count(), equal.report.merged_vertices), (6, 1));
     let close = repair(&positions, &polygons, Some(1e-6));
     assert_eq!((close.mesh.edge_count(), close.report.merged_vertices), (5, 2));
     assert_eq!(close.vertices, [0, 1, 2, 5]);
@@ -152,13 +153,10 @@ const BROKEN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 5 5\nv 6 6 6\n\
 
 #[test]
 fn all_faults_are_told_by_kind() {
-    let told = "t.obj: 3 faults keep its faces from being a mesh\n  \
-        1 faces with a vertex twice: line 16, the face has vertex 2 as a corner twice\n  \
-        1 edges of three faces or more";
     let error = read(BROKEN, None).unwrap_err();
     assert!(error.starts_with("t.obj: "), "{error}");
     for kind in ["faces with a vertex twice: line 16,", "edges of three faces or more: line "] {
-        assert!(error.contains(kind), "{error}\n{told}");
+        assert!(error.contains(kind), "{error}");
     }
     // Of many only the first are.
     let mut file = String::new();

@@ -15,8 +15,8 @@ pub(super) struct Scanner<'t> {
 
 impl<'t> Scanner<'t> {
     pub(super) fn new(text: &'t [u8]) -> Self {
-        let start = if text.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-        Self { text, at: start, line: 1, continues: false }
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        Self { text, at: 0, line: 1, continues: false }
     }
 
     /// A scanner of a text whose lines can be continued.

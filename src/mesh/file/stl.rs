@@ -172,6 +172,9 @@ fn write_triangles(
         let mut points = [DVec3::ZERO; 3];
         for (point, v) in points.iter_mut().zip(file.mesh.face_vertices(face)) {
             *point = file.mesh.position(v);
+            if !is_text {
+                *point = point.as_vec3().as_dvec3(); // the normal is that of what is written
+            }
         }
         let [a, b, c] = points;
         let normal = (b - a).cross(c - a).normalize_or_zero();

@@ -1,5 +1,7 @@
 //! Reading a file: the numbers of each property into a table, and columns of these.
 
+use std::collections::HashMap;
+
 use glam::{DVec2, DVec3};
 
 use super::header::{Element, Header, Property, STATES, Scalar};
@@ -322,6 +324,7 @@ impl Rows<'_> {
         let kept = &mut self.contents.kept;
         let Table { numbers, ends: lists } = std::mem::take(&mut self.tables[place]);
         kept.texture.width = 2;
+        let mut known = HashMap::new();
         let (mut start, mut first) = (0, 0);
         for (&end, &corners) in lists.iter().zip(ends) {
             for corner in 0..corners - first {
@@ -330,12 +333,12 @@ impl Rows<'_> {
                     _ => {
                         let row =
                             [numbers[start + 2 * corner], numbers[start + 2 * corner + 1], 0.0];
-                        let same =
-                            |other: &[f64; 3]| other.map(f64::to_bits) == row.map(f64::to_bits);
-                        if !kept.texture.rows.last().is_some_and(same) {
+                        let next = kept.texture.rows.len() as u32;
+                        let place = *known.entry(row.map(f64::to_bits)).or_insert(next);
+                        if place == next {
                             kept.texture.rows.push(row);
                         }
-                        kept.texture.rows.len() as u32 - 1
+                        place
                     }
                 });
             }
@@ -425,7 +428,9 @@ impl Rows<'_> {
                 false => Value::Real(0.0),
             };
             Some((kind, declared(kind).unwrap_or(usual), 1))
-        } else if let (Some(each), Some(default)) = (of_corners, declared(ElementKind::Halfedge)) {
+        } else if let (Some(each), Some(default)) = (of_corners, declared(ElementKind::Halfedge))
+            && width(default.attribute_type()) == each
+        {
             Some((ElementKind::Halfedge, default, each))
         } else if let (Some(length), Some(default)) = (common, declared(kind)) {
             Some((kind, default, length))
