@@ -5,12 +5,12 @@ use crate::diagram::{Access, Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::builtin::{Overload, Wanted, function_names, overloads};
+use super::builtin::{Overload, SHUFFLE, Wanted, function_names, overloads};
 use super::construct::constructed;
 use super::elsewhere;
 use super::sequence::{fold_names, is_sequence};
 use super::testing::mesh_maker;
-use super::typing::{Typing, to_real, typed};
+use super::typing::{Place, Typing, to_real, typed};
 use super::words::{a_type, arguments, either, subject};
 
 /// How well a type fits what is wanted.
@@ -69,7 +69,20 @@ impl Typing<'_> {
         if let Some(value) = self.invoked(function, args, span) {
             return value;
         }
+        if word == SHUFFLE {
+            let message =
+                "`shuffle` gives an order to what `for` visits, and stands behind its `in`";
+            self.report.add(Diagnostic::error("not-a-value", message, span));
+            return None;
+        }
         let known = overloads(word);
+        if word == "random" && !matches!(self.place, Place::Script) {
+            let message =
+                "an op or a default does the same each time, so nothing is by chance here";
+            let error = Diagnostic::error("misplaced-random", message, span);
+            self.report.add(error.note("give the number to it as an argument"));
+            return None;
+        }
         if known.is_empty() {
             self.unknown_function(function, span);
             // The arguments may hold more that is wrong; but such a function may well have
