@@ -99,6 +99,8 @@ impl Typing<'_> {
         self.right_count(function, count, args.len(), span)?;
         let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
         // The best fit wins, and of several the first.
+        let known: Vec<&Overload> =
+            known.iter().filter(|way| way.wanted.len() == values.len()).collect();
         let ranked = known.iter().rev().map(|way| (fit_all(way, &values), way));
         match ranked.max_by_key(|(fit, _)| *fit) {
             Some((fit, way)) if fit > Fit::No => {
@@ -108,7 +110,7 @@ impl Typing<'_> {
                 Some(typed(way.result, kind, span))
             }
             _ => {
-                self.no_overload(function, known, args, &values);
+                self.no_overload(function, &known, args, &values);
                 None
             }
         }
@@ -140,11 +142,11 @@ impl Typing<'_> {
     fn no_overload(
         &mut self,
         function: &Ident,
-        known: &[Overload],
+        known: &[&Overload],
         args: &[tree::Expr],
         values: &[Expr],
     ) {
-        let mut left: Vec<&Overload> = known.iter().collect();
+        let mut left: Vec<&Overload> = known.to_vec();
         for (place, (written, value)) in args.iter().zip(values).enumerate() {
             let fits = |way: &&&Overload| fit(way.wanted[place], value.ty) > Fit::No;
             let still: Vec<&Overload> = left.iter().filter(fits).copied().collect();

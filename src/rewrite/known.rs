@@ -11,6 +11,9 @@ use crate::mesh::{
     BelowLevel, Bookmark, ElementKind, Footprint, Level, Mesh, validate_level, validate_level_near,
 };
 
+/// How many levels an operation keeps that keeps all.
+const MOST_KEPT: usize = 2;
+
 /// What is known of the level of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct KnownLevel {
@@ -56,9 +59,8 @@ impl KnownLevel {
     }
 
     /// An operation has been applied that wrote these.
-    fn lower(&mut self, mesh: &Mesh, op: u16, plan: &Plan, written: Footprint) {
+    fn lower(&mut self, mesh: &Mesh, plan: &Plan, written: Footprint) {
         self.now = plan.level_after(self.now);
-        self.lowered = Some(op);
         self.written.append(written);
         if self.written.len() > mesh.capacity(ElementKind::Halfedge) {
             self.was = self.now;
@@ -76,8 +78,8 @@ impl Machine<'_> {
             level: plan.level,
             why: below.to_string(),
             after: known.lowered.and_then(|op| {
-                let plan = self.plans.get(usize::from(op))?.as_ref();
-                Some(plan?.name.clone())
+                let applied = self.plans.get(usize::from(op))?.as_ref()?;
+                (applied.level_after(plan.level) < plan.level).then(|| applied.name.clone())
             }),
         })
     }
@@ -111,12 +113,15 @@ impl Machine<'_> {
         mark: Option<Bookmark>,
         applied: bool,
     ) {
+        if applied && plan.keeps.len() < MOST_KEPT {
+            self.known.lowered = Some(op);
+        }
         let Some(mark) = mark else {
             return;
         };
         if applied {
             let written = mesh.written_since(&mark);
-            self.known.lower(mesh, op, plan, written);
+            self.known.lower(mesh, plan, written);
         }
         mesh.keep(mark);
     }

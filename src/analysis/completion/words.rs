@@ -49,8 +49,6 @@ pub(super) const ACTIONS: &[(&str, &str)] = &[
     ("print", "print $0"),
     ("assert", "assert ${1:condition} else \"${2:reason}\""),
     ("must", "must $0"),
-    ("can", "can ${0:flip(e)}"),
-    ("why", "why ${0:flip(e)}"),
     ("return", "return"),
     ("break", "break"),
     ("continue", "continue"),
