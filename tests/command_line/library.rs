@@ -93,7 +93,8 @@ fn the_only_script_of_a_file_is_found() {
     let lines = |said: String| said.lines().take(6).map(String::from).collect::<Vec<_>>();
     assert_eq!(lines(run("3")), lines(run("3")));
     assert_ne!(lines(run("3")), lines(run("4")));
-    let said = bench.run(&["run", "std/remesh", "mesh.obj", "-o", "out.obj", "--set", "iterations=1"]);
+    let said =
+        bench.run(&["run", "std/remesh", "mesh.obj", "-o", "out.obj", "--set", "iterations=1"]);
     assert_eq!((said.code, said.err.as_str()), (0, ""), "{said:?}");
     let several = bench.fails(2, &["run", "std/smooth", "mesh.obj"], "which script?");
     for script in ["`laplacian`", "`taubin`", "`tangential`"] {
