@@ -41,6 +41,17 @@ pub enum Card {
     Word(Word),
 }
 
+impl Card {
+    /// The doc comment of what is declared, a line each.
+    pub fn docs_mut(&mut self) -> Option<&mut Vec<String>> {
+        match self {
+            Self::Op(op) => Some(&mut op.docs),
+            Self::Declared { docs, .. } => Some(docs),
+            Self::Element(_) | Self::Word(_) => None,
+        }
+    }
+}
+
 /// An op, in short.
 #[derive(Clone, Debug)]
 pub struct OpCard {
