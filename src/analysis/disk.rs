@@ -98,7 +98,8 @@ pub fn expect_regular(path: &Path, most: u64) -> Result<(), String> {
 /// In words, why there is none.
 pub fn read_program(path: &Path) -> Result<String, String> {
     let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(LARGEST_PROGRAM + 1).read_to_end(&mut bytes));
+    let read =
+        File::open(path).and_then(|file| file.take(LARGEST_PROGRAM + 1).read_to_end(&mut bytes));
     read.map_err(|error| why(&error))?;
     program_text(bytes)
 }

@@ -179,7 +179,7 @@ fn account_for(
             let text = snapshot.sources().slice(statement_span(statement)).to_owned();
             let title = format!("restate `{text}` in `after`");
             proposals.push((title, vec![append(snapshot, after, &[text])]));
-            let keep = format!("keep {}", of.ident.text);
+            let keep = format!("keep {of}");
             let title = format!("insert `{keep}`");
             proposals.push((title, vec![append(snapshot, after, &[keep])]));
         }

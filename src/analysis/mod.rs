@@ -29,6 +29,7 @@ mod place;
 mod program;
 mod readings;
 mod refactor;
+mod rewritten;
 mod shelves;
 pub mod side;
 mod signature;

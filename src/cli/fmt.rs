@@ -59,8 +59,8 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
 
 fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
     let shown = path.display().to_string();
-    let text =
-        read_program(path).map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
+    let text = read_program(path)
+        .map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
     let formatted = formatted(&text, &shown)?;
     if check {
         return Ok(is_as_it_should(&text, &formatted, &shown));
