@@ -153,6 +153,9 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
         let beside = reader.beside(name).into_iter();
         known.extend(beside.map(|other| format!("{folder}{}", last(&other))));
     }
+    if known.iter().any(|other| other == path) {
+        return None; // it is there, and cannot be had for another reason
+    }
     let distance = |other: &String| {
         let ended = format!("{path}.hedge");
         let apart = |one: &str| damerau_levenshtein(one, other);

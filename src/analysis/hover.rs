@@ -173,7 +173,8 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
 
 /// What there is to say about an op.
 pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
-    let wrong = snapshot.diagnostics();
+    let verdict = snapshot.verdict(op);
+    let wrong = snapshot.diagnostics_so_far();
     let wrong = wrong.iter().filter(|told| {
         let place = told.span();
         told.is_error() && place.file == op.span.file && op.span.touches(place.start as usize)
@@ -189,7 +190,7 @@ pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
         is_current: example.is_some() || snapshot.is_readable(op),
         diagram: example.or_else(|| snapshot.readable(op)),
         no_example,
-        verdict: snapshot.verdict(op),
+        verdict,
         wrong: wrong.map(|told| told.message.clone()).collect(),
     }
 }

@@ -352,7 +352,8 @@ impl Snapshot {
     pub fn diagnostics_so_far(&self) -> Vec<Diagnostic> {
         let examined = self.due.iter().filter_map(|&op| self.examined[op].get());
         let proved = examined.flat_map(|examined| &examined.diagnostics);
-        self.located(self.told.iter().chain(proved))
+        let planned = self.planned.get().into_iter().flat_map(|planned| &planned.told);
+        self.located(self.told.iter().chain(proved).chain(planned))
     }
 
     fn located<'d>(&self, told: impl Iterator<Item = &'d Diagnostic>) -> Vec<Diagnostic> {

@@ -31,7 +31,7 @@ const SMALL: &str = "before { edge e: a | d\n face f: v0 -a-> v1 =P=> v0 }
 #[test]
 fn an_item_has_only_so_many_parameters() {
     let params = |count| listed(count, |at| format!("p{at}: real = 0"), ", ");
-    let op = |count| format!("op f(e: edge, {}) {{ {SMALL} }}", params(count - 1));
+    let op = |count: usize| format!("op f(e: edge, {}) {{ {SMALL} }}", params(count - 1));
     assert_eq!(told(&op(255)), [""; 0]);
     assert_eq!(told(&op(256)), ["this has 256 parameters, and there can be 255"]);
     assert_eq!(told(&op(70_000)), ["this has 70000 parameters, and there can be 255"]);
