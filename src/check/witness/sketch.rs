@@ -7,7 +7,7 @@
 //! A shape may also say that things which the drawing leaves apart are one: two halfedges
 //! without a drawn twin are each other's, or an outer halfedge lies on a path.
 
-use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
+use crate::diagram::{Drawing, Kind, NameId, Spoke};
 
 /// What a drawing leaves open about its own halfedges.
 #[derive(Clone, Debug, Default)]
@@ -294,27 +294,6 @@ impl Sketch {
                 if self.halves[half].origin != vertex {
                     return None;
                 }
-            }
-        }
-        drawing.rule.before.stars.iter().try_for_each(|star| self.follow_each_other(star))
-    }
-
-    /// The spoke behind another, counterclockwise, is the twin of what precedes that one.
-    fn follow_each_other(&mut self, star: &Star) -> Option<()> {
-        let half = |sketch: &Self, spoke: &Spoke| match spoke {
-            Spoke::Halfedge(half) => sketch.half_of[half.name.index()],
-            Spoke::Fan(_) | Spoke::Rest(_) => None,
-        };
-        for (at, spoke) in star.spokes.iter().enumerate() {
-            let next = &star.spokes[(at + 1) % star.spokes.len()];
-            let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else {
-                continue;
-            };
-            let Some(prev) = self.halves[spoke].prev else {
-                continue;
-            };
-            if self.halves[prev].twin != Some(next) {
-                self.pair(prev, next)?;
             }
         }
         Some(())
