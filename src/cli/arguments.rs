@@ -105,6 +105,9 @@ pub(super) struct RunArguments {
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -193,13 +196,15 @@ pub(super) struct InfoArguments {
 /// What is mended of a mesh that is none.
 #[derive(Debug, Default, Args)]
 pub(super) struct RepairArguments {
-    /// Make a mesh of faces that are none: drop degenerate and
-    /// doubled ones, turn neighbours to run alike, cut where three
-    /// meet at an edge, split pinched vertices; says what it did
+    /// Make a mesh of faces that are none: drop
+    /// degenerate and doubled ones, turn neighbours
+    /// to run alike, cut where three meet at an edge,
+    /// split pinched vertices; says what it did
     #[arg(long, verbatim_doc_comment)]
     pub repair: bool,
-    /// First make one vertex of those that lie no farther apart;
-    /// with 0, of equal ones. Repairs what comes of it
+    /// First make one vertex of those that lie no
+    /// farther apart, with 0 of equal ones; repairs
+    /// what comes of it
     #[arg(long, value_name = "DISTANCE", value_parser = distance, verbatim_doc_comment)]
     pub merge: Option<f64>,
 }
@@ -213,8 +218,8 @@ fn distance(text: &str) -> Result<f64, String> {
 /// How the numbers of a file are written, where its format leaves a choice.
 #[derive(Debug, Default, Args)]
 pub(super) struct EncodingArguments {
-    /// How numbers of .ply and .stl are written, if not as they
-    /// were read
+    /// How numbers of .ply and .stl are written, if
+    /// not as they were read
     #[arg(long, value_enum, value_name = "KIND", verbatim_doc_comment)]
     pub encoding: Option<EncodingName>,
     /// The version of .msh, if not that which was read
@@ -366,6 +371,9 @@ pub(super) struct TestArguments {
     /// Only tests whose name holds this text
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
+    /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

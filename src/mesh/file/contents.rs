@@ -14,7 +14,7 @@ use crate::mesh::connectivity::Mesh;
 use crate::mesh::faults::Faults;
 use crate::mesh::id::{EdgeId, ElementKind};
 use crate::mesh::polygons::Polygons;
-use crate::mesh::repair::{Repair, Repaired};
+use crate::mesh::repair::{Repair, RepairReport, Repaired};
 
 /// What a reader finds in a file.
 #[derive(Default)]
@@ -96,7 +96,11 @@ impl Contents {
         let positions = match is_sound {
             false => positions,
             true => match Mesh::build(positions, &self.polygons) {
-                Ok(mesh) => return Ok(self.finish(mesh)),
+                Ok(mesh) => {
+                    let mut file = self.finish(mesh);
+                    file.repaired = repair.map(|_| RepairReport::default());
+                    return Ok(file);
+                }
                 Err((BuildError::TooLarge { kind }, _)) => {
                     return Err((None, FileReason::TooLarge { kind }));
                 }
