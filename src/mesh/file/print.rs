@@ -42,7 +42,10 @@ impl<'o> Printer<'o> {
         }
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value);
-        if value.is_finite() && !text.contains('e') {
+        // Where two shortest texts are equally far off, Rust takes the greater, which `zmij` need
+        // not; such numbers have a few binary places alone, and yet many digits.
+        let may_be_tie = text.len() >= 17 && (value * f64::from(1 << 24)).fract() == 0.0;
+        if value.is_finite() && !may_be_tie && !text.contains('e') {
             self.word(text.strip_suffix(".0").unwrap_or(text));
         } else {
             self.word(&value.to_string());
