@@ -163,7 +163,7 @@ fn lone_edge() -> Mesh {
 fn a_lone_edge_is_only_a_map() {
     let mut mesh = lone_edge();
     let reason = below(&mesh, Level::Surface);
-    assert_eq!(reason, BelowLevel::SmallFace { face: FaceId(0), size: 2 });
+    assert_eq!(reason, BelowLevel::SmallLoop { face: FaceId(0), hole: false, size: 2 });
     assert_eq!(reason.to_string(), "face 0 has only 2 sides");
     mesh.set_hole(FaceId(0), true);
     let reason = below(&mesh, Level::Surface);

@@ -86,7 +86,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("holes", "all boundary loops of the mesh"),
     ("neighbors", "the other ends of the edges at a vertex"),
     ("map", "every orbit is in order: what is always proved"),
-    ("surface", "a level: no face with two sides, no vertex where the surface is pinched"),
+    ("surface", "a level: no face or hole with two sides, no vertex where the surface is pinched"),
     ("simple", "a level: edges and faces are told apart by their vertices"),
     ("triangles", "every face stays a triangle, if all were"),
     ("quads", "every face stays a quad, if all were"),

@@ -19,7 +19,7 @@ use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, s
 use super::witness::{self, Outcome};
 use super::{mend, reach, start, voltage};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Level, Loop, LoopKind, Naming, Op, Rule, Spoke, Unrolled};
+use crate::diagram::{Drawing, Kind, Level, Loop, Naming, Op, Rule, Spoke, Unrolled};
 
 /// A rule with families, unrolled to the sizes that are looked at.
 pub(super) struct Sizes {
@@ -61,17 +61,16 @@ impl Sizes {
     }
 }
 
-/// Whether the drawing can match in a surface: no face has two sides, no vertex one spoke.
+/// Whether the drawing can match in a surface: no loop has two sides, no vertex one spoke.
 fn is_in_a_surface(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let halfedges = |orbit: &&Loop| {
         let mut items = orbit.items.iter();
-        orbit.kind == LoopKind::Face
-            && items.all(|item| rule.kind(item.item.name) == Kind::Halfedge)
+        items.all(|item| rule.kind(item.item.name) == Kind::Halfedge)
     };
-    let mut faces = rule.before.loops.iter().filter(halfedges);
+    let mut loops = rule.before.loops.iter().filter(halfedges);
     let mut stars = rule.before.stars.iter();
-    faces.all(|orbit| orbit.items.len() > 2)
+    loops.all(|orbit| orbit.items.len() > 2)
         && !stars.any(|star| matches!(star.spokes.as_slice(), [Spoke::Halfedge(_)]))
 }
 

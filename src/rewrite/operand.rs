@@ -81,7 +81,7 @@ impl Elements {
 /// for one orbit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Foreseen {
-    /// A face has three sides or more; a hole may have fewer.
+    /// A loop has three sides or more.
     ThreeSides,
     /// A loop meets no vertex twice.
     MeetsOnce,

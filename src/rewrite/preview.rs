@@ -253,7 +253,7 @@ impl Preview {
 
     fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
         self.corners.clear();
-        Ok(self.is_hole(mesh, face)? || self.walk_loop(mesh, face, 3)? == 3)
+        Ok(self.walk_loop(mesh, face, 3)? == 3)
     }
 
     fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
