@@ -17,9 +17,9 @@ use super::matching::Step;
 use super::problem::Problem;
 use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, stop_at};
 use super::witness::{self, Outcome};
-use super::{mend, reach, start, voltage};
+use super::{before, mend, reach, start, voltage};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Level, Loop, Naming, Op, Rule, Spoke, Unrolled};
+use crate::diagram::{Drawing, Kind, Level, Loop, Naming, Op, Property, Rule, Spoke, Unrolled};
 
 /// A rule with families, unrolled to the sizes that are looked at.
 pub(super) struct Sizes {
@@ -98,7 +98,11 @@ fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
         Some((level, _)) => sizes.obligations(level),
         None => Vec::new(),
     };
-    let facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
+    let mut facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
+    if !facts.keeps.contains(&Property::Level(Level::Simple)) {
+        let asked = sizes.obligations(Level::Simple);
+        facts.untested = asked.iter().filter(|one| one.is_test()).count();
+    }
     let proof = Proof { matching, guard, facts, rings, unrolled: Some(Box::new(large.clone())) };
     proof.bears_out(op, &drawing)
 }
@@ -130,6 +134,7 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
 
 /// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
 fn reject(op: &Op, sizes: &Sizes, broken: Broken) -> Rejected {
+    let broken = before::contradictions(&sizes.large.rule).unwrap_or(broken);
     let mut problems = broken.problems;
     let mut outcome = Outcome::NotTried;
     for short in &sizes.small {

@@ -77,6 +77,15 @@ impl Elements {
     }
 }
 
+/// Which triangles a face is cut into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Triangles {
+    /// The best shaped ear first.
+    BestShape,
+    /// Those that bend the least, if the face has few sides.
+    LeastBend,
+}
+
 /// What can be asked of the result before it is written: the conditions of the levels,
 /// for one orbit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
