@@ -11,7 +11,9 @@ use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::{Param, Type};
-use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, Places, VertexId, WrittenNumbers};
+use crate::mesh::{
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, Places, VertexId, WrittenNumbers,
+};
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
 

@@ -18,8 +18,8 @@ mod slots;
 
 // What can be asked of them.
 mod component;
-mod displaced;
 mod difference;
+mod displaced;
 mod ears;
 mod equality;
 mod geometry;

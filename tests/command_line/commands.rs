@@ -319,9 +319,12 @@ fn what_no_obj_file_can_hold_stays_unwritten() {
     assert!(said.err.contains("solid.halfedges"), "{}", said.err);
     let why = "; `collapse` may do that, and `guard simple` in it refuses where it would; write it";
     assert!(said.err.contains(why), "{}", said.err);
-    bench.write("s.hedge", "use \"std/polygon.hedge\"\nscript s() {\n  \
+    bench.write(
+        "s.hedge",
+        "use \"std/polygon.hedge\"\nscript s() {\n  \
         for e in edges where all(degree(v) == 3 or degree(v) == 4 for v in e.vertices) {\n    \
-        collapse(e) break\n  }\n}\n");
+        collapse(e) break\n  }\n}\n",
+    );
     let run = ["run", "s.hedge", "solid.obj", "-o", "solid.obj"];
     let said = bench.run(&run);
     assert!(said.code == 0 || said.err.contains(why), "{said:?}");

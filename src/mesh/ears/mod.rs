@@ -212,8 +212,7 @@ mod tests {
         for ear in order {
             let at = left.iter().position(|h| h == ear).expect("a corner goes once");
             let count = left.len();
-            triangles
-                .push([at + count - 1, at, at + 1].map(|at| place(&left[at % count])));
+            triangles.push([at + count - 1, at, at + 1].map(|at| place(&left[at % count])));
             left.remove(at);
         }
         assert_eq!(left.len(), 3);
@@ -261,7 +260,8 @@ mod tests {
 
     #[test]
     fn corners_on_one_line_are_cut_too() {
-        let side = |from: DVec2, to: DVec2| (0..300).map(move |at| from.lerp(to, f64::from(at) / 300.0));
+        let side =
+            |from: DVec2, to: DVec2| (0..300).map(move |at| from.lerp(to, f64::from(at) / 300.0));
         let corners = [(0.0, 0.0), (300.0, 0.0), (300.0, 300.0), (0.0, 300.0)];
         let corners = corners.map(|(x, y)| DVec2::new(x, y));
         let square = (0..4).flat_map(|at| side(corners[at], corners[(at + 1) % 4]));

@@ -76,8 +76,7 @@ impl<'m> Ways<'m> {
     fn new(mesh: &'m Mesh, sides: &'m [HalfedgeId]) -> Self {
         let count = sides.len();
         let place = |&h: &HalfedgeId| mesh.get_vertex(h).and_then(|v| mesh.get_position(v));
-        let places: Vec<_> =
-            sides.iter().map(|h| place(h).unwrap_or(DVec3::ZERO)).collect();
+        let places: Vec<_> = sides.iter().map(|h| place(h).unwrap_or(DVec3::ZERO)).collect();
         let around: f64 = (0..count).map(|at| places[at].distance(places[(at + 1) % count])).sum();
         let mut ways = Self {
             mesh,
