@@ -167,6 +167,12 @@ fn a_lone_edge_is_only_a_map() {
     assert_eq!(reason.to_string(), "face 0 has only 2 sides");
     mesh.set_hole(FaceId(0), true);
     let reason = below(&mesh, Level::Surface);
+    assert_eq!(reason, BelowLevel::SmallLoop { face: FaceId(0), hole: true, size: 2 });
+    let mut mesh = shape::pillow(3);
+    for face in [FaceId(0), FaceId(1)] {
+        mesh.set_hole(face, true);
+    }
+    let reason = below(&mesh, Level::Surface);
     assert_eq!(reason, BelowLevel::NoFaceAround { vertex: VertexId(0) });
 }
 

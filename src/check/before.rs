@@ -30,20 +30,21 @@ pub(super) fn contradictions(rule: &Rule) -> Option<Broken> {
         let rings = vertices_are_orbits::test(&drawing);
         problems.extend(rings.err().into_iter().flat_map(|broken| broken.problems));
     }
-    problems.retain(|problem| IMPOSSIBLE.contains(&problem.diagnostic.code));
-    let told: Vec<Problem> = problems.into_iter().fold(Vec::new(), |mut told, mut problem| {
+    if !problems.iter().any(|problem| IMPOSSIBLE.contains(&problem.diagnostic.code)) {
+        return None;
+    }
+    let mut told: Vec<Problem> = Vec::new();
+    for problem in problems {
         // What is said of `before` is said again of the copy that stands for `after`.
-        let (message, span) = (&problem.diagnostic.message, problem.diagnostic.span());
-        let again = |one: &Problem| one.diagnostic.span() == span;
-        if message.contains("`after`") || told.iter().any(again) {
-            return told;
+        let (code, span) = (problem.diagnostic.code, problem.diagnostic.span());
+        let again = |one: &Problem| (one.diagnostic.code, one.diagnostic.span()) == (code, span);
+        if !problem.diagnostic.message.contains("`after`") && !told.iter().any(again) {
+            told.push(problem);
         }
-        if problem.diagnostic.code != "impossible-drawing" {
-            let note = "no mesh matches `before`: it contradicts itself";
-            problem.diagnostic.notes.push(note.into());
-        }
-        told.push(problem);
-        told
-    });
-    (!told.is_empty()).then(|| told.into())
+    }
+    let first = &mut told.first_mut()?.diagnostic;
+    if !first.message.starts_with("no mesh matches") {
+        first.notes.push("no mesh matches `before`: it contradicts itself".into());
+    }
+    Some(told.into())
 }

@@ -2,9 +2,9 @@
 //!
 //! A texture coordinate belongs to a corner: a vertex in a face. Its halfedge keeps it when an
 //! operation moves the halfedge to another corner, and a new halfedge has the default. Neither
-//! is what the corner should have, unless the operation has set it. So the places and values of
-//! a mesh are noted when it is read, and looked at when it is written. Meshes without such
-//! attributes have nothing to note.
+//! is what the corner should have, unless the operation has set it, or the vertex had that value
+//! in another face as well. So the places and values of a mesh are noted when it is read, and
+//! looked at when it is written. Meshes without such attributes have nothing to note.
 
 use super::attribute::{ColumnId, Value};
 use super::connectivity::Mesh;
@@ -17,7 +17,7 @@ const OF_SURFACE: [&str; 3] = ["uv", "normal", "color"];
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     columns: Vec<(ColumnId, String, Vec<Option<Value>>)>,
-    /// The vertex and the face of each halfedge.
+    /// The vertex and the face of each halfedge that lies in no hole.
     corners: Vec<Option<(VertexId, FaceId)>>,
 }
 
@@ -63,6 +63,16 @@ impl Places {
         told.filter(|told| told.kept + told.defaulted > 0).collect()
     }
 
+    /// The corners that there were, each with the number of its halfedge, in the order of their
+    /// vertices.
+    fn by_vertex(&self) -> Vec<(VertexId, usize)> {
+        let corners = self.corners.iter().enumerate();
+        let corners = corners.filter_map(|(index, corner)| Some(((*corner)?.0, index)));
+        let mut corners: Vec<_> = corners.collect();
+        corners.sort_unstable();
+        corners
+    }
+
     fn of_column(
         &self,
         mesh: &Mesh,
@@ -80,23 +90,31 @@ impl Places {
             return told;
         };
         let default = Some(column.default_value());
+        let known = match id.kind {
+            ElementKind::Halfedge => self.by_vertex(),
+            _ => Vec::new(),
+        };
+        let had = |vertex: VertexId, value: Option<Value>| {
+            let first = known.partition_point(|&(of, _)| of < vertex);
+            let mut here = known[first..].iter().take_while(|&&(of, _)| of == vertex);
+            here.any(|&(_, index)| values.get(index).copied().flatten() == value)
+        };
         for face in mesh.faces().filter(|&f| !mesh.is_hole(f)) {
             let before = told.kept + told.defaulted;
             for h in mesh.face_halfedges(face) {
-                let index = match id.kind {
-                    ElementKind::Halfedge => h.0,
-                    _ => mesh.vertex(h).0,
+                let vertex = mesh.vertex(h);
+                let (index, place) = match id.kind {
+                    ElementKind::Halfedge => (h.0, self.corners.get(h.index()).copied().flatten()),
+                    _ => (vertex.0, None),
                 };
                 let was = values.get(index as usize).copied().flatten();
                 let is = mesh.value(id, index);
                 // A vertex has no other place than its own.
-                let is_in_place = match id.kind {
-                    ElementKind::Halfedge => {
-                        self.corners.get(h.index()).copied().flatten() == corner(mesh, h)
-                    }
+                let is_its_own = match id.kind {
+                    ElementKind::Halfedge => place == corner(mesh, h) || had(vertex, is),
                     _ => was == is,
                 };
-                if is_in_place {
+                if is_its_own {
                     continue;
                 } else if was == is {
                     told.kept += 1;
@@ -110,9 +128,10 @@ impl Places {
     }
 }
 
-/// The place of a halfedge.
+/// The place of a halfedge that lies in no hole.
 fn corner(mesh: &Mesh, h: HalfedgeId) -> Option<(VertexId, FaceId)> {
-    Some((mesh.get_vertex(h)?, mesh.get_face(h)?))
+    let face = mesh.get_face(h)?;
+    (!mesh.get_is_hole(face)?).then_some((mesh.get_vertex(h)?, face))
 }
 
 #[cfg(test)]
