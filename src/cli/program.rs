@@ -20,8 +20,16 @@ pub(super) struct Program {
 
 /// Reads a program, and the files it uses. What is wrong inside them is in its diagnostics.
 ///
-/// A path that leads to no file, but is the name of one of the library, means that.
+/// A path that leads to no file, but does with `.hedge` behind it, means that; one that is the name
+/// of a file of the library means that.
 pub(super) fn read(path: &Path) -> Result<Program, Failure> {
+    let mut longer = path.as_os_str().to_owned();
+    longer.push(".hedge");
+    let longer = Path::new(&longer);
+    let path = match !path.is_file() && longer.is_file() {
+        true => longer,
+        false => path,
+    };
     let shown = path.display().to_string();
     if is_mesh(path) {
         return Err(Failure::usage(format!(

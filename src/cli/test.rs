@@ -79,7 +79,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         let mut printed = Lines::default();
         let mut load = |path: &str, span: Span| load(program, path, span);
         let (resolved, plans) = (&analysis.program, &analysis.plans);
-        let done = run::test(resolved, number, plans, &mut load, &mut printed);
+        let done = run::test(resolved, number, plans, arguments.seed, &mut load, &mut printed);
         let failed = done.err().map(|failure| failure.diagnostic);
         if is_human {
             let word = if failed.is_some() { "FAILED" } else { "ok" };

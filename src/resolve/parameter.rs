@@ -151,7 +151,8 @@ fn default_value(
     for parameter in earlier {
         scopes.declare(local(parameter));
     }
-    let mut typing = Typing { place: Place::Default, declared, scopes, report, may_change: false };
+    let place = Place::Default;
+    let mut typing = Typing { place, declared, scopes, report, ops: &[], may_change: false };
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }
 

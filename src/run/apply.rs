@@ -187,7 +187,7 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
 /// A trap in the code of the operation itself, at its place there. The mesh is as it was.
 fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared, mesh: &Mesh) -> Diagnostic {
     let place = trap.trace.first().and_then(|site| plan.places.get(site.place? as usize)).copied();
-    if let (Message::BelowLevel { op, level }, Some(place)) = (&trap.message, place) {
+    if let (Message::BelowLevel { op, level, why, .. }, Some(place)) = (&trap.message, place) {
         let name = &plan.name;
         return match validate_level(mesh, *level) {
             Err(below) => {
@@ -196,7 +196,9 @@ fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared, mesh: &Mesh) -> 
                 );
                 Diagnostic::error("below-level", message, place).note(below.to_string())
             }
-            Ok(()) => Diagnostic::error("below-level", trap.message.to_string(), place),
+            Ok(()) => {
+                Diagnostic::error("below-level", trap.message.to_string(), place).note(why.clone())
+            }
         };
     }
     let message = trap.message.to_string();
