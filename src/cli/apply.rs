@@ -11,9 +11,9 @@ use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::{Param, Type};
-use crate::mesh::RepairReport;
 use crate::mesh::{
-    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, VertexId, WrittenNumbers,
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, Places, RepairReport, VertexId,
+    WrittenNumbers,
 };
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
@@ -34,6 +34,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     for (kind, name, default) in &attributes {
         obj.bring((*kind, name, *default));
     }
+    let places = Places::of(&obj.mesh);
     let before = Counts::of(&obj.mesh);
     let applied =
         run::apply(&program.analysis.program, op, &program.analysis.plans, &mut obj.mesh, &values)
@@ -43,7 +44,9 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
             })?;
     match applied {
         Applied::Done { result, created } => {
-            meshes::write(&arguments.output, &mut obj, &arguments.encoding)?;
+            let blame = || program::blame(&program, [plan.name.as_str()]);
+            meshes::write(&arguments.output, &mut obj, &arguments.encoding, blame)?;
+            meshes::tell_displaced(&arguments.output, &places, &obj.mesh);
             let numbers = meshes::numbers(&arguments.output, &obj);
             let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
             let report = Report {

@@ -7,8 +7,8 @@ use super::failure::Failure;
 use super::files;
 use super::output::complain;
 use crate::mesh::{
-    Dump, FileFormat, FileReason, Mesh, MeshFile, Repair, WrittenNumbers, read_dump, read_mesh,
-    write_mesh,
+    Dump, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers, read_dump,
+    read_mesh, write_mesh,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -69,11 +69,13 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
     }
 }
 
-/// Writes a mesh, and says in a line what the file cannot hold.
+/// Writes a mesh, and says in a line what the file cannot hold. `blame` says what may have made
+/// a mesh that no list of polygons holds.
 pub(super) fn write(
     path: &Path,
     file: &mut MeshFile,
     encoding: &EncodingArguments,
+    blame: impl FnOnce() -> Option<String>,
 ) -> Result<(), Failure> {
     let shown = path.display();
     let format = format(path)?;
@@ -90,7 +92,8 @@ pub(super) fn write(
     write_mesh(path, file).map_err(|error| match error.reason {
         FileReason::NotPolygons(_) => {
             let other = path.with_extension("halfedges");
-            Failure::usage(format!("{error}; write it to `{}`", other.display()))
+            let blame = blame().map(|blame| format!("; {blame}")).unwrap_or_default();
+            Failure::usage(format!("{error}{blame}; write it to `{}`", other.display()))
         }
         _ => Failure::usage(error),
     })?;
@@ -123,14 +126,12 @@ fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
 /// Says which corners of the file that was read have lost what they had.
 fn tell_bare(path: &Path, file: &MeshFile) {
     let shown = path.display();
-    let attributes = ["`uv: halfedge vec2`", "`normal: halfedge vec3`"];
     let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
-    for ((count, kind), attribute) in file.bare_faces().into_iter().zip(kinds).zip(attributes) {
+    for (count, kind) in file.bare_faces().into_iter().zip(kinds) {
         if count > 0 {
             let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
             complain(&format!(
-                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more; a \
-                 program can keep them in an attribute {attribute}"
+                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more"
             ));
         }
     }
@@ -140,6 +141,29 @@ fn tell_bare(path: &Path, file: &MeshFile) {
 fn format(path: &Path) -> Result<FileFormat, Failure> {
     let shown = path.display();
     FileFormat::of(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
+}
+
+/// Says which attributes of corners are not those of their corners any more.
+pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
+    for told in places.displaced(mesh) {
+        let (shown, attribute) = (path.display(), &told.attribute);
+        let [some, all] = told.faces;
+        let corners = |count: usize| if count == 1 { "corner has" } else { "corners have" };
+        let mut parts = Vec::new();
+        if told.kept > 0 {
+            let have = corners(told.kept);
+            parts.push(format!("{} {have} kept the value of a place left", told.kept));
+        }
+        if told.defaulted > 0 {
+            let have = corners(told.defaulted);
+            parts.push(format!("{} new {have} the default", told.defaulted));
+        }
+        complain(&format!(
+            "warning: {shown}: `{attribute}` is wrong on {some} of {all} faces: {}; what the ops \
+             do not set does not travel with the corners",
+            parts.join(", and ")
+        ));
+    }
 }
 
 /// The numbers that elements have in a file of this name.
