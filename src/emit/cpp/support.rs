@@ -32,6 +32,12 @@ pub(in crate::emit) fn is_written_out(name: &str) -> bool {
     functions().any(|(known, _)| known.trim_end_matches(".n") == name)
 }
 
+/// Whether a function follows pointers, or calls one that does.
+pub(super) fn looks_at_mesh(name: &str) -> bool {
+    let mut opened = text(name).unwrap_or("").split('[').skip(1);
+    opened.any(|rest| rest.split(']').next().is_some_and(|inside| inside.contains('.')))
+}
+
 /// The names of the functions that these need, themselves included, each behind those it calls.
 pub(super) fn needed(names: &[&'static str]) -> Vec<&'static str> {
     let mut order = Vec::new();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::lines::Lines;
+use super::super::lines::{Lines, comment};
 use super::super::routine::{Routine, Statement};
 use super::super::spell::spell;
 use super::super::steps::{Item, Items, items};
@@ -17,8 +17,14 @@ use crate::diagram::Type;
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
 pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
-    let conventions =
-        build::Conventions { prev: true, isolated_vertices: true, columns: true, undoes: true };
+    let conventions = build::Conventions {
+        prev: true,
+        isolated_vertices: true,
+        columns: true,
+        undoes: true,
+        exhaustive: selection.exhaustive,
+        kept: &[],
+    };
     let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {
         lines: Lines::new(4),
@@ -115,7 +121,7 @@ impl Printer {
     /// A doc comment, which tells the defaults, too: Rust has none.
     pub fn docs(&mut self, docs: &[String], name: &str, params: &[Parameter]) {
         for line in docs {
-            self.lines.line(format!("/// {line}").trim_end());
+            self.lines.line(&comment("///", line));
         }
         if docs.is_empty() {
             self.lines.line(&format!("/// The operation `{name}`."));
