@@ -22,6 +22,9 @@ mod meshes;
 #[allow(dead_code)]
 mod ops;
 mod places;
+mod reserved;
 mod rust;
+mod scotty3d;
+mod styles;
 mod subjects;
 mod told;

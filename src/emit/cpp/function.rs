@@ -88,8 +88,16 @@ pub(super) struct Printer<'s> {
 }
 
 impl Printer<'_> {
-    /// Why what stands beside the operations cannot see the mesh that the style needs there.
+    /// Why what stands beside the operations cannot compile: it does not see the mesh that the
+    /// style needs there, or does not tell elements apart.
     fn is_blind(&self, outside: &[String]) -> Option<String> {
+        if let Some([one, other]) = self.style.one_type()
+            && (self.used.contains(&"Journal") || self.used.contains(&"Sheet"))
+        {
+            return Some(format!(
+                "`{one}` and `{other}` are one type, and overloads tell elements apart by theirs"
+            ));
+        }
         let (pattern, word) = self.style.needs_mesh()?;
         let mut needed = support::needed(&self.used).into_iter();
         let whose = match (outside.is_empty(), needed.find(|name| support::looks_at_mesh(name))) {

@@ -112,6 +112,16 @@ impl Style {
         })
     }
 
+    /// Two kinds of elements that are of one type.
+    pub(in crate::emit) fn one_type(&self) -> Option<[&'static str; 2]> {
+        let kinds = ["Vertex", "Halfedge", "Edge", "Face"];
+        let mut pairs = kinds
+            .iter()
+            .enumerate()
+            .flat_map(|(at, one)| kinds[at + 1..].iter().map(move |other| [*one, *other]));
+        pairs.find(|[one, other]| self.pattern(one) == self.pattern(other))
+    }
+
     /// Words that the patterns use, so that nothing else may be called so.
     pub(in crate::emit) fn kept(&self) -> Vec<String> {
         let mut kept: Vec<String> = Vec::new();
