@@ -179,7 +179,11 @@ fn phases(
     sets.extend(values);
     if !sets.is_empty() {
         body.push(Statement::Blank);
-        body.push(Statement::Comment("3. Reassign every pointer that changes.".into()));
+        let which = match conventions.exhaustive {
+            true => "3. Reassign every pointer, whether it changes or not.",
+            false => "3. Reassign every pointer that changes.",
+        };
+        body.push(Statement::Comment(which.into()));
         body.extend(sets);
     }
     let erased: Vec<_> = rule

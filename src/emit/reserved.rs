@@ -2,6 +2,9 @@
 //!
 //! Names are the same in C++ and Rust, so what either language keeps to itself is kept from both.
 
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
 use super::rust;
 
 /// Keywords of C++ up to C++23, with the alternative tokens and the words that have meaning in
@@ -43,12 +46,14 @@ const USED: &str = "
     Mesh Level ElementKind Attribute ColumnId VertexId HalfedgeId EdgeId FaceId
     DVec2 DVec3 DVec4 DMat3 DMat4 validate_level_near";
 
+static RESERVED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    let lists = [CPP, RUST, MACROS, USED].into_iter();
+    lists.flat_map(str::split_whitespace).chain(rust::written_out()).collect()
+});
+
 /// Whether a word belongs to a language, to a macro, or to emitted code itself.
 pub(super) fn is_reserved(word: &str) -> bool {
-    let mut lists = [CPP, RUST, MACROS, USED].into_iter();
-    lists.any(|list| list.split_whitespace().any(|known| known == word))
-        || is_like_a_macro(word)
-        || rust::written_out().any(|known| known == word)
+    RESERVED.contains(word) || is_like_a_macro(word)
 }
 
 /// Whether a word is one of C++ itself.

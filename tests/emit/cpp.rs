@@ -18,7 +18,7 @@ use crate::places::{Argument, Done, Tally, arguments, by_machine, compare, place
 use crate::subjects::{Subject, emissions, folder};
 
 /// Whether there is a compiler. In CI there has to be one.
-pub fn has_compiler() -> bool {
+fn has_compiler() -> bool {
     let found = Command::new("g++").arg("--version").output().is_ok();
     if !found {
         assert!(std::env::var_os("CI").is_none(), "CI needs g++");

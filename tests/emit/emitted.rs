@@ -610,7 +610,8 @@ pub fn families_inset(mesh: &mut Mesh, f: FaceId, t: f64) -> bool {
     if !all_differ(&v) {
         return false; // two of `v[i]` are one vertex
     }
-    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), mesh.centroid(f), t)).collect();
+    let centroid = mesh.centroid(f);
+    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), centroid, t)).collect();
     if (0..n).any(|i| !w_position[i].is_finite()) {
         return false; // the new position of `w[i]` is not finite
     }
@@ -920,9 +921,9 @@ pub fn families_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Fac
 ///
 /// ```text
 ///        v2                 v2
-///       /  \               /|\
+///       /  \               /|\ .
 ///     c/ f0 \b           c/ | \b
-///     /  a-> \           /  |  \
+///     /  a-> \           /  |  \ .
 ///   v0 ------ v1   =>  v0   |   v1
 ///     \ <-d  /           \ a|d /
 ///     g\ f1 /h           g\ | /h
@@ -1364,10 +1365,12 @@ pub fn remesh_collapse(mesh: &mut Mesh, e: EdgeId, longest: f64) -> Option<Verte
         if mesh.is_boundary_vertex(v1) {
             continue; // an end lies on the boundary
         }
-        if !mesh.neighbors(v0).all(|w| DVec3::distance(mesh.position(w), mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5)) < longest) {
+        let part = mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5);
+        let part_2 = mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5);
+        if !mesh.neighbors(v0).all(|w| DVec3::distance(mesh.position(w), part) < longest) {
             continue; // an edge would become too long
         }
-        if !mesh.neighbors(v1).all(|w_2| DVec3::distance(mesh.position(w_2), mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5)) < longest) {
+        if !mesh.neighbors(v1).all(|w_2| DVec3::distance(mesh.position(w_2), part_2) < longest) {
             continue; // an edge would become too long
         }
         let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
@@ -1707,6 +1710,105 @@ fn split_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
         mesh.set_face_halfedge(f2, q);
         mesh.set_position(m, m_position);
         return Some(m);
+    }
+    None
+}
+
+/// Rotates the edge between two triangles: both of its ends step one corner counterclockwise.
+///
+/// ```text
+///        v2                 v2
+///       /  \               / | \ .
+///     h2 f0 h1           h1  |  h5
+///     /      \           /   |    \ .
+///   v0---e0---v1   ->   v0 f0|e0 f1 v1
+///     \      /           \   |    /
+///     h4 f1 h5           h2  |  h4
+///       \  /               \ | /
+///        v3                 v3
+/// ```
+pub fn tutorial_flip(mesh: &mut Mesh, e0: EdgeId) -> Option<EdgeId> {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e0 are tried.
+    for h0 in [mesh.edge_halfedge(e0), mesh.twin(mesh.edge_halfedge(e0))] {
+        let h1 = mesh.next(h0);
+        let h2 = mesh.next(h1);
+        let h3 = mesh.twin(h0);
+        let h6 = mesh.twin(h1);
+        let h7 = mesh.twin(h2);
+        let h4 = mesh.next(h3);
+        let h5 = mesh.next(h4);
+        let h8 = mesh.twin(h4);
+        let h9 = mesh.twin(h5);
+        let f0 = mesh.face(h0);
+        let v0 = mesh.vertex(h7);
+        let v1 = mesh.vertex(h9);
+        let v2 = mesh.vertex(h6);
+        let f1 = mesh.face(h3);
+        let v3 = mesh.vertex(h8);
+        let e1 = mesh.edge(h1);
+        let e2 = mesh.edge(h2);
+        let e3 = mesh.edge(h4);
+        let e4 = mesh.edge(h5);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if mesh.next(h2) != h0 {
+            continue; // `f0` is not a triangle
+        }
+        if mesh.next(h5) != h3 {
+            continue; // `f1` is not a triangle
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            continue; // `v2` and `v3` are one vertex
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_vertex(h0, v3);
+        mesh.set_twin(h1, h7);
+        mesh.set_vertex(h1, v2);
+        mesh.set_edge(h1, e2);
+        mesh.set_twin(h2, h8);
+        mesh.set_vertex(h2, v0);
+        mesh.set_edge(h2, e3);
+        mesh.set_vertex(h3, v2);
+        mesh.set_twin(h4, h9);
+        mesh.set_vertex(h4, v3);
+        mesh.set_edge(h4, e4);
+        mesh.set_twin(h5, h6);
+        mesh.set_vertex(h5, v1);
+        mesh.set_edge(h5, e1);
+        mesh.set_twin(h6, h5);
+        mesh.set_twin(h7, h1);
+        mesh.set_twin(h8, h2);
+        mesh.set_twin(h9, h4);
+        mesh.set_vertex_halfedge(v0, h2);
+        mesh.set_vertex_halfedge(v1, h5);
+        mesh.set_vertex_halfedge(v2, h3);
+        mesh.set_vertex_halfedge(v3, h0);
+        mesh.set_edge_halfedge(e1, h5);
+        mesh.set_edge_halfedge(e2, h1);
+        mesh.set_edge_halfedge(e3, h2);
+        mesh.set_edge_halfedge(e4, h4);
+        return Some(e0);
     }
     None
 }
@@ -2886,7 +2988,9 @@ pub fn polygon_extrude(mesh: &mut Mesh, f: FaceId, distance: f64, shrink: f64) -
     if !all_differ(&v) {
         return None; // two of `v[i]` are one vertex
     }
-    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), mesh.centroid(f), shrink) + mesh.normal(f) * distance).collect();
+    let centroid = mesh.centroid(f);
+    let part = mesh.normal(f) * distance;
+    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), centroid, shrink) + part).collect();
     if (0..n).any(|i| !w_position[i].is_finite()) {
         return None; // the new position of `w[i]` is not finite
     }
@@ -9059,8 +9163,8 @@ use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate
 ///      \          /            \        /
 ///       v3------v2               \    /
 ///       |   f    |       ->         v
-///       v0------v1               /    \
-///      /          \            /        \
+///       v0------v1               /    \ .
+///      /          \            /        \ .
 /// ```
 ///
 /// A triangle at a side of the face would be left with two sides: it vanishes, as in
@@ -9169,10 +9273,10 @@ pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Face
     }
     all_or_nothing(mesh, Level::Surface, |mesh| {
         for s in mesh.spokes(v).collect::<Vec<_>>() {
-            let far = mesh.position(mesh.target(s));
+            let far_ = mesh.position(mesh.target(s));
             let e = mesh.edge(s);
             let u = polygon_bisect(mesh, e)?;
-            mesh.set_position(u, finite(DVec3::lerp(mesh.position(v), far, t))?);
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(v), far_, t))?);
         }
         for s in mesh.spokes(v).collect::<Vec<_>>() {
             let a = mesh.next(s);
@@ -9198,7 +9302,7 @@ pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Face
 ///      \      /               u--------u
 ///       a--e-b        ->      |    f   |
 ///      /      \               u--------u
-///     /        \             /          \
+///     /        \             /          \ .
 /// ```
 ///
 /// The new vertices start where the ends of the edge are, and lie at the share `t` of the way
@@ -9218,19 +9322,19 @@ pub fn polygon_bevel_edge(mesh: &mut Mesh, e: EdgeId, t: f64) -> Option<FaceId> 
             if mesh.edge(s) == e {
                 continue;
             }
-            let far = mesh.position(mesh.target(s));
+            let far_ = mesh.position(mesh.target(s));
             let e_2 = mesh.edge(s);
             let u = polygon_bisect(mesh, e_2)?;
-            mesh.set_position(u, finite(DVec3::lerp(mesh.position(a), far, t))?);
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(a), far_, t))?);
         }
         for s in mesh.spokes(b).collect::<Vec<_>>() {
             if mesh.edge(s) == e {
                 continue;
             }
-            let far = mesh.position(mesh.target(s));
+            let far_ = mesh.position(mesh.target(s));
             let e_2 = mesh.edge(s);
             let u = polygon_bisect(mesh, e_2)?;
-            mesh.set_position(u, finite(DVec3::lerp(mesh.position(b), far, t))?);
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(b), far_, t))?);
         }
         // Cut the corners around both ends, and along the two sides of the edge.
         for s in mesh.spokes(a).collect::<Vec<_>>() {
@@ -9304,7 +9408,7 @@ pub fn polygon_open_face(mesh: &mut Mesh, f: FaceId) -> bool {
 ///      .--P--.                 .--P--.
 ///      |     |                  \   /
 ///      v0-e-v1        ->          v0
-///      |     |                  /   \
+///      |     |                  /   \ .
 ///      '--Q--'                 '--Q--'
 /// ```
 #[allow(non_snake_case)]
@@ -10642,7 +10746,7 @@ fn slice(mesh: &mut Mesh, h: HalfedgeId) -> Option<FaceId> {
 ///      .--P--.                 .--P--.
 ///      |     |                  \   /
 ///      v0-e-v1        ->          v0
-///      |     |                  /   \
+///      |     |                  /   \ .
 ///      '--Q--'                 '--Q--'
 /// ```
 #[allow(non_snake_case)]
@@ -11015,6 +11119,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("remesh_collapse", &[Element(x0), Real(x1)]) => { let r = drawn::remesh_collapse(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("remesh_flip", &[Element(x0)]) => (drawn::remesh_flip(mesh, EdgeId(x0)), None),
         ("split_split", &[Element(x0)]) => { let r = drawn::split_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("tutorial_flip", &[Element(x0)]) => { let r = drawn::tutorial_flip(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_bisect", &[Element(x0)]) => { let r = drawn::polygon_bisect(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_connect", &[Element(x0), Element(x1)]) => { let r = drawn::polygon_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_dissolve_edge", &[Element(x0)]) => { let r = drawn::polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },

@@ -22,9 +22,6 @@ mod meshes;
 #[allow(dead_code)]
 mod ops;
 mod places;
-mod reserved;
 mod rust;
-mod scotty3d;
-mod styles;
 mod subjects;
 mod told;

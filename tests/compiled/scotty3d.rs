@@ -6,8 +6,7 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::cpp::has_compiler;
-use crate::subjects::folder;
+use crate::compiler::{compile, folder, has_compiler};
 
 /// What `hedgerow` prints; it has to succeed.
 pub fn hedgerow(args: &[&str]) -> String {
@@ -26,15 +25,11 @@ fn the_course_finds_what_it_expects() {
     let plan = ["plan", "std/scotty3d.hedge", "--as", "cpp", "--for", "scotty3d"];
     hedgerow(&[&plan[..], &["-o", &emitted]].concat());
     for file in ["halfedge.h", "halfedge.cpp", "expected.cpp"] {
-        fs::copy(folder("tests/emit/scotty3d").join(file), bench.path().join(file)).unwrap();
+        fs::copy(folder("tests/compiled/scotty3d").join(file), bench.path().join(file)).unwrap();
     }
-    let compiled = Command::new("g++")
-        .args(["-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror", "-o", "expected"])
-        .args(["local.cpp", "halfedge.cpp", "expected.cpp"])
-        .current_dir(bench.path())
-        .output()
-        .unwrap();
-    assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    let args = ["-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror", "-o", "expected"];
+    let files = ["local.cpp", "halfedge.cpp", "expected.cpp"];
+    compile(bench.path(), "g++", &[&args[..], &files].concat());
     let run = Command::new(bench.path().join("expected")).output().unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
 }

@@ -4,43 +4,22 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::emit::{Selection, Style, cpp, rust};
 use hedgerow::source::Sources;
 use tempfile::TempDir;
 
-use crate::cpp::has_compiler;
-use crate::subjects::folder;
+use crate::compiler::{compile, folder, has_compiler};
 
 /// Keywords and alternative tokens of C++ to C++23, and of Rust to 2024 with those kept for later;
 /// macros and types of headers; names of the mesh class and of what is emitted.
-const WORDS: &str = "
-    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t
-    char32_t class co_await co_return co_yield compl concept const const_cast consteval constexpr
-    constinit continue decltype default delete do double dynamic_cast else enum explicit export
-    extern false final float for friend goto if import inline int long module mutable namespace
-    new noexcept not not_eq nullptr operator or or_eq override private protected public register
-    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
-    switch synchronized template this thread_local throw true try typedef typeid typename union
-    unsigned using virtual void volatile wchar_t while xor xor_eq
-    Self abstract as async await become box crate dyn fn gen impl in let loop macro macro_rules
-    match mod move mut priv pub raw ref safe self super trait type typeof unsafe unsized use where
-    yield union
-    NULL EOF assert errno stdin stdout stderr offsetof M_PI INFINITY NAN HUGE_VAL BUFSIZ RAND_MAX
-    EXIT_SUCCESS INT_MAX SIZE_MAX DBL_MAX CHAR_BIT SEEK_SET TMP_MAX L_tmpnam P_tmpdir va_start
-    isnan isinf isfinite signbit fpclassify unix linux i386 min max major minor
-    size_t ptrdiff_t int8_t int32_t uint64_t FILE std main abs div exp log sqrt index link
-    Mesh Vec3 VertexRef HalfedgeRef EdgeRef FaceRef mesh hedgerow journal was at element value
-    new_vertex new_face erase vertices halfedges edges faces spokes degree centroid mix made
-    Some None Ok Err Option Vec String Box DVec3 VertexId HalfedgeId Level HashMap f64 u32 str
-    n count size result sheet rule_inside once number all list";
+const WORDS: &str = include_str!("words.txt");
 
 /// Words that the language itself keeps, so that no program has them as names.
-fn is_free(word: &str) -> bool {
+fn is_free(op: &str, word: &str) -> bool {
     let text = format!(
-        "op f({word}: edge) {{ before {{ loop a: v -b-> w =P=> v  edge {word}: b | c }} after {{ loop a: v -b-> w =P=> v  keep {word} }} }}"
+        "op {op}({word}: edge) {{ before {{ loop a: v -b-> w =P=> v  edge {word}: b | c }} after {{ loop a: v -b-> w =P=> v  keep {word} }} }}"
     );
     let mut sources = Sources::new();
     let file = sources.add("word.hedge", text);
@@ -55,15 +34,15 @@ fn program() -> String {
         let next = format!("plain_{at}");
         writeln!(
             text,
-            "fn f_{at}({word}: real) -> real {{ let {next} = {word} * 2  {next} + {word} }}
-op {word}_{at}({word}: edge, share: real = 0.5) {{
+            "fn twice_{at}({word}: real) -> real {{ let {next} = {word} * 2  {next} + {word} }}
+op {word}_of_{at}({word}: edge, share: real = 0.5) {{
   rule {word} {{
     before {{
       face f0: v0 -a-> v1 -b-> v2 =P=> v0
       face f1: v1 -d-> v0 =Q=> v1
       edge {word}: a | d
     }}
-    require f_{at}(share) > 0.0 else \"ends in {word} \\\\\"
+    require twice_{at}(share) > 0.0 else \"ends in {word} \\\\\"
     after {{
       v0.position = mix(v0.position, v1.position, share)
       keep f0 f1 {word}
@@ -77,11 +56,11 @@ op {word}_{at}({word}: edge, share: real = 0.5) {{
     }}
   }}
 }}
-op h_{at}({word}: halfedge) -> f {{
+op corner_{at}({word}: halfedge) -> f {{
   before {{ face f: p -{word}-> q -y-> r -z-> p }}
   after {{ keep f }}
 }}
-op n_{at}(face_{at}: face) {{
+op ring_{at}(face_{at}: face) {{
   before {{ face face_{at}: each i {{ {word}[i] -h[i]-> }} }}
   guard surface
   after {{
@@ -95,7 +74,7 @@ op n_{at}(face_{at}: face) {{
         )
         .unwrap();
     }
-    for word in words() {
+    for word in words().into_iter().filter(|word| is_free(word, "e")) {
         writeln!(
             text,
             "op {word}(e: edge) {{ before {{ loop f: v -a-> w =P=> v  edge e: a | b }} require {word}'(2) > 1 else \"no\" after {{ keep e f }} }}
@@ -110,15 +89,9 @@ fn words() -> Vec<&'static str> {
     let mut words: Vec<_> = WORDS.split_whitespace().collect();
     words.sort();
     words.dedup();
-    words.retain(|word| is_free(word));
+    words.retain(|word| is_free("f", word));
     assert!(words.len() > 150, "only {} words", words.len());
     words
-}
-
-fn compile(bench: &Path, compiler: &str, args: &[&str]) {
-    let done = Command::new(compiler).args(args).current_dir(bench).output().unwrap();
-    let said = String::from_utf8_lossy(&done.stderr);
-    assert!(done.status.success(), "{compiler} {args:?} says\n{said}");
 }
 
 #[test]
