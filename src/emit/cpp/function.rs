@@ -277,7 +277,10 @@ impl Printer<'_> {
                         || format!("rule_{}", at + 1),
                         |label| format!("rule_{label}"),
                     );
-                    let name = name.replace('\'', "_");
+                    let mut name = name.replace('\'', "_");
+                    while routine.params.iter().any(|param| param.name == name) {
+                        name.push('_');
+                    }
                     self.lines.blank();
                     self.lines.open(&format!("auto {name} = [&]() -> {inner} {{"));
                     self.alternative(&rule.body, routine);

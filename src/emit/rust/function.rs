@@ -164,7 +164,10 @@ impl Printer {
         let mut bodies = Vec::new();
         for (at, rule) in routine.rules.iter().enumerate() {
             let label = rule.label.clone().unwrap_or_else(|| format!("{}", at + 1));
-            let name = format!("{}_{}", routine.name, label.replace('\'', "_"));
+            let mut name = format!("rule_{}", label.replace('\'', "_"));
+            while all.contains(&name) {
+                name.push('_');
+            }
             let mut used = BTreeSet::new();
             rule.body.iter().for_each(|statement| {
                 statement.names(&mut |name| {
@@ -177,6 +180,13 @@ impl Printer {
             bodies.push((name, params(&used), rule));
         }
         self.lines.open(&head);
+        for (name, params, rule) in bodies {
+            self.allow(&rule.body, &routine.params);
+            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
+            self.alternative(&rule.body, routine);
+            self.lines.close("}");
+            self.lines.line("");
+        }
         let chain = match routine.result {
             Some(_) => {
                 let mut calls = calls.into_iter();
@@ -188,13 +198,6 @@ impl Printer {
         };
         self.lines.line(&chain);
         self.lines.close("}");
-        for (name, params, rule) in bodies {
-            self.lines.line("");
-            self.allow(&rule.body, &routine.params);
-            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
-            self.alternative(&rule.body, routine);
-            self.lines.close("}");
-        }
     }
 
     /// The names of the drawing stay, also where Rust would have them in small letters.
