@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, table};
 use super::program::{self, Program};
+use crate::analysis::read_program;
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::library;
 use crate::mesh::Level;
@@ -80,7 +81,7 @@ fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
         let path = Path::new(target);
         let text = match library::target(target).filter(|_| !path.exists()) {
             Some(known) => known.text.to_string(),
-            None => program::text_of(path).map_err(|why| {
+            None => read_program(path).map_err(|why| {
                 let names: Vec<_> = library::targets().map(|known| known.short_name()).collect();
                 Failure::usage(format!(
                     "cannot read `{target}`: {why}; a target is a file of styles, or {}",

@@ -87,6 +87,7 @@ impl<'e> Finder<'e> {
             }
             // What a block binds is known inside of it only.
             ExprKind::Let(..)
+            | ExprKind::Try(..)
             | ExprKind::Bool(_)
             | ExprKind::Int(_)
             | ExprKind::Real(_)
@@ -102,7 +103,9 @@ impl<'e> Finder<'e> {
         match &part.kind {
             ExprKind::Element(name) => self.rule.is_some_and(|rule| rule.is_member(*name)),
             ExprKind::Local(variable) => self.bound.contains(variable),
-            ExprKind::Member(..) | ExprKind::Let(..) | ExprKind::Text(_) => true,
+            ExprKind::Member(..) | ExprKind::Let(..) | ExprKind::Try(..) | ExprKind::Text(_) => {
+                true
+            }
             _ => false,
         }
     }
