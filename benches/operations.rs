@@ -40,7 +40,7 @@ fn compare(name: &str, mesh: &Mesh, plan: &Plan, by_hand: fn(&mut Mesh, EdgeId) 
     let (mut hand, mut declared) = (f64::MAX, f64::MAX);
     for _ in 0..ROUNDS {
         let (by_hand, applied_by_hand) = time(mesh, &edges, by_hand);
-        let mut machine = Machine::new(&[]);
+        let mut machine = Machine::default();
         let (by_plan, applied_by_plan) = time(mesh, &edges, |mesh, edge| {
             let outcome = machine.apply(mesh, plan, &[u64::from(edge.0)]);
             matches!(outcome, Ok(Outcome::Applied { .. }))

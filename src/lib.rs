@@ -33,7 +33,7 @@
 //! let flip = analysis.plans[0].as_ref().expect("a sound op has a plan");
 //! let mut mesh = shape::icosahedron();
 //! let edge = mesh.edges().next().expect("an icosahedron has edges");
-//! let outcome = Machine::new(&[]).apply(&mut mesh, flip, &[u64::from(edge.0)]);
+//! let outcome = Machine::default().apply(&mut mesh, flip, &[u64::from(edge.0)]);
 //! assert_eq!(outcome, Ok(Outcome::Applied { result: None }));
 //! assert!(validate(&mesh).is_ok());
 //! ```

@@ -18,7 +18,7 @@ use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::resolve::{Program, resolve_all};
-use crate::rewrite::Plan;
+use crate::rewrite::Plans;
 use crate::run::{Functions, calls_of_steps, plan_steps};
 use crate::source::{FileId, Sources};
 use crate::syntax::Parsed;
@@ -286,7 +286,7 @@ impl Snapshot {
         let mut plans: Vec<_> = (0..self.program.ops.len()).map(plan).collect();
         let mut told = plan_steps(&self.program, &self.functions, &mut plans);
         told.retain(|told| told.span().file == self.file);
-        Planned { plans, told }
+        Planned { plans: plans.into(), told }
     }
 
     fn examine(&self, op: usize) -> Rc<Examined> {
@@ -364,7 +364,7 @@ impl Snapshot {
 /// What came of ops in steps.
 #[derive(Clone, Debug, Default)]
 struct Planned {
-    plans: Vec<Option<Plan>>,
+    plans: Plans,
     told: Vec<Diagnostic>,
 }
 

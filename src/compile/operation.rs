@@ -12,7 +12,8 @@ use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, Op, Property, Rule};
 use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
-    Assembler, Cell, Code, Function, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
+    Asking, Assembler, Cell, Code, Function, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage,
+    TooLarge,
 };
 use crate::source::{Sources, Span};
 
@@ -57,6 +58,7 @@ pub fn compile(
         places: output.places,
         refusals: output.refusals,
         stages,
+        asking: Asking::default(),
         steps: None,
     })
 }

@@ -30,7 +30,7 @@ macro_rules! or_trap {
     };
 }
 
-impl Machine<'_> {
+impl Machine {
     /// Runs code from a call on. Only if it is `OBSERVED`, drains may run in it.
     pub(super) fn execute<const OBSERVED: bool>(
         &mut self,

@@ -267,6 +267,26 @@ pub enum Inst {
 }
 
 impl Inst {
+    /// Whether it changes the mesh.
+    pub(super) fn writes(&self) -> bool {
+        matches!(
+            self,
+            Inst::NewVertex { .. }
+                | Inst::NewHalfedge { .. }
+                | Inst::NewEdge { .. }
+                | Inst::NewFace { .. }
+                | Inst::Store { .. }
+                | Inst::StoreHalfedge { .. }
+                | Inst::StoreHole { .. }
+                | Inst::StorePosition { .. }
+                | Inst::StoreAttribute { .. }
+                | Inst::ReleaseHeld { .. }
+                | Inst::StoreAll { .. }
+                | Inst::StoreSpan { .. }
+                | Inst::Erase { .. }
+        )
+    }
+
     /// The instruction it may jump to.
     pub fn target_mut(&mut self) -> Option<&mut Label> {
         match self {

@@ -10,7 +10,7 @@ use super::drain::Drains;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
-use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
+use super::{Call, Code, Message, Outcome, Plan, Plans, Trap, Unwatched, Watch};
 use crate::mesh::{ColumnId, ElementKind, Level, Mesh};
 
 /// How deep calls may be nested.
@@ -18,8 +18,8 @@ const DEPTH: usize = 16;
 
 /// Runs code on meshes.
 #[derive(Debug)]
-pub struct Machine<'p> {
-    pub(super) plans: &'p [Option<Plan>],
+pub struct Machine {
+    plans: Plans,
     /// Where the attributes of the program lie in the mesh, by number.
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
@@ -52,14 +52,21 @@ pub struct Count {
     pub refused: Vec<u64>,
 }
 
-impl<'p> Machine<'p> {
+impl Default for Machine {
+    /// A machine for code that calls no operation.
+    fn default() -> Self {
+        Self::new(&Plans::default())
+    }
+}
+
+impl Machine {
     /// A machine for code that calls these operations. `None` stands for one that has
     /// not been proved; calling it traps.
-    pub fn new(plans: &'p [Option<Plan>]) -> Self {
+    pub fn new(plans: &Plans) -> Self {
         let refusals = |plan: &Option<Plan>| plan.as_ref().map_or(0, |plan| plan.refusals.len());
         let count = |plan| Count { applied: 0, refused: vec![0; refusals(plan)] };
         Self {
-            plans,
+            plans: Plans::clone(plans),
             columns: Vec::new(),
             stack: Vec::new(),
             buffers: Vec::new(),
@@ -124,9 +131,10 @@ impl<'p> Machine<'p> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(args);
+        let plans = Plans::clone(&self.plans);
         match code.drains() {
-            true => self.execute::<true>(mesh, Call::top(code), watch),
-            false => self.execute::<false>(mesh, Call::top(code), watch),
+            true => self.execute::<true>(mesh, Call::top(code, &plans), watch),
+            false => self.execute::<false>(mesh, Call::top(code, &plans), watch),
         }
     }
 
@@ -144,7 +152,22 @@ impl<'p> Machine<'p> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(args);
-        self.carry_out::<false>(mesh, plan, Call::of(plan), watch)
+        let plans = Plans::clone(&self.plans);
+        self.carry_out::<false>(mesh, plan, Call::of(plan, &plans), watch)
+    }
+
+    /// Whether an operation would be applied with the arguments in slots, and if not, why. The
+    /// mesh is as it was, nothing is printed or counted, and there is no result.
+    pub fn ask(
+        &mut self,
+        mesh: &mut Mesh,
+        plan: &Plan,
+        args: &[u64],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        self.start(args);
+        let plans = Plans::clone(&self.plans);
+        self.consider::<false>(mesh, plan, Call::of(plan, &plans), watch)
     }
 
     fn start(&mut self, args: &[u64]) {
@@ -170,7 +193,7 @@ impl<'p> Machine<'p> {
         [op, args]: [u16; 2],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        let Some(plan) = self.plans.get(usize::from(op)).and_then(Option::as_ref) else {
+        let Some(plan) = caller.plans.get(usize::from(op)).and_then(Option::as_ref) else {
             return Err(Trap::new(Message::Unproved));
         };
         if caller.depth >= DEPTH {

@@ -44,7 +44,7 @@ pub use function::Function;
 pub use inst::Inst;
 pub use machine::{Count, Machine};
 pub use operand::{ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Walk};
-pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
+pub use plan::{Asking, Cell, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};

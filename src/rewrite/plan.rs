@@ -1,8 +1,13 @@
 //! A compiled operation: its code, and the same as a table to read.
 
-use super::{Code, Steps};
+use std::sync::{Arc, OnceLock};
+
+use super::{Code, Inst, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
+
+/// The plans of the operations of a program, by number; `None` stands for one that is not proved.
+pub type Plans = Arc<[Option<Plan>]>;
 
 /// A compiled operation.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +33,8 @@ pub struct Plan {
     pub stages: Vec<Stage>,
     /// Where it is an op in steps, which calls others, all or nothing.
     pub steps: Option<Steps>,
+    /// The code that only asks.
+    pub asking: Asking,
 }
 
 impl Plan {
@@ -35,6 +42,29 @@ impl Plan {
     pub fn level_after(&self, level: Level) -> Level {
         let kept = self.keeps.iter().filter(|&&kept| kept <= level);
         kept.copied().max().unwrap_or(Level::Map)
+    }
+
+    /// The code that finds out whether the op would be applied: it ends before the first write,
+    /// since all that can refuse or trap comes before it. Not for an op in steps.
+    pub fn asking(&self) -> &Code {
+        self.asking.0.get_or_init(|| {
+            let mut code = self.code.clone();
+            for inst in code.insts.iter_mut().filter(|inst| inst.writes()) {
+                *inst = Inst::Return { result: None };
+            }
+            code
+        })
+    }
+}
+
+/// Code that is made of a plan when it is first asked for; it says nothing that the plan does
+/// not.
+#[derive(Clone, Debug, Default)]
+pub struct Asking(OnceLock<Code>);
+
+impl PartialEq for Asking {
+    fn eq(&self, _: &Self) -> bool {
+        true
     }
 }
 

@@ -106,7 +106,7 @@ impl Columns {
 
 /// What an element has that was given no value: the default, or zero.
 fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     let Some(default) = &attribute.default else {
         return Ok(value(attribute.ty, &[]));
     };

@@ -10,14 +10,16 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
-use crate::rewrite::{Code, Plan, TooLarge};
+use crate::rewrite::{Code, Plans, TooLarge};
 use crate::source::Span;
 
 /// A script, ready to run.
 #[derive(Clone, Debug)]
-pub struct Prepared<'p> {
-    pub(super) script: &'p Script,
-    pub(super) plans: &'p [Option<Plan>],
+pub struct Prepared {
+    pub(super) name: String,
+    pub(super) span: Span,
+    pub(super) params: Vec<Param>,
+    pub(super) plans: Plans,
     pub(super) code: Code,
     pub(super) functions: Functions,
     pub(super) columns: Columns,
@@ -36,11 +38,11 @@ pub struct Prepared<'p> {
 ///
 /// # Errors
 /// The script calls an operation that is not proved, or it is too large.
-pub fn prepare<'p>(
-    program: &'p Program,
+pub fn prepare(
+    program: &Program,
     script: usize,
-    plans: &'p [Option<Plan>],
-) -> Result<Prepared<'p>, Vec<Diagnostic>> {
+    plans: &Plans,
+) -> Result<Prepared, Vec<Diagnostic>> {
     let Some(script) = program.scripts.get(script) else {
         let message = "there is no such script";
         return Err(vec![Diagnostic::error("unknown-script", message, Span::default())]);
@@ -53,12 +55,12 @@ pub fn prepare<'p>(
 }
 
 /// The same for a script that need not stand among those of the program.
-pub(super) fn prepare_script<'p>(
-    program: &'p Program,
-    script: &'p Script,
-    plans: &'p [Option<Plan>],
+pub(super) fn prepare_script(
+    program: &Program,
+    script: &Script,
+    plans: &Plans,
     functions: Functions,
-) -> Result<Prepared<'p>, Vec<Diagnostic>> {
+) -> Result<Prepared, Vec<Diagnostic>> {
     let mut lowering = Lowering::of_script(routine(script), functions.texts());
     lowering.body(routine(script));
     let reached = functions.reached(&lowering.functions);
@@ -88,8 +90,10 @@ pub(super) fn prepare_script<'p>(
     let all_code = called_plans.iter().map(|plan| &plan.code).chain([&code]);
     let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
     Ok(Prepared {
-        script,
-        plans,
+        name: script.name.clone(),
+        span: script.span,
+        params: script.params.clone(),
+        plans: Plans::clone(plans),
         columns,
         code,
         functions,
@@ -124,7 +128,7 @@ fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
     Diagnostic::error("script-too-large", message, script.span)
 }
 
-impl Prepared<'_> {
+impl Prepared {
     /// The code of the script, to look at.
     pub fn code(&self) -> &Code {
         &self.code
@@ -189,7 +193,7 @@ impl Prepared<'_> {
         }
         let mut slots = Vec::new();
         let mut given = Vec::new();
-        for param in &self.script.params {
+        for param in &self.params {
             let argument = arguments.iter().find(|(name, _)| *name == param.name);
             given.push(u64::from(argument.is_some()));
             let nothing = vec![0; usize::from(crate::compile::width(param.ty))];
@@ -200,20 +204,20 @@ impl Prepared<'_> {
     }
 
     fn param(&self, name: &str) -> Option<&Param> {
-        self.script.params.iter().find(|param| param.name == name)
+        self.params.iter().find(|param| param.name == name)
     }
 
     /// Parameters given twice, or not at all though they have no default.
     fn badly_given<'n>(&self, names: impl Iterator<Item = &'n str> + Clone) -> Vec<Diagnostic> {
         let mut errors = Vec::new();
-        for param in &self.script.params {
+        for param in &self.params {
             let times = names.clone().filter(|name| *name == param.name).count();
             let problem = match times {
                 0 if param.default.is_none() => ("missing-argument", "has no value"),
                 0 | 1 => continue,
                 _ => ("repeated-argument", "is given more than once"),
             };
-            let message = format!("`{}` of `{}` {}", param.name, self.script.name, problem.1);
+            let message = format!("`{}` of `{}` {}", param.name, self.name, problem.1);
             let error = Diagnostic::error(problem.0, message, param.span);
             errors.push(error.note(format!("it wants {}", example(param.ty))));
         }
@@ -221,14 +225,14 @@ impl Prepared<'_> {
     }
 
     fn no_such_parameter(&self, name: &str) -> Diagnostic {
-        let params = self.script.params.iter();
+        let params = self.params.iter();
         let known: Vec<_> = params.map(|param| format!("`{}`", param.name)).collect();
-        let message = format!("`{}` has no parameter `{name}`", self.script.name);
+        let message = format!("`{}` has no parameter `{name}`", self.name);
         let note = match known.is_empty() {
             true => "it has no parameters".to_owned(),
             false => format!("it has {}", known.join(", ")),
         };
-        Diagnostic::error("unknown-argument", message, self.script.span).note(note)
+        Diagnostic::error("unknown-argument", message, self.span).note(note)
     }
 }
 

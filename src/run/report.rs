@@ -66,7 +66,7 @@ pub(super) fn run_with(
         .columns
         .bind(mesh)
         .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
-    let mut machine = Machine::new(prepared.plans);
+    let mut machine = Machine::new(&prepared.plans);
     machine.trust_level(level);
     machine.use_columns(columns);
     machine.use_meshes(meshes);
@@ -90,16 +90,12 @@ fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
             level = plan.level;
         }
     }
-    Ok(level_for_steps(prepared.plans, &prepared.called, level, mesh))
+    let wanted = level_of_steps(&prepared.plans, &prepared.called, level);
+    Ok(highest_between(mesh, level, wanted))
 }
 
-/// The level of a mesh that has one, or what it has of what some operations call in steps.
-pub(super) fn level_for_steps(
-    plans: &[Option<Plan>],
-    called: &[usize],
-    level: Level,
-    mesh: &Mesh,
-) -> Level {
+/// The highest level of some operations and of all that their steps lead to, at least `level`.
+pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Level) -> Level {
     let mut is_seen = vec![false; plans.len()];
     let mut open = called.to_vec();
     let mut wanted = level;
@@ -113,6 +109,11 @@ pub(super) fn level_for_steps(
             open.extend(calls.map(|&(op, _)| usize::from(op)));
         }
     }
+    wanted
+}
+
+/// The highest level that a mesh has, from one that it surely has up to one that is wanted.
+pub(crate) fn highest_between(mesh: &Mesh, level: Level, wanted: Level) -> Level {
     let mut levels = Level::ALL.into_iter().rev();
     let has = |&of: &Level| level < of && of <= wanted && validate_level(mesh, of).is_ok();
     levels.find(has).unwrap_or(level)
@@ -160,7 +161,7 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
     let (first, calls) = match known.split_first() {
         Some(((_, span), calls)) => (*span, calls),
-        None => (prepared.script.span, known.as_slice()),
+        None => (prepared.span, known.as_slice()),
     };
     let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
     if let Message::Asserted { values, .. } = &trap.message
@@ -185,11 +186,11 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     }
 }
 
-fn plan<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p Plan> {
+fn plan<'p>(prepared: &'p Prepared, site: &Site) -> Option<&'p Plan> {
     prepared.plans.get(usize::from(site.op?))?.as_ref()
 }
 
-fn name<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p str> {
+fn name<'p>(prepared: &'p Prepared, site: &Site) -> Option<&'p str> {
     plan(prepared, site).map(|plan| plan.name.as_str())
 }
 

@@ -13,7 +13,7 @@ use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp, Steps};
-use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
+use crate::rewrite::{self, Asking, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 
 /// Makes plans of the operations in steps of a program, among the plans of the others. One
 /// that calls an operation without a plan gets none.
@@ -156,6 +156,7 @@ impl Lowered<'_> {
             places: lowering.names.places,
             refusals,
             stages: Vec::new(),
+            asking: Asking::default(),
             steps: Some(rewrite::Steps { calls, below }),
         }))
     }
