@@ -7,8 +7,8 @@ use std::path::Path;
 use super::arguments::FmtArguments;
 use super::failure::Failure;
 use super::output::{complain, complain_of};
-use super::program::{as_text, text_of};
 use crate::format::{Formatted, format};
+use crate::session::{as_text, text_of};
 use crate::source::Sources;
 
 /// What a file is called that comes from standard input.

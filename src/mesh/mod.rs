@@ -32,12 +32,16 @@ pub mod validate;
 mod walk;
 
 // Where meshes come from and where they go.
+mod arrays;
 mod build;
 mod build_error;
 mod dump;
 mod obj;
 mod polygons;
 pub mod shape;
+
+/// The vectors and matrices of positions and attributes.
+pub use glam;
 
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,

@@ -103,7 +103,12 @@ impl Machine {
 
     /// From now on remembers what each run creates.
     pub fn remember_created(&mut self) {
-        self.created = Some(Vec::new());
+        self.created.get_or_insert_default();
+    }
+
+    /// From now on remembers that no more.
+    pub fn forget_created(&mut self) {
+        self.created = None;
     }
 
     /// What the last run created, in that order, if that is remembered. Some of it may
@@ -115,6 +120,19 @@ impl Machine {
     /// The window of the last run: what its registers hold.
     pub fn window(&self) -> &[u64] {
         &self.stack
+    }
+
+    /// The level that the mesh of the last run surely has now.
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Counts anew from here on.
+    pub fn clear_counts(&mut self) {
+        for count in &mut self.counts {
+            count.applied = 0;
+            count.refused.fill(0);
+        }
     }
 
     /// For each operation what became of the calls so far.

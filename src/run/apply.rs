@@ -115,6 +115,26 @@ impl Application {
         })
     }
 
+    /// Its parameters, as those of a script that does nothing.
+    pub(crate) fn parameters(&self) -> &Prepared {
+        &self.parameters
+    }
+
+    /// The columns that it needs.
+    pub(crate) fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    /// The level that a mesh should have for all that its steps call.
+    pub(crate) fn wanted(&self) -> Level {
+        self.wanted
+    }
+
+    /// Why a mesh is not of its level, if it is not.
+    pub(crate) fn expect_level(&self, mesh: &Mesh) -> Result<(), Diagnostic> {
+        expect_level(self.plan(), mesh, self.place)
+    }
+
     /// Its plan.
     pub fn plan(&self) -> &Plan {
         self.plans[self.op].as_ref().expect("only a proved operation is applied")

@@ -6,12 +6,17 @@ use super::columns::Columns;
 use super::function::{Functions, routine, with_functions};
 use super::lower::Lowering;
 use super::steps::with_steps;
+use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
 use crate::rewrite::{Code, Plans, TooLarge};
 use crate::source::Span;
+
+/// What may be wrong with how often a parameter is given: the code and the words.
+const MISSING: (&str, &str) = ("missing-argument", "has no value");
+const TWICE: (&str, &str) = ("repeated-argument", "is given more than once");
 
 /// A script, ready to run.
 #[derive(Clone, Debug)]
@@ -134,6 +139,16 @@ impl Prepared {
         &self.code
     }
 
+    /// Its parameters, in order.
+    pub(crate) fn params(&self) -> &[Param] {
+        &self.params
+    }
+
+    /// The columns that it needs.
+    pub(crate) fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
     /// The attributes that it uses and that are not scratch: what it would take from a file.
     pub fn attributes(&self) -> impl Iterator<Item = WantedAttribute<'_>> {
         self.columns.public()
@@ -175,32 +190,81 @@ impl Prepared {
         arguments: &[(String, Argument)],
         texts: &mut Vec<String>,
     ) -> Result<Vec<u64>, Diagnostic> {
+        let mut values = vec![None; self.params.len()];
         for (name, value) in arguments {
-            let Some(param) = self.param(name) else {
-                return Err(self.no_such_parameter(name));
-            };
-            if param.ty != value.ty() {
-                return Err(wrong_type(param, value.ty()));
-            }
-            if !value.exists_in(mesh) {
-                let message = format!("`{name}` is no {} of the mesh", param.ty.word());
-                return Err(Diagnostic::error("wrong-argument", message, param.span));
-            }
-        }
-        let names = arguments.iter().map(|(name, _)| name.as_str());
-        if let Some(error) = self.badly_given(names).into_iter().next() {
-            return Err(error);
+            self.give(name, value.clone(), &mut values)?;
         }
         let mut slots = Vec::new();
-        let mut given = Vec::new();
-        for param in &self.params {
-            let argument = arguments.iter().find(|(name, _)| *name == param.name);
-            given.push(u64::from(argument.is_some()));
-            let nothing = vec![0; usize::from(crate::compile::width(param.ty))];
-            slots.extend(argument.map_or(nothing, |(_, value)| value.slots(texts)));
-        }
-        slots.extend(given);
+        self.fill(mesh, &values, texts, &mut slots)?;
         Ok(slots)
+    }
+
+    /// Puts the value of a parameter to its place.
+    pub(crate) fn give(
+        &self,
+        name: &str,
+        value: Argument,
+        values: &mut [Option<Argument>],
+    ) -> Result<(), Diagnostic> {
+        let at = self.params.iter().position(|param| param.name == name);
+        let Some(at) = at else {
+            return Err(self.no_such_parameter(name));
+        };
+        match values.get_mut(at) {
+            Some(free @ None) => *free = Some(value),
+            _ => return Err(self.wrongly_given(&self.params[at], TWICE)),
+        }
+        Ok(())
+    }
+
+    /// Fills slots with the values of the parameters, which are looked at, and after them for
+    /// each whether it is given. Says whether all are.
+    pub(crate) fn fill(
+        &self,
+        mesh: &Mesh,
+        values: &[Option<Argument>],
+        texts: &mut Vec<String>,
+        slots: &mut Vec<u64>,
+    ) -> Result<bool, Diagnostic> {
+        slots.clear();
+        for (param, value) in self.params.iter().zip(values) {
+            match value {
+                Some(Argument::Int(value)) if param.ty == Type::Real => {
+                    slots.push((*value as f64).to_bits());
+                }
+                Some(value) => {
+                    if param.ty != value.ty() {
+                        return Err(wrong_type(param, value.ty()));
+                    }
+                    if !value.is_finite() {
+                        let message = format!("`{}` is not finite", param.name);
+                        return Err(Diagnostic::error("wrong-argument", message, param.span));
+                    }
+                    if !value.exists_in(mesh) {
+                        let message =
+                            format!("`{}` is no {} of the mesh", param.name, param.ty.word());
+                        return Err(Diagnostic::error("wrong-argument", message, param.span));
+                    }
+                    value.fill(texts, slots);
+                }
+                None if param.default.is_none() => {
+                    return Err(self.wrongly_given(param, MISSING));
+                }
+                None => slots.extend(std::iter::repeat_n(0, usize::from(width(param.ty)))),
+            }
+        }
+        slots.extend(values.iter().map(|value| u64::from(value.is_some())));
+        Ok(values.iter().all(Option::is_some))
+    }
+
+    /// The error of one value too many.
+    pub(crate) fn too_many(&self) -> Diagnostic {
+        let message = match self.params.len() {
+            0 => format!("`{}` has no parameters", self.name),
+            1 => format!("`{}` has only one parameter", self.name),
+            count => format!("`{}` has only {count} parameters", self.name),
+        };
+        Diagnostic::error("wrong-argument", message, self.span)
     }
 
     fn param(&self, name: &str) -> Option<&Param> {
@@ -212,16 +276,18 @@ impl Prepared {
         let mut errors = Vec::new();
         for param in &self.params {
             let times = names.clone().filter(|name| *name == param.name).count();
-            let problem = match times {
-                0 if param.default.is_none() => ("missing-argument", "has no value"),
-                0 | 1 => continue,
-                _ => ("repeated-argument", "is given more than once"),
-            };
-            let message = format!("`{}` of `{}` {}", param.name, self.name, problem.1);
-            let error = Diagnostic::error(problem.0, message, param.span);
-            errors.push(error.note(format!("it wants {}", example(param.ty))));
+            match times {
+                0 if param.default.is_none() => errors.push(self.wrongly_given(param, MISSING)),
+                0 | 1 => {}
+                _ => errors.push(self.wrongly_given(param, TWICE)),
+            }
         }
         errors
+    }
+
+    fn wrongly_given(&self, param: &Param, (code, how): (&'static str, &str)) -> Diagnostic {
+        let message = format!("`{}` of `{}` {how}", param.name, self.name);
+        Diagnostic::error(code, message, param.span).note(format!("it wants {}", example(param.ty)))
     }
 
     fn no_such_parameter(&self, name: &str) -> Diagnostic {

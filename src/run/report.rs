@@ -79,8 +79,9 @@ pub(super) fn run_with(
     }
 }
 
-/// The level that the operations with a guard need, if the mesh has it.
-fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
+/// The level that the operations with a guard need, if the mesh has it; of those that they call in
+/// steps, as far as it has it.
+pub(crate) fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
     let mut level = Level::Map;
     for (&op, &call) in prepared.called.iter().zip(&prepared.calls) {
         if let Some(Some(plan)) = prepared.plans.get(op)
@@ -92,6 +93,11 @@ fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
     }
     let wanted = level_of_steps(&prepared.plans, &prepared.called, level);
     Ok(highest_between(mesh, level, wanted))
+}
+
+/// The highest level of the operations that a script calls, and of all that their steps lead to.
+pub(crate) fn wanted(prepared: &Prepared) -> Level {
+    level_of_steps(&prepared.plans, &prepared.called, Level::Map)
 }
 
 /// The highest level of some operations and of all that their steps lead to, at least `level`.
@@ -131,7 +137,8 @@ pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), 
     })
 }
 
-fn report(prepared: &Prepared, counts: &[Count]) -> Report {
+/// What became of the calls of the operations that a script calls.
+pub(crate) fn report(prepared: &Prepared, counts: &[Count]) -> Report {
     let called = prepared.called.iter();
     let ops = called.filter_map(|&op| {
         let plan = prepared.plans.get(op)?.as_ref()?;
@@ -156,7 +163,7 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
 const MOST_CALLERS: usize = 8;
 
 /// The diagnostic of a trap: it points at the innermost place that is known.
-pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
+pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     let known: Vec<(&Site, Span)> =
         trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
     let (first, calls) = match known.split_first() {
