@@ -45,7 +45,7 @@
 //! }
 //! assert!(validate(session.mesh()).is_ok());
 //!
-//! let (positions, triangles) = session.into_mesh().to_triangles().map_err(|f| format!("{f}"))?;
+//! let (positions, triangles) = session.into_mesh().to_triangles()?;
 //! assert_eq!(positions, corners);
 //! assert_eq!(triangles.len(), 2);
 //! # Ok(())

@@ -6,9 +6,7 @@ use hedgerow::mesh::{
     Dump, EdgeId, ElementKind, FaceId, HalfedgeId, Level, Mesh, Value, VertexId, identical, shape,
     validate, validate_level, write_dump,
 };
-use hedgerow::{
-    Argument, Error, Op, Outcome, Program, Script, Session, Unwatched, Verdict, Watch,
-};
+use hedgerow::{Argument, Error, Op, Outcome, Program, Script, Session, Unwatched, Verdict, Watch};
 
 const OPS: &str = "
 attr hits: edge int = 0
@@ -458,13 +456,18 @@ fn copies_and_threads() {
 
 #[test]
 fn what_is_wrong_with_a_program_is_told_with_its_places() {
-    let error = Program::parse("wrong.hedge", "op flip(e: edge) {\n  before { edge x: a | b }\n}").unwrap_err();
+    let error = Program::parse("wrong.hedge", "op flip(e: edge) {\n  before { edge x: a | b }\n}")
+        .unwrap_err();
     assert!(!error.diagnostics().is_empty());
     assert!(error.to_string().contains("wrong.hedge:"), "{error}");
     let program = program();
-    let parameters: Vec<_> = program.script("says").unwrap().parameters().iter().map(|p| {
-        (p.name.to_owned(), p.ty, p.default.map(str::to_owned))
-    }).collect();
+    let parameters: Vec<_> = program
+        .script("says")
+        .unwrap()
+        .parameters()
+        .iter()
+        .map(|p| (p.name.to_owned(), p.ty, p.default.map(str::to_owned)))
+        .collect();
     assert_eq!(parameters[0], ("what".to_owned(), "text", None));
     assert_eq!(parameters[1], ("how".to_owned(), "vec3", Some("(0, 0, 1)".to_owned())));
     let names: Vec<_> = program.ops().map(|op| op.name().to_owned()).collect();

@@ -1,5 +1,7 @@
 //! Meshes as arrays: the list of positions and polygons that other programs know.
 
+use std::fmt;
+
 use glam::DVec3;
 
 use super::build_error::BuildError;
@@ -46,11 +48,12 @@ impl Mesh {
     /// # Errors
     /// The first face that has not three sides.
     #[allow(clippy::type_complexity)]
-    pub fn to_triangles(&self) -> Result<(Vec<[f64; 3]>, Vec<[u32; 3]>), FaceId> {
+    pub fn to_triangles(&self) -> Result<(Vec<[f64; 3]>, Vec<[u32; 3]>), NotATriangle> {
         let (positions, polygons) = self.to_polygons();
         let faces = self.faces().filter(|&face| !self.is_hole(face));
         let triangles = faces.zip(polygons.iter());
-        let triangles = triangles.map(|(face, corners)| corners.try_into().map_err(|_| face));
+        let triangles =
+            triangles.map(|(face, corners)| corners.try_into().map_err(|_| NotATriangle(face)));
         let positions = positions.into_iter().map(|p| p.to_array()).collect();
         Ok((positions, triangles.collect::<Result<_, _>>()?))
     }
@@ -66,6 +69,18 @@ impl Mesh {
         &self.halfedges
     }
 }
+
+/// A face that has not three sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotATriangle(pub FaceId);
+
+impl fmt::Display for NotATriangle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is no triangle", self.0)
+    }
+}
+
+impl std::error::Error for NotATriangle {}
 
 #[cfg(test)]
 mod tests {

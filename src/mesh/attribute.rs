@@ -74,6 +74,27 @@ macro_rules! attribute_types {
                 }
             }
 
+            fn fill(&mut self, value: Value) {
+                match (self, value) {
+                    $((Self::$variant(xs), Value::$variant(x)) => xs.fill(x),)*
+                    _ => {}
+                }
+            }
+
+            /// Makes room for so many more values; whether it could.
+            fn reserve(&mut self, more: usize) -> bool {
+                match self { $(Self::$variant(xs) => xs.try_reserve_exact(more).is_ok()),* }
+            }
+
+            /// The memory that one value takes, and all of them, in bytes.
+            fn bytes(&self) -> [usize; 2] {
+                match self {
+                    $(Self::$variant(xs) => {
+                        [size_of::<$type>(), size_of::<$type>() * xs.capacity()]
+                    })*
+                }
+            }
+
             fn shrink(&mut self, len: usize) {
                 match self { $(Self::$variant(xs) => xs.truncate(len)),* }
             }
@@ -245,6 +266,21 @@ impl Columns {
         }
     }
 
+    /// The memory that they take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.0.iter().map(|column| column.data.bytes()[1]).sum()
+    }
+
+    /// The memory that the values of one element take.
+    pub(super) fn bytes_of_one(&self) -> usize {
+        self.0.iter().map(|column| column.data.bytes()[0]).sum()
+    }
+
+    /// Makes room for so many more values in each; whether it could.
+    pub(super) fn reserve(&mut self, more: usize) -> bool {
+        self.0.iter_mut().all(|column| column.data.reserve(more))
+    }
+
     /// Takes the column away that was added last.
     pub(super) fn drop_last(&mut self) {
         self.0.pop();
@@ -281,7 +317,9 @@ impl Mesh {
                 false => Err(ColumnConflict { kind, name: name.to_owned(), has, wanted }),
             };
         }
-        let data = default.column(self.capacity(kind));
+        let mut data = default.column(self.capacity(kind));
+        // It grows with the tables.
+        data.reserve(self.reserved(kind));
         let columns = &mut self.columns[kind as usize].0;
         columns.push(Column { name: name.to_owned(), default, data });
         let place = columns.len() as u32 - 1;
@@ -306,9 +344,8 @@ impl Mesh {
 
     /// Puts the default into every slot. No journal notes it: it is for scratch.
     pub(crate) fn clear_column(&mut self, id: ColumnId) {
-        let len = self.capacity(id.kind);
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-            column.data = column.default.column(len);
+            column.data.fill(column.default);
         }
     }
 

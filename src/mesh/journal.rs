@@ -57,6 +57,11 @@ pub(super) struct Journal {
 }
 
 impl Journal {
+    /// The memory that the notes take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.notes.capacity() * size_of::<Note>()
+    }
+
     #[inline]
     pub(super) fn is_open(&self) -> bool {
         self.open > 0

@@ -41,6 +41,8 @@ pub struct Machine {
     pub(super) meshes: Vec<Mesh>,
     /// What was created, if anybody wants to know.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
+    /// How many bytes mesh and lists may take.
+    pub(super) memory: usize,
 }
 
 /// What became of the calls of an operation.
@@ -80,6 +82,7 @@ impl Machine {
             holding: 0,
             meshes: Vec::new(),
             created: None,
+            memory: usize::MAX,
         }
     }
 

@@ -26,6 +26,7 @@ mod arithmetic;
 mod around;
 mod attribute;
 mod drain;
+mod memory;
 mod notes;
 mod observe;
 mod preview;

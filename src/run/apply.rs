@@ -184,7 +184,12 @@ impl Application {
     /// A trap in its own code or in what that calls, at its place there.
     pub(crate) fn told(&self, trap: Trap) -> Diagnostic {
         match trap.trace.iter().find_map(|site| self.span(site)) {
-            Some(span) if !matches!(trap.message, Message::Interrupted | Message::NoRoom(_)) => {
+            Some(span)
+                if !matches!(
+                    trap.message,
+                    Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_)
+                ) =>
+            {
                 Diagnostic::error("run-time-error", trap.message.to_string(), span)
             }
             _ => diagnostic(&self.parameters, trap),

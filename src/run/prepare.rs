@@ -36,6 +36,8 @@ pub struct Prepared {
     pub(super) called: Vec<usize>,
     /// Where it calls each of them first.
     pub(super) calls: Vec<Span>,
+    /// How many bytes mesh and lists may take.
+    pub(super) memory: usize,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -104,6 +106,7 @@ pub(super) fn prepare_script(
         functions,
         places: lowering.names.places,
         assertions: lowering.assertions,
+        memory: usize::MAX,
         calls: called.iter().map(|&(_, call)| call).collect(),
         called: called.into_iter().map(|(op, _)| op).collect(),
     })
@@ -137,6 +140,12 @@ impl Prepared {
     /// The code of the script, to look at.
     pub fn code(&self) -> &Code {
         &self.code
+    }
+
+    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: a run that needs more
+    /// fails with `no-room`.
+    pub fn limit_memory(&mut self, bytes: usize) {
+        self.memory = bytes;
     }
 
     /// Its parameters, in order.

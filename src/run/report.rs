@@ -67,6 +67,7 @@ pub(super) fn run_with(
         .bind(mesh)
         .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let mut machine = Machine::new(&prepared.plans);
+    machine.limit_memory(prepared.memory);
     machine.trust_level(level);
     machine.use_columns(columns);
     machine.use_meshes(meshes);
@@ -222,7 +223,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::IntOverflow | Message::RoundsNaN => "int-overflow",
         Message::NotFinite => "not-finite",
         Message::KeyNotANumber => "key-not-a-number",
-        Message::NoRoom(_) => "no-room",
+        Message::NoRoom(_) | Message::NoMemory(_) => "no-room",
         Message::Endless => "broken-mesh",
         Message::Said(_) | Message::Asserted { .. } => match asserted(prepared, trap) {
             true => "assertion-failed",

@@ -104,6 +104,12 @@ impl Session {
         copy
     }
 
+    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: what needs more fails with
+    /// `no-room`. There is none at first.
+    pub fn limit_memory(&mut self, bytes: usize) {
+        self.machine.limit_memory(bytes);
+    }
+
     /// Whether an element is alive.
     pub fn is_alive(&self, element: impl Into<Element>) -> bool {
         let Element { kind, index } = element.into();
