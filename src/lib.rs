@@ -84,7 +84,7 @@
 //! let program = Program::parse(
 //!     "heat.hedge",
 //!     "attr heat: vertex real
-//!      script spread() { update v in vertices { v.heat = mean(w in v.neighbors, w.heat) } }",
+//!      script spread() { update v in vertices { v.heat = mean(w.heat for w in v.neighbors) } }",
 //! )?;
 //! let mut mesh = shape::octahedron();
 //! let heat = mesh.add_column(ElementKind::Vertex, "heat", Value::Real(0.0)).expect("it is new");

@@ -17,7 +17,7 @@ op flip(e: edge) {
     face f1: v1 -d-> v0 -g-> v3 -h-> v1
     edge e: a | d
   }
-  require not adjacent(v2, v3), \"the edge is there\"
+  require not adjacent(v2, v3) else \"the edge is there\"
   after {
     face f0: v3 -a-> v2 -c-> v0 -g-> v3
     face f1: v2 -d-> v3 -h-> v1 -b-> v2
@@ -26,14 +26,24 @@ op flip(e: edge) {
   }
 }
 op count(v: vertex, most: int = 5) {
-  before { vertex v: * }
-  require v.seen <= most, \"it has been counted\"
-  after { vertex v: *  v.seen = v.seen + 1 }
+  before { face f: v -a-> w =P=> v }
+  require v.seen <= most else \"it has been counted\"
+  after {
+    face f: v -a-> w =P=> v
+    v.seen = v.seen + 1
+  }
 }
 op divide(e: edge, by: int) {
-  before { edge e: a | b }
-  require 10 div by > 0, \"it is too small\"
-  after { edge e: a | b  e.hits = 10 div by }
+  before {
+    face f: v -a-> w =P=> v
+    edge e: a | b
+  }
+  require 10 div by > 0 else \"it is too small\"
+  after {
+    face f: v -a-> w =P=> v
+    edge e: a | b
+    e.hits = 10 div by
+  }
 }
 op split(e: edge) -> m {
   before {
@@ -54,23 +64,25 @@ op split(e: edge) -> m {
     m.position = (v0.position + v1.position) / 2
   }
 }
-op twice(e: edge) steps {
-  must split(e)
-  print \"one is done\"
-  must flip(e)
+op twice(e: edge) {
+  steps {
+    must split(e)
+    print \"one is done\"
+    must flip(e)
+  }
 }
 script all_flips(rounds: int = 1) {
   repeat rounds { for e in edges { flip(e) } }
 }
 script stops(at: int) {
-  let done = 0
+  var done = 0
   for e in edges {
     flip(e)
     done = done + 1
-    assert done < at, \"enough\"
+    assert done < at else \"enough\"
   }
 }
-script says(what: text, how: vec3 = (0, 0, 1)) { print what, \" \", how }
+script says(what: text, how: vec3 = vec3(0, 0, 1)) { print what, how }
 ";
 
 fn program() -> Program {
@@ -364,10 +376,10 @@ fn steps_are_asked_and_say_nothing() {
     }
     let program = program();
     let says = program.script("says").unwrap();
-    let mut session = Session::new(&program, shape::cube());
+    let mut session = Session::new(&program, shape::octahedron());
     let mut lines = Lines(Vec::new());
     let twice = program.op("twice").unwrap();
-    assert!(session.mask(&twice, ()).unwrap().iter().all(|can| !can));
+    assert!(session.mask(&twice, ()).unwrap().iter().all(|can| *can));
     session.run_watched(&says, ("hello", [1.0, 2.0, 3.0]), &mut lines).unwrap();
     session.run_watched(&says, [("what", "one is done")], &mut lines).unwrap();
     assert_eq!(lines.0, ["hello (1, 2, 3)", "one is done (0, 0, 1)"]);
@@ -469,7 +481,7 @@ fn what_is_wrong_with_a_program_is_told_with_its_places() {
         .map(|p| (p.name.to_owned(), p.ty, p.default.map(str::to_owned)))
         .collect();
     assert_eq!(parameters[0], ("what".to_owned(), "text", None));
-    assert_eq!(parameters[1], ("how".to_owned(), "vec3", Some("(0, 0, 1)".to_owned())));
+    assert_eq!(parameters[1], ("how".to_owned(), "vec3", Some("vec3(0, 0, 1)".to_owned())));
     let names: Vec<_> = program.ops().map(|op| op.name().to_owned()).collect();
     assert_eq!(names, ["flip", "count", "divide", "split", "twice"]);
 }

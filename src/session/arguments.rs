@@ -10,7 +10,7 @@ use crate::run::{Argument, Prepared};
 /// # use hedgerow::{Argument, Program, Session};
 /// # fn main() -> Result<(), hedgerow::Error> {
 /// # let program = Program::parse("p", "
-/// # script move(by: vec3 = (0, 0, 1), times: int = 1) {
+/// # script move(by: vec3 = vec3(0, 0, 1), times: int = 1) {
 /// #   repeat times { for v in vertices { v.position = v.position + by } }
 /// # }")?;
 /// # let mut session = Session::new(&program, hedgerow::mesh::shape::cube());

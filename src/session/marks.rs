@@ -71,7 +71,10 @@ impl Session {
     /// # use hedgerow::{Program, Session, mesh::shape};
     /// # fn main() -> Result<(), hedgerow::Error> {
     /// let program = Program::parse("p", "script go() {
-    ///   for v in vertices { v.position = 2 * v.position  assert v != v }
+    ///   for v in vertices {
+    ///     v.position = 2 * v.position
+    ///     assert degree(v) < 0
+    ///   }
     /// }")?;
     /// let mut session = Session::new(&program, shape::cube());
     /// let before = session.mesh().positions().to_vec();

@@ -286,8 +286,9 @@ impl Session {
             let code = parameters.code();
             let run = self.machine.run(&mut self.mesh, code, &self.slots, &mut Unwatched);
             run.map_err(|trap| self.error(application.told_of_parameters(trap)))?;
-            let len = self.slots.len();
-            self.slots.copy_from_slice(&self.machine.window()[..len]);
+            for (slot, value) in self.slots.iter_mut().zip(self.machine.window()) {
+                *slot = *value;
+            }
         }
         Ok(())
     }

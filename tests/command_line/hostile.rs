@@ -23,8 +23,10 @@ op split(e: edge) -> m {
     m.position = (v0.position + v1.position) / 2
   }
 }
-op many(e: edge) steps {
-  while true { must split(e) }
+op many(e: edge) {
+  steps {
+    while true { must split(e) }
+  }
 }
 script grow() { while true { for e in edges { split(e) } } }
 script steps() { for e in edges { many(e) } }
@@ -51,9 +53,19 @@ fn nothing_speaks_to_the_terminal() {
     let bench = Bench::with_square();
     let evil = "\u{1b}]0;owned\u{7}\u{9b}2J\u{202e}";
     let op = "
-op refuse(v: vertex) { before { vertex v: * } require false, \"REASON\" after { vertex v: * } }
-script s() { print \"REASON\"  for v in vertices { refuse(v) }  assert false, \"REASON\" }
-script t() { for v in vertices { refuse(v) } }
+op refuse(v: vertex) {
+  before { face f: v -a-> w =P=> v }
+  require degree(v) < 0 else \"REASON\"
+  after { face f: v -a-> w =P=> v }
+}
+script s() {
+  print \"REASON\"
+  for v in vertices { refuse(v) }
+  assert count(vertices) < 0 else \"REASON\"
+}
+script t() {
+  for v in vertices { refuse(v) }
+}
 ";
     bench.write("e.hedge", op.replace("REASON", evil));
     let named = format!("{evil}.obj");
