@@ -16,7 +16,7 @@ pub struct Examined {
     pub proved: Option<Proved>,
     /// Its plan, if it is proved.
     pub plan: Option<Plan>,
-    /// A smallest mesh for each rejected rule that breaks one.
+    /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
     /// The laws it breaks.
     pub diagnostics: Vec<Diagnostic>,

@@ -24,7 +24,7 @@ pub struct Analysis {
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
     pub plans: Plans,
-    /// A smallest mesh for each rejected rule that breaks one.
+    /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
     /// Everything that is wrong, file by file in the order of the text.
     pub diagnostics: Vec<Diagnostic>,

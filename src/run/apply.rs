@@ -7,7 +7,7 @@ use super::report::{Failure, diagnostic, expect_level, highest_between, level_of
 use super::steps::with_steps;
 use super::{Argument, Prepared, Report, prepare};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{ElementKind, Level, Mesh, Value};
+use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
 use crate::resolve::{Program, Script, Variable};
 use crate::rewrite::{Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch};
 use crate::source::Span;
@@ -163,7 +163,7 @@ impl Application {
         let slots = machine.window().to_vec();
         let outcome = machine.apply_watched(mesh, plan, &slots, watch);
         self.columns.release(mesh);
-        Ok(match outcome.map_err(|trap| failure(self.told(trap)))? {
+        Ok(match outcome.map_err(|trap| failure(self.told(trap, mesh)))? {
             Outcome::Applied { result } => {
                 let created = machine.created().to_vec();
                 Applied::Done { result: plan.result.zip(result), created }
@@ -181,18 +181,27 @@ impl Application {
         diagnostic(&self.parameters, trap)
     }
 
-    /// A trap in its own code or in what that calls, at its place there.
-    pub(crate) fn told(&self, trap: Trap) -> Diagnostic {
-        match trap.trace.iter().find_map(|site| self.span(site)) {
-            Some(span)
-                if !matches!(
-                    trap.message,
-                    Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_)
-                ) =>
-            {
-                Diagnostic::error("run-time-error", trap.message.to_string(), span)
+    /// A trap in its own code or in what that calls, at its place there. The mesh is as it was.
+    pub(crate) fn told(&self, trap: Trap, mesh: &Mesh) -> Diagnostic {
+        let Some(span) = trap.trace.iter().find_map(|site| self.span(site)) else {
+            return diagnostic(&self.parameters, trap);
+        };
+        let message = trap.message.to_string();
+        match &trap.message {
+            Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_) => {
+                diagnostic(&self.parameters, trap)
             }
-            _ => diagnostic(&self.parameters, trap),
+            Message::BelowLevel { op, level } => match validate_level(mesh, *level) {
+                Err(below) => {
+                    let name = &self.plan().name;
+                    let message = format!(
+                        "`{op}`, a step of `{name}`, is for meshes of level {level}, and this one is not"
+                    );
+                    Diagnostic::error("below-level", message, span).note(below.to_string())
+                }
+                Ok(()) => Diagnostic::error("below-level", message, span),
+            },
+            _ => Diagnostic::error("run-time-error", message, span),
         }
     }
 

@@ -96,14 +96,13 @@ impl Session {
                 Ok(Outcome::Refused { reason }) => {
                     Verdict::Refuses(reason.map_or(unknown, usize::from).min(unknown))
                 }
-                Err(trap) => return Err(self.error(told_at(application.told(trap), kind, id))),
+                Err(trap) => {
+                    let told = application.told(trap, &self.mesh);
+                    return Err(self.error(told.note(format!("asked at {kind} {id}"))));
+                }
             };
             answers[id as usize] = answer(verdict);
         }
         Ok(answers)
     }
-}
-
-fn told_at(diagnostic: Diagnostic, kind: ElementKind, id: u32) -> Diagnostic {
-    diagnostic.note(format!("asked at {kind} {id}"))
 }

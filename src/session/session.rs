@@ -325,7 +325,7 @@ impl Session {
     }
 
     pub(super) fn trapped(&self, application: &Application, trap: Trap) -> Error {
-        self.error(application.told(trap))
+        self.error(application.told(trap, &self.mesh))
     }
 
     pub(super) fn error(&self, diagnostic: Diagnostic) -> Error {
