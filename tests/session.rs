@@ -25,7 +25,7 @@ op flip(e: edge) {
     e.hits = e.hits + 1
   }
 }
-op count(v: vertex, most: int = 5) {
+op visit(v: vertex, most: int = 5) {
   before { face f: v -a-> w =P=> v }
   require v.seen <= most else \"it has been counted\"
   after {
@@ -82,7 +82,7 @@ script stops(at: int) {
     assert done < at else \"enough\"
   }
 }
-script says(what: text, how: vec3 = vec3(0, 0, 1)) { print what, how }
+script says(what: int, how: vec3 = vec3(0, 0, 1)) { print what, how }
 ";
 
 fn program() -> Program {
@@ -213,7 +213,7 @@ fn what_does_not_fit_is_an_error_and_the_mesh_is_as_it_was() {
     let program = program();
     let other = program.op("flip").unwrap();
     let alike = Program::parse("ops.hedge", OPS).unwrap();
-    let [flip, divide, count] = ["flip", "divide", "count"].map(|op| alike.op(op).unwrap());
+    let [flip, divide, visit] = ["flip", "divide", "visit"].map(|op| alike.op(op).unwrap());
     let mut session = Session::new(&alike, shape::octahedron());
     let dead = EdgeId(1);
     session.mesh_mut().add_edge();
@@ -238,7 +238,7 @@ fn what_does_not_fit_is_an_error_and_the_mesh_is_as_it_was() {
         (code(session.can(&divide, (dead, 0)).unwrap_err()), "run-time-error"),
         (code(session.mask(&divide, [("by", 0)]).unwrap_err()), "run-time-error"),
         (code(session.apply(&divide, (dead, "2")).unwrap_err()), "wrong-argument"),
-        (code(session.apply(&count, (VertexId(0), 1, 2)).unwrap_err()), "wrong-argument"),
+        (code(session.apply(&visit, (VertexId(0), 1, 2)).unwrap_err()), "wrong-argument"),
         (code(program.op("flop").unwrap_err()), "unknown-op"),
         (code(program.op("all_flips").unwrap_err()), "unknown-op"),
         (code(program.script("flip").unwrap_err()), "unknown-script"),
@@ -380,19 +380,19 @@ fn steps_are_asked_and_say_nothing() {
     let mut lines = Lines(Vec::new());
     let twice = program.op("twice").unwrap();
     assert!(session.mask(&twice, ()).unwrap().iter().all(|can| *can));
-    session.run_watched(&says, ("hello", [1.0, 2.0, 3.0]), &mut lines).unwrap();
-    session.run_watched(&says, [("what", "one is done")], &mut lines).unwrap();
-    assert_eq!(lines.0, ["hello (1, 2, 3)", "one is done (0, 0, 1)"]);
+    session.run_watched(&says, (7, [1.0, 2.0, 3.0]), &mut lines).unwrap();
+    session.run_watched(&says, [("what", 8)], &mut lines).unwrap();
+    assert_eq!(lines.0, ["7 (1, 2, 3)", "8 (0, 0, 1)"]);
 }
 
 #[test]
 fn scratch_has_its_default_at_each_call() {
     let program = program();
-    let count = program.op("count").unwrap();
+    let visit = program.op("visit").unwrap();
     let mut session = Session::new(&program, shape::cube());
     for _ in 0..3 {
-        assert!(session.apply(&count, VertexId(0)).unwrap().is_applied());
-        assert!(!session.apply(&count, (VertexId(0), 4)).unwrap().is_applied());
+        assert!(session.apply(&visit, VertexId(0)).unwrap().is_applied());
+        assert!(!session.apply(&visit, (VertexId(0), 4)).unwrap().is_applied());
     }
     let mesh = session.into_mesh();
     assert_eq!(mesh.columns(ElementKind::Vertex).count(), 0);
@@ -480,8 +480,8 @@ fn what_is_wrong_with_a_program_is_told_with_its_places() {
         .iter()
         .map(|p| (p.name.to_owned(), p.ty, p.default.map(str::to_owned)))
         .collect();
-    assert_eq!(parameters[0], ("what".to_owned(), "text", None));
+    assert_eq!(parameters[0], ("what".to_owned(), "int", None));
     assert_eq!(parameters[1], ("how".to_owned(), "vec3", Some("vec3(0, 0, 1)".to_owned())));
     let names: Vec<_> = program.ops().map(|op| op.name().to_owned()).collect();
-    assert_eq!(names, ["flip", "count", "divide", "split", "twice"]);
+    assert_eq!(names, ["flip", "visit", "divide", "split", "twice"]);
 }
