@@ -2,7 +2,6 @@
 
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::ElementKind;
 use crate::rewrite::{Outcome, Unwatched};
 use crate::run::Argument;
 
