@@ -67,6 +67,7 @@ impl Examined {
 
 fn too_large(span: Span, name: &str) -> Diagnostic {
     Diagnostic::error("too-large", format!("`{name}` is too large to compile"), span).note(
-        "its diagrams need more registers or tests than there can be: split it into smaller ops",
+        "its diagrams need more than the 65,536 registers or tests that there can be: draw runs that \
+         stay as they are as paths, `=P=>`, or make smaller ops of it",
     )
 }

@@ -6,9 +6,8 @@ use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
 use super::output::{complain, complain_of};
-use crate::analysis::{Analysis, meant};
+use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
-use crate::session::{Disk, text_of};
 use crate::source::{Sources, Span};
 
 /// A program as read from a file.
@@ -19,8 +18,16 @@ pub(super) struct Program {
 
 /// Reads a program, and the files it uses. What is wrong inside them is in its diagnostics.
 ///
-/// A path that leads to no file, but is the name of one of the library, means that.
+/// A path that leads to no file, but does with `.hedge` behind it, means that; one that is the name
+/// of a file of the library means that.
 pub(super) fn read(path: &Path) -> Result<Program, Failure> {
+    let mut longer = path.as_os_str().to_owned();
+    longer.push(".hedge");
+    let longer = Path::new(&longer);
+    let path = match !path.is_file() && longer.is_file() {
+        true => longer,
+        false => path,
+    };
     let shown = path.display().to_string();
     if is_mesh(path) {
         return Err(Failure::usage(format!(
@@ -30,7 +37,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let of_library = library::file(&shown).filter(|_| !path.exists());
     let text = match of_library {
         Some(file) => Ok(file.text.to_owned()),
-        None => text_of(path),
+        None => read_program(path),
     };
     let text = text.map_err(|why| {
         let advice = match meant(&shown, &shown, &mut Disk) {

@@ -29,7 +29,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         Failure::Silent(code.into())
     };
     let mut prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
-        .map_err(|errors| failed(&errors, 1))?;
+        .map_err(|errors| failed(&errors, 1))?
+        .with_seed(arguments.seed);
     prepared.limit_memory(arguments.memory.unwrap_or_else(memory::usual));
     let values =
         prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;

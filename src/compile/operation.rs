@@ -12,8 +12,7 @@ use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, Op, Property, Rule};
 use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
-    Asking, Assembler, Cell, Code, Function, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage,
-    TooLarge,
+    Assembler, Cell, Code, Function, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
 };
 use crate::source::{Sources, Span};
 
@@ -58,7 +57,6 @@ pub fn compile(
         places: output.places,
         refusals: output.refusals,
         stages,
-        asking: Asking::default(),
         steps: None,
     })
 }

@@ -8,9 +8,8 @@
 //! all are, diagnostics are published.
 
 // What comes and goes.
+mod message;
 mod stdio;
-
-mod disk;
 
 mod server;
 
@@ -38,6 +37,7 @@ mod formatting;
 mod hints;
 mod hover;
 mod lenses;
+mod markdown;
 mod navigation;
 mod symbols;
 mod tokens;
@@ -50,4 +50,4 @@ mod progress;
 pub use errand::Errand;
 pub use position::Encoding;
 pub use server::Server;
-pub use stdio::serve;
+pub use stdio::{serve, serve_on};

@@ -116,6 +116,7 @@ fn attribute(
             declared,
             scopes,
             report: &mut report,
+            ops: &[],
             may_change: false,
         };
         match ty {

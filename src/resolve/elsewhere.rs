@@ -125,7 +125,8 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "exit" | "panic" | "error" | "throw" | "raise" => STOPPED,
         "clamp" => Said("it is `min(max(x, low), high)`"),
         "sqr" | "square" => Said("it is `x * x`"),
-        "rand" | "random" => Said("there is no chance here: each run of a script is the same"),
+        "rand" | "randint" | "rnd" | "uniform" => Written("random"),
+        "permute" | "shuffled" => Written("shuffle"),
         _ => return sequence_called(word),
     })
 }

@@ -1,8 +1,8 @@
 //! A compiled operation: its code, and the same as a table to read.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
-use super::{Code, Inst, Steps};
+use super::{Code, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
 
@@ -33,8 +33,6 @@ pub struct Plan {
     pub stages: Vec<Stage>,
     /// Where it is an op in steps, which calls others, all or nothing.
     pub steps: Option<Steps>,
-    /// The code that only asks.
-    pub asking: Asking,
 }
 
 impl Plan {
@@ -42,29 +40,6 @@ impl Plan {
     pub fn level_after(&self, level: Level) -> Level {
         let kept = self.keeps.iter().filter(|&&kept| kept <= level);
         kept.copied().max().unwrap_or(Level::Map)
-    }
-
-    /// The code that finds out whether the op would be applied: it ends before the first write,
-    /// since all that can refuse or trap comes before it. Not for an op in steps.
-    pub fn asking(&self) -> &Code {
-        self.asking.0.get_or_init(|| {
-            let mut code = self.code.clone();
-            for inst in code.insts.iter_mut().filter(|inst| inst.writes()) {
-                *inst = Inst::Return { result: None };
-            }
-            code
-        })
-    }
-}
-
-/// Code that is made of a plan when it is first asked for; it says nothing that the plan does
-/// not.
-#[derive(Clone, Debug, Default)]
-pub struct Asking(OnceLock<Code>);
-
-impl PartialEq for Asking {
-    fn eq(&self, _: &Self) -> bool {
-        true
     }
 }
 

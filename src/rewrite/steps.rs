@@ -4,10 +4,8 @@
 //! the level that it was: a journal of the mesh knows what was written, so both cost no more
 //! than the steps did.
 
-use std::ops::ControlFlow;
-
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
-use crate::mesh::{BelowLevel, Bookmark, Level, Mesh, validate_level_near};
+use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 
 /// What the plan of an operation in steps has besides its code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -72,127 +70,43 @@ impl Machine {
         }
     }
 
-    /// Finds out whether an operation would be applied. Nothing of it stays.
-    pub(super) fn consider<const OBSERVED: bool>(
-        &mut self,
-        mesh: &mut Mesh,
-        plan: &Plan,
-        call: Call<'_>,
-        watch: &mut dyn Watch,
-    ) -> Result<Outcome, Trap> {
-        match &plan.steps {
-            None => {
-                let call = Call { code: plan.asking(), ..call };
-                self.execute::<OBSERVED>(mesh, call, watch)
-            }
-            Some(steps) => {
-                let before = self.before(mesh);
-                let line = std::mem::take(&mut self.line);
-                let mut silent = Silent(watch);
-                let outcome =
-                    self.try_out::<OBSERVED>(mesh, (plan, steps), call, &before, &mut silent);
-                self.line = line;
-                self.undo(mesh, before);
-                Ok(match outcome? {
-                    Outcome::Applied { .. } => Outcome::Applied { result: None },
-                    refused => refused,
-                })
-            }
-        }
-    }
-
     #[cold]
-    fn take<const OBSERVED: bool>(
-        &mut self,
-        mesh: &mut Mesh,
-        steps: (&Plan, &Steps),
-        call: Call<'_>,
-        watch: &mut dyn Watch,
-    ) -> Result<Outcome, Trap> {
-        let before = self.before(mesh);
-        let outcome = self.try_out::<OBSERVED>(mesh, steps, call, &before, watch);
-        match outcome {
-            Ok(Outcome::Applied { .. }) => self.keep(mesh, before),
-            _ => self.undo(mesh, before),
-        }
-        outcome
-    }
-
-    /// Does what an operation in steps does, which is to be kept or undone then.
-    fn try_out<const OBSERVED: bool>(
+    pub(super) fn take<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
         (plan, steps): (&Plan, &Steps),
         call: Call<'_>,
-        before: &Before,
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         // Steps that call each other can take long without a loop.
         if self.progress.tick(watch).is_break() {
             return Err(Trap::new(Message::Interrupted));
         }
-        let outcome = match OBSERVED || call.code.drains() {
-            true => self.execute::<true>(mesh, call, watch)?,
-            false => self.execute::<false>(mesh, call, watch)?,
+        let known = self.begin_steps(mesh, &steps.calls);
+        let (holding, drains) = (self.holding, self.drains.open_ones());
+        let created = self.created.as_ref().map_or(0, Vec::len);
+        let mark = mesh.open_journal();
+        let mut outcome = match OBSERVED || call.code.drains() {
+            true => self.execute::<true>(mesh, call, watch),
+            false => self.execute::<false>(mesh, call, watch),
         };
-        if let Outcome::Applied { .. } = outcome
-            && let Err(below) =
-                validate_level_near(mesh, plan.level, &mesh.written_since(&before.mark))
+        if let Ok(Outcome::Applied { .. }) = outcome
+            && let Err(below) = validate_level_near(mesh, plan.level, &mesh.written_since(&mark))
         {
             let reason = Some(steps.below.saturating_add(place(&below)));
-            return Ok(Outcome::Refused { reason });
+            outcome = Ok(Outcome::Refused { reason });
         }
-        Ok(outcome)
-    }
-
-    fn before(&self, mesh: &mut Mesh) -> Before {
-        Before {
-            mark: mesh.open_journal(),
-            level: self.level,
-            holding: self.holding,
-            drains: self.drains.open_ones(),
-            created: self.created.as_ref().map_or(0, Vec::len),
+        // Within, other levels may have been passed, and loops been left.
+        (self.known, self.holding) = (known, holding);
+        self.drains.leave(drains);
+        if let Ok(Outcome::Applied { .. }) = outcome {
+            mesh.keep(mark);
+        } else {
+            mesh.roll_back(mark);
+            if let Some(all) = &mut self.created {
+                all.truncate(created);
+            }
         }
-    }
-
-    fn keep(&mut self, mesh: &mut Mesh, before: Before) {
-        self.put_back(&before);
-        mesh.keep(before.mark);
-    }
-
-    fn undo(&mut self, mesh: &mut Mesh, before: Before) {
-        self.put_back(&before);
-        mesh.roll_back(before.mark);
-        if let Some(all) = &mut self.created {
-            all.truncate(before.created);
-        }
-    }
-
-    /// Within, other levels may have been passed, and loops been left.
-    fn put_back(&mut self, before: &Before) {
-        (self.level, self.holding) = (before.level, before.holding);
-        self.drains.leave(before.drains);
-    }
-}
-
-/// What the machine and the mesh were like before an operation in steps.
-struct Before {
-    mark: Bookmark,
-    level: Level,
-    holding: u32,
-    drains: usize,
-    created: usize,
-}
-
-/// Looks on for somebody who is not to see what is printed.
-struct Silent<'w>(&'w mut dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        self.0.turn(depth, done, total)
-    }
-
-    fn tick(&mut self) -> ControlFlow<()> {
-        self.0.tick()
+        outcome
     }
 }

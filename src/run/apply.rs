@@ -191,7 +191,7 @@ impl Application {
             Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_) => {
                 diagnostic(&self.parameters, trap)
             }
-            Message::BelowLevel { op, level } => match validate_level(mesh, *level) {
+            Message::BelowLevel { op, level, why, .. } => match validate_level(mesh, *level) {
                 Err(below) => {
                     let name = &self.plan().name;
                     let message = format!(
@@ -199,7 +199,7 @@ impl Application {
                     );
                     Diagnostic::error("below-level", message, span).note(below.to_string())
                 }
-                Ok(()) => Diagnostic::error("below-level", message, span),
+                Ok(()) => Diagnostic::error("below-level", message, span).note(why.clone()),
             },
             _ => Diagnostic::error("run-time-error", message, span),
         }

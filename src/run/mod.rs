@@ -37,6 +37,6 @@ pub(crate) use columns::Columns;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
-pub(crate) use report::{diagnostic, highest_between, level, report, wanted};
+pub(crate) use report::{diagnostic, highest_between, report};
 pub use steps::{calls_of_steps, plan_steps};
 pub use testing::{Load, test};

@@ -28,14 +28,14 @@ pub struct Prepared {
     pub(super) code: Code,
     pub(super) functions: Functions,
     pub(super) columns: Columns,
+    /// Where the numbers come from that it gets by chance.
+    pub(super) seed: u64,
     /// Where in the source the code can trap, by number.
     pub(super) places: Vec<Span>,
     /// The numbers of those places where the script asserts something, in order.
     pub(super) assertions: Vec<u32>,
     /// The operations it may call, in the order of the program.
     pub(super) called: Vec<usize>,
-    /// Where it calls each of them first.
-    pub(super) calls: Vec<Span>,
     /// How many bytes mesh and lists may take.
     pub(super) memory: usize,
 }
@@ -104,10 +104,10 @@ pub(super) fn prepare_script(
         columns,
         code,
         functions,
+        seed: 0,
         places: lowering.names.places,
         assertions: lowering.assertions,
         memory: usize::MAX,
-        calls: called.iter().map(|&(_, call)| call).collect(),
         called: called.into_iter().map(|(op, _)| op).collect(),
     })
 }
@@ -127,7 +127,7 @@ fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
 
 fn not_understood(program: &Program, function: usize) -> Diagnostic {
     let span = program.functions.get(function).map(|function| function.span);
-    let message = "this function has an error, so it cannot be called";
+    let message = "what is called has an error, so it cannot be called";
     Diagnostic::error("unproved-op", message, span.unwrap_or_default())
 }
 
@@ -156,6 +156,12 @@ impl Prepared {
     /// The columns that it needs.
     pub(crate) fn columns(&self) -> &Columns {
         &self.columns
+    }
+
+    /// The same with a seed for the numbers that it gets by chance; without it, that is 0. The same
+    /// seed gives the same numbers on every machine.
+    pub fn with_seed(self, seed: u64) -> Self {
+        Self { seed, ..self }
     }
 
     /// The attributes that it uses and that are not scratch: what it would take from a file.

@@ -60,15 +60,13 @@ pub(super) fn run_with(
     let slots = prepared.slots(mesh, arguments, &mut code.texts);
     let slots =
         slots.map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
-    let level = level(prepared, mesh)
-        .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let columns = prepared
         .columns
         .bind(mesh)
         .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let mut machine = Machine::new(&prepared.plans);
     machine.limit_memory(prepared.memory);
-    machine.trust_level(level);
+    machine.seed(prepared.seed);
     machine.use_columns(columns);
     machine.use_meshes(meshes);
     let outcome = machine.run(mesh, &code, &slots, watch);
@@ -78,27 +76,6 @@ pub(super) fn run_with(
         Ok(_) => Ok(report),
         Err(trap) => Err(Box::new(Failure { diagnostic: diagnostic(prepared, trap), report })),
     }
-}
-
-/// The level that the operations with a guard need, if the mesh has it; of those that they call in
-/// steps, as far as it has it.
-pub(crate) fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
-    let mut level = Level::Map;
-    for (&op, &call) in prepared.called.iter().zip(&prepared.calls) {
-        if let Some(Some(plan)) = prepared.plans.get(op)
-            && plan.level > level
-        {
-            expect_level(plan, mesh, call)?;
-            level = plan.level;
-        }
-    }
-    let wanted = level_of_steps(&prepared.plans, &prepared.called, level);
-    Ok(highest_between(mesh, level, wanted))
-}
-
-/// The highest level of the operations that a script calls, and of all that their steps lead to.
-pub(crate) fn wanted(prepared: &Prepared) -> Level {
-    level_of_steps(&prepared.plans, &prepared.called, Level::Map)
 }
 
 /// The highest level of some operations and of all that their steps lead to, at least `level`.
@@ -172,10 +149,12 @@ pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         None => (prepared.span, known.as_slice()),
     };
     let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
-    if let Message::Asserted { values, .. } = &trap.message
-        && !values.is_empty()
-    {
-        diagnostic = diagnostic.note(values.clone());
+    match &trap.message {
+        Message::Asserted { values, .. } if !values.is_empty() => {
+            diagnostic = diagnostic.note(values.clone());
+        }
+        Message::BelowLevel { why, .. } => diagnostic = diagnostic.note(why.clone()),
+        _ => {}
     }
     let mut told = vec![first];
     for (_, span) in calls {
@@ -219,6 +198,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
     match &trap.message {
         Message::Gone(_) => "element-gone",
         Message::Missing(_) => "no-element",
+        Message::NothingToChoose => "nothing-to-choose",
         Message::DivisionByZero => "division-by-zero",
         Message::IntOverflow | Message::RoundsNaN => "int-overflow",
         Message::NotFinite => "not-finite",

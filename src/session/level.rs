@@ -19,6 +19,11 @@ impl Known {
     /// Nothing is known, but that it is a mesh.
     pub(super) const NOTHING: Self = Self { has: Level::Map, lacks: None };
 
+    /// The level that it surely has.
+    pub(super) fn level(&self) -> Level {
+        self.has
+    }
+
     /// The level that it surely has, after a look at the mesh if that may be lower than what is
     /// wanted.
     pub(super) fn seek(&mut self, wanted: Level, mesh: &Mesh) -> Level {

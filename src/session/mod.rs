@@ -8,7 +8,6 @@
 //! that a caller gives makes a session panic: what does not fit is an [`Error`], and the mesh is as
 //! it was.
 
-mod disk;
 mod error;
 mod item;
 mod program;
@@ -23,8 +22,6 @@ mod questions;
 mod session;
 
 pub use arguments::{Arguments, Given};
-#[cfg(feature = "cli")]
-pub(crate) use disk::{Disk, as_text, text_of};
 pub use error::Error;
 pub use item::{Op, Parameter, Script};
 pub use marks::Mark;

@@ -5,10 +5,9 @@ use std::sync::{Arc, OnceLock};
 
 use strsim::damerau_levenshtein;
 
-use super::disk::{Disk, text_of};
 use super::item::ApplicationOrError;
 use super::{Error, Op, Script};
-use crate::analysis::{Analysis, Reader};
+use crate::analysis::{Analysis, Disk, Reader, read_program};
 use crate::diagnostic::Diagnostic;
 use crate::library;
 use crate::run::Prepared;
@@ -43,7 +42,7 @@ impl Program {
         if let Some(file) = library::file(&shown).filter(|_| !path.exists()) {
             return Self::read(file.name, file.text, &mut Disk);
         }
-        let text = text_of(path).map_err(|why| {
+        let text = read_program(path).map_err(|why| {
             let message = format!("cannot read `{shown}`: {why}");
             Error::nowhere("missing-file", message, &Arc::default())
         })?;

@@ -201,18 +201,12 @@ impl Session {
         let known = texts.len();
         let filled = prepared.fill(&self.mesh, &self.values, &mut texts, &mut self.slots);
         filled.map_err(|error| self.error(error))?;
-        // One with a guard that it may call after another needs the level as well.
-        let wanted = run::wanted(prepared);
-        let has = self.known.seek(wanted, &self.mesh);
-        if has < wanted {
-            run::level(prepared, &self.mesh).map_err(|error| self.error(error))?;
-        }
         if !std::mem::replace(&mut self.bound_scripts[script.index], true) {
             self.bind(prepared.columns())?;
         }
         self.machine.forget_created();
         self.machine.clear_counts();
-        self.machine.trust_level(has);
+        self.machine.trust_level(self.known.level());
         let outcome = match texts.len() == known {
             true => self.machine.run(&mut self.mesh, prepared.code(), &self.slots, watch),
             false => {

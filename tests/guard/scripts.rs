@@ -71,12 +71,12 @@ fn what_may_break_the_level_may_not() {
     assert_eq!(failure.diagnostic.code, "below-level");
     assert_eq!(
         failure.diagnostic.message,
-        "`collapse` is for meshes of level simple, and what was applied before may have left another"
+        "`collapse` is for meshes of level simple, and after `flip` this one is not"
     );
 }
 
 #[test]
-fn a_mesh_below_the_level_is_refused_at_once() {
+fn a_mesh_below_the_level_is_refused_with_the_place() {
     let mut mesh = shape::pillow(3);
     let before = mesh.clone();
     let failure = run_on(&mut mesh, NOT_ADJACENT).unwrap_err();

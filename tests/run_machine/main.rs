@@ -30,7 +30,6 @@ fn plan(name: &str, params: &[u16], refusals: &[(&str, Phase)], code: Code) -> P
         refusals: refusals.collect(),
         stages: Vec::new(),
         steps: None,
-        asking: Asking::default(),
     }
 }
 
