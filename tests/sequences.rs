@@ -25,9 +25,13 @@ use "std/repair.hedge"
 "#;
 
 /// What keeps a mesh of triangles one, and wants one.
-const OF_TRIANGLES: [&str; 9] = [
+const OF_TRIANGLES: [&str; 13] = [
     "linear(1)",
     "loop_subdivide(1)",
+    "loop_subdivide(1, true)",
+    "loop_once()\n  simplify_to(200, 1)",
+    "remesh(0, 1, 1.5, 0.7, 2, 0.5)",
+    "simplify_by(0.4)",
     "sqrt3(1)",
     "remesh(0, 2)",
     "simplify(max(count(faces) div 2, 60))",
@@ -41,7 +45,7 @@ const OF_TRIANGLES: [&str; 9] = [
 const OF_POLYGONS: [&str; 4] = ["laplacian(1)", "taubin(2)", "tangential(1)", "laplacian(2, 0.3)"];
 
 /// What makes quads of any polygons.
-const TO_QUADS: [&str; 1] = ["catmull_clark(1)"];
+const TO_QUADS: [&str; 2] = ["catmull_clark(1)", "linear_quads(1)"];
 
 fn load(name: &str) -> Mesh {
     let path = format!("{}/examples/meshes/{name}.obj", env!("CARGO_MANIFEST_DIR"));

@@ -174,7 +174,7 @@ fn all_are_sound(judged: &[Judged], pool: &Pool, seed: u64) {
 /// Whatever can be drawn in a map can be an op.
 #[test]
 fn the_prover_tells_the_truth_of_what_maps_show() {
-    let wanted = number("HEDGEROW_MUTANTS", 2_000) / 2;
+    let wanted = number("HEDGEROW_MUTANTS", 2_000) / 4;
     let seed = number("HEDGEROW_SEED", 0) as u64;
     let pool = Pool::new(60, 30, seed);
     let judged = in_parallel(wanted, seed, &|random| {
