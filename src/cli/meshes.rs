@@ -7,8 +7,8 @@ use super::failure::Failure;
 use super::files;
 use super::output::complain;
 use crate::mesh::{
-    Dump, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers, read_dump,
-    read_mesh, write_mesh,
+    Dump, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers, expect_writable,
+    read_dump, read_mesh, write_mesh,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -192,6 +192,7 @@ pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
         let message = format!("{shown}: the folder `{}` does not exist", folder.display());
         Err(Failure::usage(message))
     } else {
-        Ok(())
+        let writable = expect_writable(path);
+        writable.map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
     }
 }

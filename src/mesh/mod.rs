@@ -13,6 +13,7 @@ mod attribute;
 mod connectivity;
 mod id;
 mod journal;
+mod memory;
 mod pointers;
 mod slots;
 
@@ -34,6 +35,7 @@ pub mod validate;
 mod walk;
 
 // Where meshes come from and where they go.
+mod arrays;
 mod build;
 mod build_error;
 mod dump;
@@ -44,6 +46,10 @@ mod repair;
 pub mod shape;
 mod sides;
 
+/// The vectors and matrices of positions and attributes.
+pub use glam;
+
+pub use arrays::NotATriangle;
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
 };
@@ -56,8 +62,8 @@ pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumb
 pub use faults::{FaultKind, Faults};
 pub use file::{
     Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Material, MeshFile,
-    MshVersion, WantedAttribute, WrittenNumbers, read_mesh, read_mesh_from, replace_file,
-    write_mesh, write_mesh_to,
+    MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh, read_mesh_from,
+    replace_file, write_mesh, write_mesh_to,
 };
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;

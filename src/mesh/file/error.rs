@@ -23,6 +23,8 @@ pub enum FileReason {
     Io(io::Error),
     /// The folder to write to does not exist.
     NoFolder(String),
+    /// The file to write is protected.
+    ReadOnly,
     /// The name ends in what no format does.
     UnknownEnding(String),
     /// The file is not what its format wants, in words.
@@ -269,6 +271,7 @@ impl fmt::Display for FileReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io(error) => write!(f, "{error}"),
+            Self::ReadOnly => f.write_str("the file is read-only"),
             Self::NoFolder(folder) => write!(f, "the folder `{folder}` does not exist"),
             Self::UnknownEnding(end) => write!(
                 f,

@@ -231,7 +231,7 @@ impl Reader<'_> {
             self.contents.kept.note("lines behind the last face", line);
         }
         colors.columns(ElementKind::Face, &mut self.contents);
-        self.contents.polygons = Polygons::from_parts(corners, ends);
+        self.contents.polygons = Polygons::of_parts(corners, ends);
         Ok(())
     }
 }

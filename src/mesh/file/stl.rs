@@ -122,7 +122,7 @@ fn share(points: Vec<DVec3>) -> Contents {
         };
     }
     let ends = (1..=corners.len() / 3).map(|end| end * 3).collect();
-    Contents { positions, polygons: Polygons::from_parts(corners, ends), ..Contents::default() }
+    Contents { positions, polygons: Polygons::of_parts(corners, ends), ..Contents::default() }
 }
 
 /// Writes a mesh of triangles.

@@ -139,7 +139,7 @@ impl Repaired {
         orient::orient(&mut list, &mut report);
         fans::split(&mut list, &mut report);
         let PolygonList { positions, corners, ends, vertices, faces, corner_origins } = list;
-        let polygons = Polygons::from_parts(corners, ends);
+        let polygons = Polygons::of_parts(corners, ends);
         let mesh = Mesh::from_owned_polygons(positions, &polygons)?;
         Ok(Self { mesh, vertices, kept_vertices, faces, corners: corner_origins, report })
     }

@@ -393,7 +393,7 @@ impl<'t> Reader<'t> {
         kept.note_count("values of elements that are no faces", self.unpaired);
         contents.msh_version = self.version;
         contents.encoding = Encoding::Ascii;
-        contents.polygons = Polygons::from_parts(self.corners, self.ends);
+        contents.polygons = Polygons::of_parts(self.corners, self.ends);
         contents
     }
 }

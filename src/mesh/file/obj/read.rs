@@ -247,7 +247,7 @@ impl Reader<'_> {
                 contents.columns.push(FileColumn::new(ElementKind::Vertex, name, default, reals));
             }
         }
-        contents.polygons = crate::mesh::Polygons::from_parts(self.corners, self.ends);
+        contents.polygons = crate::mesh::Polygons::of_parts(self.corners, self.ends);
         contents
     }
 

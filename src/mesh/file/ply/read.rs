@@ -53,7 +53,7 @@ fn check_corners(contents: &mut Contents) {
             *corner = MISSING;
         }
     }
-    contents.polygons = Polygons::from_parts(corners, ends);
+    contents.polygons = Polygons::of_parts(corners, ends);
 }
 
 /// The numbers of a property, row by row.
@@ -303,7 +303,7 @@ impl Rows<'_> {
         self.states();
         self.texture(&ends);
         self.columns(ElementKind::Face, &ends);
-        self.contents.polygons = Polygons::from_parts(corners, ends);
+        self.contents.polygons = Polygons::of_parts(corners, ends);
         Ok(())
     }
 
