@@ -15,6 +15,7 @@ use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
 use crate::draw::{View, draw_mesh};
+use crate::mesh::Places;
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
@@ -46,6 +47,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     for attribute in prepared.attributes() {
         obj.bring(attribute);
     }
+    let places = Places::of(&obj.mesh);
     let before = Counts::of(&obj.mesh);
 
     let started = Instant::now();
@@ -68,7 +70,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
     if let Some(output) = &arguments.output {
-        meshes::write(output, &mut obj)?;
+        let blame = || {
+            let applied = report.ops.iter().filter(|op| op.applied > 0);
+            program::blame(&program, applied.map(|op| op.name.as_str()))
+        };
+        meshes::write(output, &mut obj, blame)?;
+        meshes::tell_displaced(output, &places, &obj.mesh);
     }
     if let Some(picture) = &arguments.picture {
         let view = View { attribute: shown, ..View::default() };

@@ -5,7 +5,8 @@
 //! whatever text an editor holds; here it only gets positions and the protocol's names. One
 //! loop owns the documents. Requests are answered in the order they come in, one that is
 //! cancelled before its turn is not; between messages, ops are proved one by one, and when
-//! all are, diagnostics are published.
+//! all are, diagnostics are published. What is asked about all ops of a document waits until then,
+//! and keeps no other question waiting.
 
 // What comes and goes.
 mod message;

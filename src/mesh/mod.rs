@@ -19,6 +19,8 @@ mod slots;
 // What can be asked of them.
 mod component;
 mod difference;
+mod displaced;
+mod ears;
 mod equality;
 mod geometry;
 mod identical;
@@ -45,6 +47,7 @@ pub use attribute::{
 pub use build_error::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
 pub use difference::{Difference, difference};
+pub use displaced::{Displaced, Places};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};

@@ -14,7 +14,7 @@ use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::wide;
 use super::window::{Window, reserve};
-use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Watch};
+use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Triangles, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// How far apart the coordinates of meshes may lie that count as the same.
@@ -285,6 +285,14 @@ impl Machine<'_> {
                     if whole || ends[0] != ends[1] {
                         or_trap!(access::collect(mesh, walk, ends, buffer!(buffer)));
                     }
+                }
+                CollectEars { triangles, buffer, face } => {
+                    let face = or_trap!(access::face(mesh, w.id(face)));
+                    let order = match triangles {
+                        Triangles::BestShape => mesh.ears(face),
+                        Triangles::LeastBend => mesh.patch(face),
+                    };
+                    buffer!(buffer).extend(order.into_iter().map(|h| u64::from(h.0)));
                 }
                 Meets { walk, to, from, goal, stop } => {
                     let ends = [w.id(goal), w.id(stop)];

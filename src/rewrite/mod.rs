@@ -46,7 +46,9 @@ pub use code::{Code, Label, Reg, Traps};
 pub use function::Function;
 pub use inst::Inst;
 pub use machine::{Count, Machine};
-pub use operand::{ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Walk};
+pub use operand::{
+    ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
+};
 pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
