@@ -133,9 +133,18 @@ fn run(text: &str, proved: &[Option<Proved>], calls: &[Call]) -> String {
     let mut stdin = driver.stdin.take().expect("it reads");
     let feed = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
     let output = driver.wait_with_output().expect("it ends");
-    assert!(output.status.success(), "the driver ends with {}", output.status);
-    feed.join().expect("it was fed").expect("all of it");
-    String::from_utf8(output.stdout).expect("text")
+    let fed = feed.join().expect("it was fed");
+    let text = String::from_utf8(output.stdout).expect("text");
+    if !output.status.success() || fed.is_err() {
+        // Each call that came to an end has a line that says what became of it.
+        let is_answer = |line: &&str| line.starts_with("applied") || *line == "refused";
+        let done = text.lines().filter(is_answer).count();
+        let op = calls.get(done).and_then(|call| proved[call.op].as_ref());
+        let place = calls.get(done).map(|call| (&call.place, mesh_text(&call.mesh)));
+        let name = op.map(|proved| &proved.op().name);
+        panic!("the driver ends with {} in {name:?} at {place:?}", output.status);
+    }
+    text
 }
 
 /// What calls an op by its number.
