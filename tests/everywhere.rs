@@ -117,7 +117,7 @@ struct Tally {
 /// Compares machine and reference at one place; `mesh` is afterwards as it was.
 struct Comparison<'s> {
     subject: &'s Subject,
-    machine: Machine<'s>,
+    machine: Machine,
     /// How often an applied op is followed by the validator: at every place, or every nth.
     validate_every: usize,
     tally: Tally,
@@ -125,7 +125,7 @@ struct Comparison<'s> {
 
 impl<'s> Comparison<'s> {
     fn new(subject: &'s Subject, validate_every: usize) -> Self {
-        let machine = Machine::new(&[]);
+        let machine = Machine::default();
         Self { subject, machine, validate_every, tally: Tally::default() }
     }
 

@@ -7,7 +7,7 @@ use super::shelves::tell_where;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
-use crate::rewrite::Plan;
+use crate::rewrite::Plans;
 use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
 
@@ -23,7 +23,7 @@ pub struct Analysis {
     /// For each op of the program, its proof, if there is one.
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
-    pub plans: Vec<Option<Plan>>,
+    pub plans: Plans,
     /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
     /// Everything that is wrong, file by file in the order of the text.
@@ -87,6 +87,7 @@ impl Analysis {
         diagnostics.dedup_by(|next, last| {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
+        let plans = plans.into();
         Self { file, seen, program, proved, plans, counterexamples, diagnostics }
     }
 

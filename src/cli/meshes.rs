@@ -6,8 +6,8 @@ use super::failure::Failure;
 use super::files;
 use super::output::complain;
 use crate::mesh::{
-    Dump, Level, Mesh, Obj, Places, WrittenNumbers, read_dump, read_obj, validate, validate_level,
-    write_dump, write_obj,
+    Dump, Level, Mesh, Obj, Places, WrittenNumbers, expect_writable, read_dump, read_obj, validate,
+    validate_level, write_dump, write_obj,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -187,6 +187,7 @@ pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
         let message = format!("{shown}: the folder `{}` does not exist", folder.display());
         Err(Failure::usage(message))
     } else {
-        Ok(())
+        let writable = expect_writable(path);
+        writable.map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
     }
 }

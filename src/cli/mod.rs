@@ -19,6 +19,7 @@ mod info;
 mod interrupt;
 mod library;
 mod lsp;
+mod memory;
 mod meshes;
 mod output;
 mod place;

@@ -9,6 +9,7 @@ use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
 use super::interrupt;
+use super::memory;
 use super::meshes;
 use super::output::{complain, complain_of, say, say_json, table};
 use super::program::{self, settings};
@@ -28,9 +29,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         complain_of(diagnostics, &program.sources);
         Failure::Silent(code.into())
     };
-    let prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
+    let mut prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
         .map_err(|errors| failed(&errors, 1))?
         .with_seed(arguments.seed);
+    prepared.limit_memory(arguments.memory.unwrap_or_else(memory::usual));
     let values =
         prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();

@@ -29,6 +29,7 @@ mod attribute;
 mod chance;
 mod drain;
 mod known;
+mod memory;
 mod notes;
 mod observe;
 mod preview;
@@ -49,7 +50,7 @@ pub use machine::{Count, Machine};
 pub use operand::{
     ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
 };
-pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
+pub use plan::{Cell, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};

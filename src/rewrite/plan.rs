@@ -1,8 +1,13 @@
 //! A compiled operation: its code, and the same as a table to read.
 
+use std::sync::Arc;
+
 use super::{Code, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
+
+/// The plans of the operations of a program, by number; `None` stands for one that is not proved.
+pub type Plans = Arc<[Option<Plan>]>;
 
 /// A compiled operation.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,4 +109,9 @@ pub enum Cell {
     },
     /// Anything else, in words.
     Note(String),
+}
+
+impl Cell {
+    /// The value of a pointer that is kept, whatever it is.
+    pub const AS_IT_WAS: &'static str = "as it was";
 }

@@ -55,7 +55,7 @@ impl Steps {
     }
 }
 
-impl Machine<'_> {
+impl Machine {
     /// Runs the code of an operation; if it is one in steps, all of it or nothing.
     pub(super) fn carry_out<const OBSERVED: bool>(
         &mut self,

@@ -58,7 +58,7 @@ pub fn do_what_the_machine_does(texts: &[&str], pool: &Pool, seed: u64) {
             for place in places.into_iter().take(12) {
                 let slots: Vec<_> = place.iter().map(|&element| u64::from(element)).collect();
                 let mut result = mesh.clone();
-                let outcome = Machine::new(&[]).apply(&mut result, &plan, &slots);
+                let outcome = Machine::default().apply(&mut result, &plan, &slots);
                 let applied = matches!(outcome, Ok(Outcome::Applied { .. }));
                 let expected = applied.then_some(result);
                 calls.push(Call { op: at, place, mesh: mesh.clone(), expected });

@@ -171,7 +171,8 @@ fn take_through(text: &str, count: &mut Count) {
             continue;
         }
         let proved = &analysis.proved;
-        let selection = Selection { program, proved, sources: &sources, ops: &[at] };
+        let selection =
+            Selection { program, proved, sources: &sources, ops: &[at], exhaustive: false };
         let _ = cpp(&selection, &Style::default());
         let _ = rust(&selection);
         count.emitted += 1;
@@ -187,7 +188,7 @@ fn take_through(text: &str, count: &mut Count) {
     let own = |at: &usize| program.tests[*at].script.span.file == file;
     for number in (0..program.tests.len()).filter(own) {
         let load: &mut run::Load = &mut |_, _| Err("nothing is loaded here".to_owned());
-        let _ = test(program, number, &analysis.plans, load, &mut Hasty::new());
+        let _ = test(program, number, &analysis.plans, 0, load, &mut Hasty::new());
         count.ran += 1;
     }
 }
