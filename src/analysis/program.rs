@@ -1,7 +1,7 @@
 //! From a text to proved and compiled operations.
 
 use super::Examined;
-use super::files::{Absent, Part, Parts, Reader, fetch};
+use super::files::{Absent, Part, Parts, Reader, fetch, without_consequences};
 use super::readings::Readings;
 use super::shelves::tell_where;
 use crate::check::{Counterexample, Proved};
@@ -55,7 +55,8 @@ impl Analysis {
     ) -> Self {
         let Parts { parts, mut diagnostics, .. } = Parts::of(sources, file, absent, readings);
         let units: Vec<_> = parts.iter().map(Part::unit).collect();
-        let resolved = resolve_all(&units);
+        let mut resolved = resolve_all(&units);
+        without_consequences(&parts, &mut resolved.diagnostics, sources);
         for part in &parts {
             diagnostics.extend(part.parsed.diagnostics.iter().cloned());
         }

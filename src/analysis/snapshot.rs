@@ -80,7 +80,8 @@ impl Snapshot {
             Parts::of(&sources, file, &absent, readings)
         };
         let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
-        let resolved = resolve_all(&units);
+        let mut resolved = resolve_all(&units);
+        files::without_consequences(&parts, &mut resolved.diagnostics, &sources);
         told.extend(resolved.diagnostics);
         tell_where(&mut told, &sources);
         drop(units);

@@ -146,7 +146,13 @@ fn edge_statement<'t>() -> Rule<'t, Statement> {
 
 /// `vertex v: a b *S` or `vertex v: each i { h[i] }`
 fn star_statement<'t>() -> Rule<'t, Star> {
-    let spokes = || spoke().repeated().at_least(1).collect::<Vec<_>>();
+    let next = || just(T::Comma).or_not().ignore_then(spoke()).repeated().collect::<Vec<_>>();
+    let spokes = || {
+        spoke().then(next()).map(|(first, mut spokes)| {
+            spokes.insert(0, first);
+            spokes
+        })
+    };
     let period = each(spokes()).map(|(variable, spokes)| (Some(variable), spokes));
     let run = spokes().map(|spokes| (None, spokes));
     just(T::Vertex)
@@ -168,10 +174,15 @@ fn spoke<'t>() -> Rule<'t, Spoke> {
     choice((listed_name().map(Spoke::Halfedge), named, unnamed)).labelled(Phrase::Spoke).boxed()
 }
 
-/// `new m p q`
+/// `new m p q`, also `new m, p, q`
 fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
     let kind = habit::kind_in_list().repeated();
-    let list = kind.ignore_then(listed_name()).repeated().at_least(1).collect();
+    let name = kind.ignore_then(listed_name()).boxed();
+    let next = just(T::Comma).or_not().ignore_then(name.clone());
+    let list = name.then(next.repeated().collect::<Vec<_>>()).map(|(first, mut list)| {
+        list.insert(0, first);
+        list
+    });
     just(keyword).ignore_then(list).map_with(|names, scene| (names, scene.span())).boxed()
 }
 
