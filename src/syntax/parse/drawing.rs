@@ -1,7 +1,7 @@
 //! One side of an op: the statements of a drawing.
 
 use super::expression::broken_value;
-use super::failure::Phrase;
+use super::failure::{Failure, Mistake, Phrase};
 use super::habit;
 use super::input::{Extra, Rule, Scene, Tokens};
 use super::name::{ident, listed_name, name, word};
@@ -136,10 +136,13 @@ fn edge_statement<'t>() -> Rule<'t, Statement> {
         .then(halfedge())
         .then_ignore(just(T::Bar))
         .then(halfedge())
-        .map_with(|((name, one), other), scene| Statement::Edge {
-            name,
-            halfedges: [one, other],
-            span: scene.span(),
+        .validate(|((name, one), other), scene, emitter| {
+            for halfedge in [&one, &other] {
+                if habit::is_nothing(&halfedge.ident.text) {
+                    emitter.emit(Failure::mistake(Mistake::NoTwin, halfedge.span));
+                }
+            }
+            Statement::Edge { name, halfedges: [one, other], span: scene.span() }
         })
         .boxed()
 }

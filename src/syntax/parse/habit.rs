@@ -116,6 +116,11 @@ pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
     .boxed()
 }
 
+/// Whether a word stands elsewhere for what is not there.
+pub(super) fn is_nothing(word: &str) -> bool {
+    matches!(word, "null" | "nullptr" | "None" | "nil" | "NULL" | "Null")
+}
+
 /// Nothing where the type of a parameter should stand: a mistake, and a type without a word.
 pub(super) fn no_type<'t>() -> Rule<'t, Ident> {
     let ends = |kind: T| matches!(kind, T::Comma | T::RightParen | T::Equals);

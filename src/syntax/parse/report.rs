@@ -149,6 +149,13 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
             let found = Diagnostic::error("syntax-error", message, span);
             found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are")
         }
+        Mistake::NoTwin => {
+            let message = "every halfedge has a twin";
+            Diagnostic::error("syntax-error", message, span).note(
+                "beyond a boundary lies a hole, drawn `hole f: …`; an edge that is not drawn stays \
+                 as it is",
+            )
+        }
         Mistake::RuleAmongParts => {
             let message = "an op has either rules or drawings of its own";
             let found = Diagnostic::error("misplaced-part", message, span);
