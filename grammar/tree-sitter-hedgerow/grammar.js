@@ -143,7 +143,7 @@ module.exports = grammar({
       "require", field("condition", $._value), optional(seq("else", field("reason", $.text))),
     ),
     guard: ($) => seq("guard", field("level", $.identifier)),
-    alias: ($) => seq("alias", $.name, repeat1(seq(optional(","), $.name))),
+    alias: ($) => seq("alias", $.name, repeat1($.name)),
 
     _statement: ($) => choice($.ring, $.edge, $.star, $.names, $.change),
 
@@ -163,12 +163,11 @@ module.exports = grammar({
 
     star: ($) => seq(
       "vertex", field("name", $.name), ":",
-      choice($._spokes, alias($.spokes_of_each, $.period)),
+      choice(repeat1($._spoke), alias($.spokes_of_each, $.period)),
     ),
     spokes_of_each: ($) => seq(
-      "each", field("index", $.identifier), "{", $._spokes, "}",
+      "each", field("index", $.identifier), "{", repeat1($._spoke), "}",
     ),
-    _spokes: ($) => seq($._spoke, repeat(seq(optional(","), $._spoke))),
     _spoke: ($) => choice($.name, $.fan),
     // A fan has a name only where the name touches the star.
     fan: ($) => prec.right(seq(
@@ -176,10 +175,7 @@ module.exports = grammar({
       optional(seq(alias($._touching, $.identifier), optional($._subscript))),
     )),
 
-    names: ($) => seq(
-      field("what", choice("new", "keep", "erase")),
-      $.name, repeat(seq(optional(","), $.name)),
-    ),
+    names: ($) => seq(field("what", choice("new", "keep", "erase")), repeat1($.name)),
 
     change: ($) => seq(
       field("of", $.name), ".", field("field", $.word), "=", field("value", $._value),

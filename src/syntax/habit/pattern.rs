@@ -275,7 +275,10 @@ mod tests {
         assert_eq!(found("if $c:part : $:end", "if a:\n b").as_deref(), Some("if|a|:|"));
         assert_eq!(found("if $c:part : $:end", "if a\n b:"), None, "a part stays on its line");
         assert_eq!(found("- ~- $a", "- -a"), None, "they do not touch");
-        assert_eq!(found("erase $l:names face $f", "erase a, b face c").unwrap().len(), 20);
+        assert_eq!(
+            found("erase $l:names face $f", "erase a, b face c").unwrap(),
+            "erase|a, b|face|c"
+        );
         assert_eq!(found("$v:vertex = $l:line", "m = a -h-> m").as_deref(), Some("m|=|a -h-> m"));
     }
 }

@@ -473,7 +473,7 @@ const LINES: &[Line] = &[
     // Lists of drawings.
     sure(
         DRAWING,
-        "$w=new/erase/keep $l:names $k=halfedge/halfedges/vertices/edges/faces/he/vert/hole $n",
+        "$w=new/erase/keep $l:names $k=halfedge/halfedges/vertices/edges/faces/he/vert $n",
         "$w $l $n",
         "names are listed without their kinds: what is drawn tells them",
     ),
@@ -604,7 +604,7 @@ const LINES: &[Line] = &[
         "",
         HALFEDGE,
     ),
-    sure(
+    told(
         DRAWING,
         "^halfedge/halfedges/he/face/edge/vertex/hole/path/HalfedgeRef/VertexRef/EdgeRef/FaceRef $a $n:names $:end",
         "",
@@ -877,7 +877,7 @@ const LINES: &[Line] = &[
     sure(CODE, "^pass/noop $:end", "", "an empty block is `{ }`"),
     told(
         CODE,
-        "^import/using/include/from/require $l:line",
+        "^import/using/include/from $l:line",
         "",
         "files are used at the head of a file: `use \"std/triangle.hedge\"`",
     ),
@@ -1082,9 +1082,10 @@ const LINES: &[Line] = &[
         "$f($x)",
         "a script has one mesh, which has no name: `$f(…)`",
     ),
-    sure(
+    fixed(
         CODE | PARTS,
         "$s=vertices/edges/faces/halfedges/holes . size/count/length/len ( )",
+        "$s",
         "count($s)",
         "a sequence is counted by `count($s)`",
     ),
@@ -1146,7 +1147,13 @@ const LINES: &[Line] = &[
         "= true",
         "functions have names: `fn name(x: real) { … }`",
     ),
-    sure(CODE | PARTS, "print | $x |", "print abs($x)", "the size of a number is `abs(x)`"),
+    fixed(
+        CODE | PARTS,
+        "print | $x |",
+        "print $x",
+        "print abs($x)",
+        "the size of a number is `abs(x)`",
+    ),
     fixed(CODE | PARTS, "| $x |", "$x", "abs($x)", "the size of a number is `abs(x)`"),
     sure(CODE | PARTS, "=>", ">=", "`{}` is written `>=`"),
     told(
