@@ -92,7 +92,7 @@ fn the_tests_of_the_library_pass() {
         let (program, plans) = (&analysis.program, &analysis.plans);
         for number in 0..program.tests.len() {
             let mut load = |_: &str, _| Err("the library loads nothing".to_owned());
-            if let Err(failed) = test(program, number, plans, &mut load, &mut Unwatched) {
+            if let Err(failed) = test(program, number, plans, 0, &mut load, &mut Unwatched) {
                 panic!("{}", render(&[failed.diagnostic], &sources, PLAIN));
             }
             passed += 1;

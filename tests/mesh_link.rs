@@ -3,7 +3,7 @@
 
 use hedgerow::mesh::{EdgeId, Level, Mesh, Polygons, shape, validate_level};
 
-/// Merges the ends of `e`, whatever comes of it.
+/// Merges the ends of `e`, and of each triangle at it the other two edges, whatever comes of it.
 ///
 /// ```text
 ///       x                x
@@ -22,10 +22,11 @@ fn collapse(mesh: &mut Mesh, e: EdgeId) {
     for side in [h, t] {
         let f = mesh.face(side);
         let (next, prev) = (mesh.next(side), mesh.prev(side));
-        if mesh.is_hole(f) {
+        if mesh.is_hole(f) || mesh.face_size(f) > 3 {
             mesh.set_next(prev, next);
             mesh.set_prev(next, prev);
             mesh.set_face_halfedge(f, next);
+            mesh.set_vertex_halfedge(a, next);
             continue;
         }
         let (over_next, over_prev) = (mesh.twin(next), mesh.twin(prev));
@@ -118,4 +119,69 @@ fn on_random_parts_and_after_collapses() {
         }
     }
     assert!(total.iter().all(|&count| count > 2_000), "{total:?}");
+}
+
+/// Merges the two faces at an edge.
+fn merge_faces(mesh: &mut Mesh, e: EdgeId) {
+    let h = mesh.edge_halfedge(e);
+    let t = mesh.twin(h);
+    let (f, g) = (mesh.face(h), mesh.face(t));
+    for half in mesh.loop_from(t).collect::<Vec<_>>() {
+        mesh.set_face(half, f);
+    }
+    for (side, other) in [(h, t), (t, h)] {
+        let (prev, next) = (mesh.prev(side), mesh.next(other));
+        mesh.set_next(prev, next);
+        mesh.set_prev(next, prev);
+        mesh.set_vertex_halfedge(mesh.vertex(side), next);
+        mesh.set_face_halfedge(f, next);
+    }
+    mesh.erase_halfedge(h);
+    mesh.erase_halfedge(t);
+    mesh.erase_edge(e);
+    mesh.erase_face(g);
+}
+
+#[test]
+fn on_random_polygons() {
+    let mut state = 11u64;
+    let mut random = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize
+    };
+    let wholes = [
+        shape::icosahedron(),
+        shape::cube(),
+        shape::torus(3, 3),
+        shape::torus(3, 4),
+        shape::triangle_grid(3, 3),
+        shape::octahedron(),
+        shape::grid(3, 2),
+        shape::tube(3, 2),
+    ];
+    let mut total = [0, 0];
+    for round in 0..240 {
+        let whole = &wholes[round % wholes.len()];
+        let dropped: Vec<usize> = (0..round % 3).map(|_| random() % whole.face_count()).collect();
+        let Some(mut mesh) = part(whole, |f| !dropped.contains(&f)) else {
+            continue;
+        };
+        for _ in 0..random() % 8 {
+            let edges: Vec<EdgeId> = mesh.edges().collect();
+            let e = edges[random() % edges.len()];
+            let sides = [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))];
+            let [f, g] = sides.map(|side| mesh.face(side));
+            if f == g || mesh.is_hole(f) || mesh.is_hole(g) {
+                continue;
+            }
+            let mut merged = mesh.clone();
+            merge_faces(&mut merged, e);
+            if validate_level(&merged, Level::Simple).is_ok() {
+                mesh = merged;
+            }
+        }
+        let [no, yes] = check(&mesh);
+        total = [total[0] + no, total[1] + yes];
+    }
+    assert!(total.iter().all(|&count| count > 1_000), "{total:?}");
 }

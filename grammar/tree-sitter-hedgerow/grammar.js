@@ -11,7 +11,7 @@ const HARD = [
   "each", "new", "keep", "erase",
   "let", "var", "if", "else", "repeat", "for", "in",
   "where", "while", "drain", "update",
-  "must", "print", "assert",
+  "must", "can", "why", "print", "assert",
   "return", "break", "continue",
   "and", "or", "not", "div", "mod", "true", "false",
 ];
@@ -239,7 +239,7 @@ module.exports = grammar({
 
     _atom: ($) => choice($._atom_at_start, $.choice),
     _atom_at_start: ($) => choice(
-      $.name, $.call, $.must, $.parenthesised, $.true, $.false, $.int, $.real, $.text,
+      $.name, $.call, $.must, $.asked, $.parenthesised, $.true, $.false, $.int, $.real, $.text,
       $._no_value,
     ),
     parenthesised: ($) => seq("(", $._value, ")"),
@@ -247,6 +247,7 @@ module.exports = grammar({
     false: (_) => "false",
 
     must: ($) => prec.right(seq("must", choice($.name, $.call))),
+    asked: ($) => prec.right(seq(choice("can", "why"), choice($.name, $.call))),
     call: ($) => prec(9, seq(
       field("function", choice($.identifier, alias("hole", $.identifier))),
       // On the line of the name; the next statement may begin with one, too.

@@ -29,7 +29,7 @@ pub struct NamesAsOne {
     /// Why it is not fine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
-    /// What a smallest mesh comes to that breaks.
+    /// What a small mesh comes to that breaks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub comes_to: Option<String>,
     /// That mesh.

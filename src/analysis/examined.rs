@@ -16,7 +16,7 @@ pub struct Examined {
     pub proved: Option<Proved>,
     /// Its plan, if it is proved.
     pub plan: Option<Plan>,
-    /// A smallest mesh for each rejected rule that breaks one.
+    /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
     /// The laws it breaks.
     pub diagnostics: Vec<Diagnostic>,
@@ -81,6 +81,7 @@ fn values(op: &diagram::Op) -> impl Iterator<Item = &diagram::Expr> {
 
 fn too_large(span: Span, name: &str) -> Diagnostic {
     Diagnostic::error("too-large", format!("`{name}` is too large to compile"), span).note(
-        "its diagrams need more registers or tests than there can be: split it into smaller ops",
+        "its diagrams need more than the 65,536 registers or tests that there can be: draw runs that \
+         stay as they are as paths, `=P=>`, or make smaller ops of it",
     )
 }

@@ -4,7 +4,7 @@
 //! [library](crate::library). Who has the files is not known here: a [`Reader`] gives texts
 //! for names. No file uses itself, directly or through others.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 use strsim::damerau_levenshtein;
@@ -59,6 +59,9 @@ pub(super) struct Missing {
 /// What could not be had, by name.
 pub(super) type Absent = HashMap<String, Missing>;
 
+/// The words with which items begin.
+const ITEMS: [&str; 7] = ["use", "private", "attr", "fn", "op", "script", "test"];
+
 /// Adds every file that `root` uses, directly or through others, to `sources`; gives what
 /// could not be had.
 pub(super) fn fetch(
@@ -102,7 +105,21 @@ fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
         let text = file.map(|file| file.text.to_owned());
         return text.ok_or_else(|| "`hedgerow std` lists the library".to_owned());
     }
-    reader.read(name)
+    let text = reader.read(name)?;
+    match is_program(&text) {
+        true => Ok(text),
+        false => Err("it is no program: one begins with an item, such as `op` or `use`".to_owned()),
+    }
+}
+
+/// Whether a text can be a program, by its first word. What is none is not looked into, so that
+/// no message quotes it.
+fn is_program(text: &str) -> bool {
+    let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim_start);
+    let mut lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
+    let is_word = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let word = |line: &str| line.split(|letter| !is_word(letter)).next().unwrap_or("").to_owned();
+    lines.next().is_none_or(|line| ITEMS.contains(&word(line).as_str()))
 }
 
 /// The name of the file that `path` means in the file `here`.
@@ -135,6 +152,9 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
     if !name.starts_with(FOLDER) {
         let beside = reader.beside(name).into_iter();
         known.extend(beside.map(|other| format!("{folder}{}", last(&other))));
+    }
+    if known.iter().any(|other| other == path) {
+        return None; // it is there, and cannot be had for another reason
     }
     let distance = |other: &String| {
         let ended = format!("{path}.hedge");
@@ -294,6 +314,39 @@ fn missing_file(path: &str, name: &str, span: Span, missing: Option<&Missing>) -
             span,
             format!("\"{meant}\""),
         ),
+        None => error,
+    }
+}
+
+/// For each file that the first of some parts uses, directly or through others, the first `use`
+/// of it that leads there.
+pub(super) fn ways(sources: &Sources, parts: &[Part]) -> BTreeMap<FileId, Span> {
+    let mut ways = BTreeMap::new();
+    let Some(root) = parts.first() else { return ways };
+    let here = sources.get(root.file).name();
+    for (path, span) in uses(&root.parsed) {
+        let used = sources.find(&name_of(here, &path));
+        let mut open: Vec<_> =
+            root.uses.iter().filter(|&&at| Some(parts[at].file) == used).collect();
+        while let Some(&at) = open.pop() {
+            if !ways.contains_key(&parts[at].file) {
+                ways.insert(parts[at].file, span);
+                open.extend(&parts[at].uses);
+            }
+        }
+    }
+    ways
+}
+
+/// A used file has errors, which are told in full where it is checked itself.
+pub(super) fn broken_file(name: &str, used: Span, errors: &[&Diagnostic]) -> Diagnostic {
+    let many = match errors.len() {
+        1 => "an error".to_owned(),
+        count => format!("{count} errors"),
+    };
+    let error = Diagnostic::error("broken-file", format!("`{name}` has {many}"), used);
+    match errors.first() {
+        Some(first) => error.label(first.span(), first.message.clone()).note(first.message.clone()),
         None => error,
     }
 }

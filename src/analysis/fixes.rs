@@ -13,7 +13,7 @@ use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::diagram::Kind;
 use crate::source::Span;
-use crate::syntax::tree::{Arrow, Name, Rule, Side, Spoke, Statement};
+use crate::syntax::tree::{Arrow, Item, Name, Rule, Side, Spoke, Statement};
 
 /// What mends the diagnostics of a part of the text.
 pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
@@ -24,7 +24,15 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
             && part.start <= span.end as usize
     };
     let mut actions = Vec::new();
-    for told in snapshot.diagnostics() {
+    for item in snapshot.items() {
+        if let Item::Op(op) = item
+            && touches(op.span)
+            && let Some(at) = snapshot.resolved(op)
+        {
+            snapshot.examined(at);
+        }
+    }
+    for told in snapshot.diagnostics_so_far() {
         if !told.labels.iter().any(|label| touches(label.span)) {
             continue;
         }
@@ -179,7 +187,7 @@ fn account_for(
             let text = snapshot.sources().slice(statement_span(statement)).to_owned();
             let title = format!("restate `{text}` in `after`");
             proposals.push((title, vec![append(snapshot, after, &[text])]));
-            let keep = format!("keep {}", of.ident.text);
+            let keep = format!("keep {of}");
             let title = format!("insert `{keep}`");
             proposals.push((title, vec![append(snapshot, after, &[keep])]));
         }

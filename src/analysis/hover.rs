@@ -41,6 +41,17 @@ pub enum Card {
     Word(Word),
 }
 
+impl Card {
+    /// The doc comment of what is declared, a line each.
+    pub fn docs_mut(&mut self) -> Option<&mut Vec<String>> {
+        match self {
+            Self::Op(op) => Some(&mut op.docs),
+            Self::Declared { docs, .. } => Some(docs),
+            Self::Element(_) | Self::Word(_) => None,
+        }
+    }
+}
+
 /// An op, in short.
 #[derive(Clone, Debug)]
 pub struct OpCard {
@@ -162,7 +173,8 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
 
 /// What there is to say about an op.
 pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
-    let wrong = snapshot.diagnostics();
+    let verdict = snapshot.verdict(op);
+    let wrong = snapshot.diagnostics_so_far();
     let wrong = wrong.iter().filter(|told| {
         let place = told.span();
         told.is_error() && place.file == op.span.file && op.span.touches(place.start as usize)
@@ -178,7 +190,7 @@ pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
         is_current: example.is_some() || snapshot.is_readable(op),
         diagram: example.or_else(|| snapshot.readable(op)),
         no_example,
-        verdict: snapshot.verdict(op),
+        verdict,
         wrong: wrong.map(|told| told.message.clone()).collect(),
     }
 }

@@ -22,6 +22,19 @@ pub(super) fn inverse(snapshot: &Snapshot, op: &Op, name: &str) -> Option<Vec<Ed
     if op.rules.is_empty() || op_named(snapshot, name).is_some() {
         return None;
     }
+    // What an op is called with is there before it: what it erases is there only before.
+    let is_erased = |name: &Name| {
+        let mut params = op.params.iter();
+        params.any(|param| param.name.ident.text == name.ident.text)
+    };
+    let sides = op.rules.iter().filter_map(|rule| rule.after.as_ref());
+    let erased = sides.flat_map(|side| &side.statements).filter_map(|statement| match statement {
+        Statement::Erase(names, _) => Some(names),
+        _ => None,
+    });
+    if erased.flatten().any(is_erased) {
+        return None;
+    }
     let params = op.params.iter().map(|param| snapshot.sources().slice(param.span));
     let params = params.collect::<Vec<_>>().join(", ");
     let mut text = format!("\n\nop {name}({params}) {{");

@@ -1,7 +1,7 @@
 //! What one snapshot of a document leaves to the next: texts that have been read, proofs that
 //! have been found, and the last diagram of each op that could be read.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::Examined;
@@ -9,7 +9,7 @@ use super::readings::Readings;
 use crate::diagram;
 use crate::source::Span;
 
-/// How many proofs are remembered before those of other texts are dropped.
+/// How many proofs of earlier texts are remembered, beside those of the text as it is.
 const MOST_REMEMBERED: usize = 1024;
 
 #[derive(Clone, Debug, Default)]
@@ -19,6 +19,8 @@ pub(super) struct Memory {
     pub(super) lost: BTreeMap<String, Rc<diagram::Op>>,
     /// By the text of the op.
     proofs: HashMap<String, Remembered>,
+    /// How many there may be before those of earlier texts go.
+    room: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -53,10 +55,18 @@ impl Memory {
         self.lost.retain(|name, _| text.contains(name.as_str()));
     }
 
-    /// Keeps what came of an op. If it gets too much, what is not in `text` goes.
-    pub(super) fn keep(&mut self, op: Passage, examined: &Rc<Examined>, text: &str) {
-        if self.proofs.len() > MOST_REMEMBERED {
-            self.proofs.retain(|known, _| text.contains(known.as_str()));
+    /// Keeps what came of an op. If it gets too much, what is none of the ops as they are
+    /// `written` now goes.
+    pub(super) fn keep<'t>(
+        &mut self,
+        op: Passage,
+        examined: &Rc<Examined>,
+        written: impl Iterator<Item = &'t str>,
+    ) {
+        if self.proofs.len() >= self.room.max(MOST_REMEMBERED) {
+            let written: HashSet<&str> = written.collect();
+            self.proofs.retain(|known, _| written.contains(known.as_str()));
+            self.room = written.len() + MOST_REMEMBERED;
         }
         let remembered =
             Remembered { meaning: op.meaning, at: op.span, examined: Rc::clone(examined) };

@@ -25,7 +25,7 @@ pub(super) fn draw_twins(snapshot: &Snapshot, told: &Diagnostic, rule: &Rule) ->
     let Some(this) = lacking(told) else {
         return Vec::new();
     };
-    let diagnostics = snapshot.diagnostics();
+    let diagnostics = snapshot.diagnostics_so_far();
     let alike = diagnostics.iter().filter(|other| other.code == told.code);
     let mut all: Vec<_> = alike.filter_map(lacking).collect();
     all.dedup();

@@ -28,7 +28,7 @@ pub struct Analysis {
     /// For each op of the program what it depends on that is broken, if that is why it is not
     /// proved.
     pub lacks: Vec<Option<String>>,
-    /// A smallest mesh for each rejected rule that breaks one.
+    /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
     /// Everything that is wrong, file by file in the order of the text.
     pub diagnostics: Vec<Diagnostic>,

@@ -5,6 +5,7 @@ use super::action::{Action, Purpose, append, indentation, statement_span};
 use super::hover::op_named;
 use super::invert::inverse;
 use super::place::{op_near, rule_near};
+use super::rewritten::stays_sound;
 use super::side::subject;
 use super::snapshot::Snapshot;
 use crate::diagnostic::Edit;
@@ -13,17 +14,18 @@ use crate::syntax::tree::{Name, Op, Rule, Side, Statement};
 
 /// What is offered at a byte.
 pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
+    let Some((_, op)) = op_near(snapshot, offset).filter(|(_, op)| op.span.touches(offset)) else {
+        return Vec::new();
+    };
     let mut actions = Vec::new();
     let mut offer = |title: String, edits: Option<Vec<Edit>>| {
+        let edits = edits.filter(|edits| stays_sound(snapshot, op, edits));
         actions.extend(edits.map(|edits| Action {
             title,
             purpose: Purpose::Rewrite,
             edits,
             mends: None,
         }));
-    };
-    let Some((_, op)) = op_near(snapshot, offset).filter(|(_, op)| op.span.touches(offset)) else {
-        return actions;
     };
     if let Some((_, at, rule)) = rule_near(snapshot, offset) {
         let title = match is_empty(rule.after.as_ref()) {
@@ -119,7 +121,7 @@ fn keep_what_stays(snapshot: &Snapshot, rule: &Rule) -> Option<Vec<Edit>> {
     let names: Vec<_> = same
         .iter()
         .filter_map(|statement| subject(statement))
-        .map(|name| name.ident.text.as_str())
+        .map(|name| name.to_string())
         .collect();
     let mut edits =
         vec![Edit { span: statement_span(first), text: format!("keep {}", names.join(" ")) }];

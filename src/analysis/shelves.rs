@@ -4,6 +4,8 @@
 //! only has to be used. Which files those are is found in their texts: this is asked only after
 //! a mistake, and the library declares each op and function at the beginning of a line.
 
+use std::collections::BTreeSet;
+
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, LibraryFile};
 use crate::source::{Sources, Span};
@@ -30,16 +32,43 @@ fn name_files(told: &mut Diagnostic, sources: &Sources) {
     };
     let line = format!("use \"{}\"", first.trim_matches('`'));
     *told = match others {
-        [] => {
+        [] if is_welcome(first.trim_matches('`'), sources) => {
             let (place, text) = head(source.text(), span, &line);
             let told = told.clone().note(format!("the library has it in {first}"));
             told.fix(format!("insert `{line}`"), place, text)
         }
+        [] => told.clone().note(format!(
+            "the library has it in {first}, which cannot be used as it is: it declares a name that \
+             there is already, or makes elements without an attribute that has no default"
+        )),
         _ => told.clone().note(format!(
             "the library has one in {}; to use the first, write `{line}` at the head of the file",
             names.join(", ")
         )),
     };
+}
+
+/// Whether a file of the library can be used without more ado: it declares no name that there is
+/// already, and there is no attribute for which what it makes would lack a value.
+fn is_welcome(name: &str, sources: &Sources) -> bool {
+    let Some(file) = library::file(name) else { return false };
+    let theirs: BTreeSet<&str> = declared(file.text).map(|(_, name)| name).collect();
+    let others = sources.ids().map(|file| sources.get(file)).filter(|other| other.name() != name);
+    let mut ours = others.flat_map(|other| declared(other.text()));
+    !ours.any(|(line, name)| {
+        theirs.contains(name) || line.starts_with("attr ") && !line.contains('=')
+    })
+}
+
+/// The lines of a text that declare an op, a function or an attribute, each with the name.
+fn declared(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    text.lines().filter_map(|line| {
+        let line = line.trim_start();
+        let named = ["op ", "fn ", "attr ", "private attr "];
+        let rest = named.iter().find_map(|word| line.strip_prefix(word))?;
+        let is_word = |letter: char| letter.is_alphanumeric() || letter == '_';
+        Some((line, rest.trim_start().split(|letter| !is_word(letter)).next()?))
+    })
 }
 
 /// Whether a file of the library declares an op or a function of this name.

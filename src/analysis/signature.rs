@@ -49,6 +49,7 @@ fn calls(snapshot: &Snapshot, word: &str) -> Vec<Call> {
             Item::Fn(function) => {
                 (&function.name, &function.params, &function.result, &function.docs)
             }
+            Item::Script(script) => (&script.name, &script.params, &None, &script.docs),
             _ => return None,
         };
         (name.text == word).then(|| {

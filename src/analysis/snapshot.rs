@@ -5,8 +5,8 @@
 //! remembered from one snapshot of a document to the next; so is the last diagram of each
 //! op that could be read, for what is shown while somebody types in the middle of it.
 
-use std::cell::{OnceCell, RefCell};
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::cell::{Cell, OnceCell, RefCell};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::files::{Parts, Reader, fetch, name_of};
@@ -17,10 +17,11 @@ use super::shelves::tell_where;
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
+use crate::library;
 use crate::resolve::{Program, resolve_all};
 use crate::rewrite::Plan;
 use crate::run::{Functions, calls_of_steps, plan_steps};
-use crate::source::{FileId, Sources};
+use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
 
@@ -32,14 +33,22 @@ pub struct Snapshot {
     parsed: Rc<Parsed>,
     used: Vec<(FileId, Rc<Parsed>)>,
     seen: Vec<FileId>,
+    /// For each file that it uses, directly or through others, the `use` that leads there.
+    ways: BTreeMap<FileId, Span>,
     program: Program,
+    /// The ops of the program, by where their names stand.
+    places: HashMap<Span, usize>,
     functions: Functions,
+    /// What is wrong before anything is proved, in whatever file.
     told: Vec<Diagnostic>,
     names: OnceCell<Names>,
     /// For each op what its words mean.
     meanings: OnceCell<Vec<u64>>,
-    /// The ops that have to be proved: its own, and what the steps of those call.
-    due: BTreeSet<usize>,
+    /// The ops that have to be proved, in order: its own, what the steps of those call, and
+    /// those of used files that may break here.
+    due: Vec<usize>,
+    /// How many of them have been looked at, from the first.
+    done: Cell<usize>,
     examined: Vec<OnceCell<Rc<Examined>>>,
     planned: OnceCell<Planned>,
     /// What has been shown of ops in steps.
@@ -87,13 +96,17 @@ impl Snapshot {
         drop(units);
         let seen = parts[0].uses.iter().map(|&used| parts[used].file);
         let seen = seen.collect();
+        let ways = files::ways(&sources, &parts);
         let own = parts.remove(0);
         let used = parts.into_iter().map(|part| (part.file, part.parsed));
         told.extend(own.parsed.diagnostics.iter().cloned());
-        told.retain(|told| told.span().file == file);
+        let used: Vec<_> = used.collect();
+        told.extend(used.iter().flat_map(|(_, parsed)| parsed.diagnostics.iter().cloned()));
         let program = resolved.program;
         let (functions, too_large) = Functions::of(&program);
-        told.extend(too_large.into_iter().filter(|told| told.span().file == file));
+        told.extend(too_large);
+        let due = due(&program, &functions, (file, &sources));
+        let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));
         Self {
             names: OnceCell::new(),
             meanings: OnceCell::new(),
@@ -101,9 +114,12 @@ impl Snapshot {
             sources,
             file,
             parsed: own.parsed,
-            used: used.collect(),
+            used,
             seen,
-            due: due(&program, &functions, file),
+            ways,
+            due,
+            done: Cell::new(0),
+            places: places.collect(),
             program,
             functions,
             planned: OnceCell::new(),
@@ -185,8 +201,7 @@ impl Snapshot {
 
     /// The program's op of an op of the tree.
     pub fn resolved(&self, op: &tree::Op) -> Option<usize> {
-        let ops = &self.program.ops;
-        ops.iter().position(|known| known.span == op.name.span)
+        self.places.get(&op.name.span).copied()
     }
 
     /// The diagram of an op: of this text, or else of the last one in which it could be read.
@@ -196,9 +211,10 @@ impl Snapshot {
             return self.program.ops[at].diagram.clone().map(Rc::new);
         }
         let name = &op.name.text;
+        let own = self.resolved(op).and_then(|at| self.program.ops[at].diagram.as_ref());
         let mut here = self.diagrams();
-        match here.find(|(of, _)| of == name) {
-            Some((_, diagram)) => Some(Rc::new(diagram.clone())),
+        match own.or_else(|| here.find(|(of, _)| of == name).map(|(_, diagram)| diagram)) {
+            Some(diagram) => Some(Rc::new(diagram.clone())),
             None => self.memory.borrow().lost.get(name).cloned(),
         }
     }
@@ -215,9 +231,10 @@ impl Snapshot {
 
     /// Proves one more op, and says whether there was one.
     pub fn examine_next(&self) -> bool {
-        let mut due = self.due.iter();
-        let left = due.find(|&&op| self.examined[op].get().is_none());
-        match left {
+        let left = &self.due[self.done.get()..];
+        let known = left.iter().take_while(|&&op| self.examined[op].get().is_some()).count();
+        self.done.set(self.done.get() + known);
+        match left.get(known) {
             Some(&op) => {
                 self.examined(op);
                 true
@@ -228,16 +245,7 @@ impl Snapshot {
 
     /// How many ops have been looked at, and how many there are.
     pub fn progress(&self) -> (usize, usize) {
-        let mut due = self.due.iter();
-        let all = due.len();
-        let done = due.by_ref().filter(|&&op| self.examined[op].get().is_some());
-        (done.count(), all)
-    }
-
-    /// The ops of the program that stand in this file.
-    fn own(&self) -> impl Iterator<Item = usize> + '_ {
-        let due = self.due.iter().copied();
-        due.filter(|&op| self.program.ops[op].span.file == self.file)
+        (self.done.get(), self.due.len())
     }
 
     /// What is proved of an op of the tree.
@@ -257,7 +265,7 @@ impl Snapshot {
         if let Some(known) = self.examples.borrow().get(&at) {
             return Some(known.clone());
         }
-        let plans = match self.due.contains(&at) {
+        let plans = match self.due.binary_search(&at).is_ok() {
             true => &self.planned().plans,
             // One that the text does not declare, and perhaps does not call.
             false => &self.plan(&reached(&self.program, &self.functions, vec![at])).plans,
@@ -272,7 +280,7 @@ impl Snapshot {
     fn planned(&self) -> &Planned {
         self.planned.get_or_init(|| {
             let ops = &self.program.ops;
-            match self.own().all(|op| ops[op].steps.is_none()) {
+            match self.due.iter().all(|&op| ops[op].steps.is_none()) {
                 true => Planned::default(),
                 false => self.plan(&self.due),
             }
@@ -280,14 +288,12 @@ impl Snapshot {
     }
 
     /// The plans of some ops, with which all comes that their steps lead to.
-    fn plan(&self, due: &BTreeSet<usize>) -> Planned {
-        let plan = |op| {
-            let is_due = due.contains(&op);
-            is_due.then(|| self.examined(op).plan.clone()).flatten()
-        };
-        let mut plans: Vec<_> = (0..self.program.ops.len()).map(plan).collect();
-        let mut told = plan_steps(&self.program, &self.functions, &mut plans);
-        told.retain(|told| told.span().file == self.file);
+    fn plan(&self, due: &[usize]) -> Planned {
+        let mut plans = vec![None; self.program.ops.len()];
+        for &op in due {
+            plans[op] = self.examined(op).plan.clone();
+        }
+        let told = plan_steps(&self.program, &self.functions, &mut plans);
         Planned { plans, told }
     }
 
@@ -307,8 +313,9 @@ impl Snapshot {
         });
         let was_read = examined.proved.is_some() || !examined.diagnostics.is_empty();
         if is_alone && was_read {
-            let mut memory = self.memory.borrow_mut();
-            memory.keep(passage, &examined, self.text());
+            let ops = self.program.ops.iter().filter_map(|op| op.diagram.as_ref());
+            let written = ops.map(|diagram| self.sources.slice(diagram.span));
+            self.memory.borrow_mut().keep(passage, &examined, written);
         }
         examined
     }
@@ -330,15 +337,46 @@ impl Snapshot {
         })
     }
 
-    /// Everything that is wrong, in the order of the text.
+    /// What is wrong before anything is proved, in whatever file.
+    pub(super) fn told(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.told.iter()
+    }
+
+    /// Everything that is wrong, in the order of the text. What is wrong in a file that it uses
+    /// is told at the `use`.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
-        let mut diagnostics = self.told.clone();
-        for op in self.own() {
-            diagnostics.extend(self.examined(op).diagnostics.iter().cloned());
+        let proved = self.due.iter().flat_map(|&op| &self.examined(op).diagnostics);
+        let planned = &self.planned().told;
+        self.located(self.told.iter().chain(proved).chain(planned))
+    }
+
+    /// What is known to be wrong, as far as ops have been looked at.
+    pub fn diagnostics_so_far(&self) -> Vec<Diagnostic> {
+        let examined = self.due.iter().filter_map(|&op| self.examined[op].get());
+        let proved = examined.flat_map(|examined| &examined.diagnostics);
+        let planned = self.planned.get().into_iter().flat_map(|planned| &planned.told);
+        self.located(self.told.iter().chain(proved).chain(planned))
+    }
+
+    fn located<'d>(&self, told: impl Iterator<Item = &'d Diagnostic>) -> Vec<Diagnostic> {
+        let (mut here, there): (Vec<_>, Vec<_>) =
+            told.partition(|told| told.span().file == self.file);
+        let mut broken: BTreeMap<FileId, Vec<&Diagnostic>> = BTreeMap::new();
+        for told in there.into_iter().filter(|told| told.is_error()) {
+            broken.entry(told.span().file).or_default().push(told);
         }
-        diagnostics.extend(self.planned().told.iter().cloned());
-        diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
-        diagnostics
+        let broken = broken.iter().filter_map(|(file, errors)| {
+            let name = self.sources.get(*file).name();
+            Some(files::broken_file(name, *self.ways.get(file)?, errors))
+        });
+        let broken: Vec<_> = broken.collect();
+        here.extend(&broken);
+        here.sort_by_key(|diagnostic| diagnostic.span().start);
+        // What is wrong with a declaration is told once, not for each op that it concerns.
+        here.dedup_by(|next, last| {
+            (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
+        });
+        here.into_iter().cloned().collect()
     }
 
     /// The item that covers a byte, and its index.
@@ -370,16 +408,25 @@ struct Planned {
     told: Vec<Diagnostic>,
 }
 
-/// The ops of a file, and all that their steps lead to.
-fn due(program: &Program, functions: &Functions, file: FileId) -> BTreeSet<usize> {
-    let own = (0..program.ops.len()).filter(|&at| program.ops[at].span.file == file);
+/// The ops of a file, all that their steps lead to, and what may break of used files: ops of the
+/// library only where a new attribute has no default.
+fn due(
+    program: &Program,
+    functions: &Functions,
+    (file, sources): (FileId, &Sources),
+) -> Vec<usize> {
+    let is_ours = |of: FileId| !sources.get(of).name().starts_with(library::FOLDER);
+    let mut attributes = program.attributes.iter();
+    let is_wanted = attributes.any(|attr| attr.default.is_none() && is_ours(attr.span.file));
+    let is_due = |of: FileId| of == file || is_wanted || is_ours(of);
+    let own = (0..program.ops.len()).filter(|&at| is_due(program.ops[at].span.file));
     reached(program, functions, own.collect())
 }
 
 /// Some ops, and all that their steps lead to.
-fn reached(program: &Program, functions: &Functions, mut open: Vec<usize>) -> BTreeSet<usize> {
+fn reached(program: &Program, functions: &Functions, mut open: Vec<usize>) -> Vec<usize> {
     if open.iter().all(|&at| program.ops[at].steps.is_none()) {
-        return open.into_iter().collect();
+        return open;
     }
     let calls = calls_of_steps(program, functions);
     let mut reached = BTreeSet::new();
@@ -388,5 +435,5 @@ fn reached(program: &Program, functions: &Functions, mut open: Vec<usize>) -> BT
             open.extend(calls.get(&op).into_iter().flatten());
         }
     }
-    reached
+    reached.into_iter().collect()
 }

@@ -63,6 +63,11 @@ const MEANINGS: &[(&str, &str)] = &[
     ("by", "the key of a `drain`"),
     ("update", "reads old values everywhere, and writes all at the end"),
     ("must", "stops the script where the operation refuses"),
+    ("can", "whether an operation would apply: `can flip(e)` asks and writes nothing"),
+    (
+        "why",
+        "why an operation would refuse, as a text: `why flip(e)` asks and writes nothing; the text is empty where it would apply",
+    ),
     ("print", "prints values, separated by spaces"),
     ("assert", "stops the script unless a condition holds"),
     ("return", "ends the script, or gives the value of a function"),
@@ -183,6 +188,11 @@ const MEANINGS: &[(&str, &str)] = &[
     ("floor", "the whole number below, as a real"),
     ("ceil", "the whole number above, as a real"),
     ("round", "the nearest int, of two the even one"),
+    (
+        "random",
+        "a number by chance: `random()` a real from 0 up to 1, `random(n)` an int from 0 up to n; `--seed` says which",
+    ),
+    ("shuffle", "visits a sequence in an order by chance: `for e in shuffle(edges) { flip(e) }`"),
     ("mean", "the mean of a value over a sequence: `mean(length(e) for e in edges)`"),
     ("sum", "the sum of a value over a sequence"),
     ("min", "the smaller of two, or the least over a sequence"),

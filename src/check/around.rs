@@ -56,11 +56,14 @@ impl Reach<'_> {
     }
 
     /// How many halfedges of a face or vertex are tried as the one to begin with, if not all:
-    /// with `each` those of one period, and as many as are drawn where all are.
+    /// with `each` those of one period, and as many as are drawn where all are. Where a family
+    /// begins somewhere already, each turn of this one is another match.
     pub fn tries(&self, element: NameId) -> Option<u16> {
         let mut orbits = self.orbits().into_iter();
         let around = orbits.find(|around| around.orbit == element);
+        let walked = self.steps.iter().any(|step| matches!(step, Step::Walk { .. }));
         let tries = match around {
+            Some(_) if walked || !self.begun.is_empty() => return None,
             Some(around) => around.period,
             None => self.whole_orbit(element)?,
         };

@@ -14,6 +14,7 @@ impl Reach<'_> {
             self.distinct_claims(),
             self.order_claims(),
             self.emptiness_claims(),
+            self.spoke_claims(),
         ];
         self.steps.extend(claims.into_iter().flatten().map(Step::Test));
     }
@@ -176,6 +177,33 @@ impl Reach<'_> {
                 true => Claim::NotAllEmptyAround(items[..items.len() / size].to_vec()),
                 false => Claim::NotAllEmpty(items),
             });
+        }
+        claims
+    }
+
+    /// A halfedge with a name lies in no fan: where its vertex may be one with another that has
+    /// a statement, it is one of those listed there.
+    fn spoke_claims(&self) -> Vec<Claim> {
+        let rule = self.drawing.rule;
+        let mut claims = Vec::new();
+        for star in &rule.before.stars {
+            let listed = star.spokes.iter().filter_map(|spoke| match spoke {
+                Spoke::Halfedge(half) => Some(half.name),
+                Spoke::Fan(_) | Spoke::Rest(_) => None,
+            });
+            let spokes: Vec<_> = listed.collect();
+            let vertex = star.vertex.name;
+            for halfedge in rule.names_of(Kind::Halfedge) {
+                let origin = self.drawing.origin_before(halfedge);
+                let elsewhere = |of: &NameId| *of != vertex && rule.may_be_one(*of, vertex);
+                let drawn = self.drawing.before.mention(halfedge).is_some();
+                if let Some(origin) = origin.filter(elsewhere)
+                    && drawn
+                {
+                    let (vertices, spokes) = ([origin, vertex], spokes.clone());
+                    claims.push(Claim::Listed { halfedge, vertices, spokes });
+                }
+            }
         }
         claims
     }

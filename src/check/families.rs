@@ -10,6 +10,8 @@
 //!
 //! Law 7 looks at rings of any length, and has its own argument: [`voltage`](super::voltage).
 
+use std::borrow::Cow;
+
 use super::facts::Facts;
 use super::fold::{Fold, fold_obligations, fold_pairs};
 use super::guard::{Obligation, obligations};
@@ -80,7 +82,7 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Rejected> {
     let sizes = Sizes::new(rule);
     match laws(op, &sizes) {
         Ok(proof) => Ok(proof),
-        Err(broken) => Err(reject(op, &sizes, broken)),
+        Err(broken) => Err(reject(op, rule, &sizes, broken)),
     }
 }
 
@@ -129,11 +131,18 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
     vec![problem.into()]
 }
 
+/// How much longer cycles are looked at than those that are tested one by one, for a mesh that
+/// breaks.
+const FURTHER: u32 = 3;
+
 /// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
-fn reject(op: &Op, sizes: &Sizes, broken: Broken) -> Rejected {
+fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
     let mut problems = broken.problems;
     let mut outcome = Outcome::NotTried;
-    for short in &sizes.small {
+    let tested = sizes.small.len() as u32;
+    let further = (tested + 1..=tested + FURTHER)
+        .map(|size| Cow::Owned(Unrolled::new(rule, size, Naming::Numbers)));
+    for short in sizes.small.iter().map(Cow::Borrowed).chain(further) {
         let Err(mut here) = prove_plain(op, &short.rule) else {
             continue;
         };

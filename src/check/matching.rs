@@ -60,7 +60,7 @@ pub enum Step {
     Attempt {
         /// The edge, vertex or face.
         element: NameId,
-        /// The halfedge that is bound.
+        /// The halfedge that is bound; or a path that is all of the loop, to its first.
         halfedge: NameId,
         /// How many are tried, if not all: further ones would match alike.
         tries: Option<u16>,
@@ -103,6 +103,16 @@ pub enum Claim {
     },
     /// Not all of these paths are empty.
     NotAllEmpty(Vec<NameId>),
+    /// The halfedge, where its vertex is one with another one, is one of the spokes that the
+    /// statement of that one lists.
+    Listed {
+        /// The halfedge.
+        halfedge: NameId,
+        /// Its vertex, and the one that has a statement.
+        vertices: [NameId; 2],
+        /// What it lists.
+        spokes: Vec<NameId>,
+    },
     /// The member at index 0 of a family is the halfedge that was given.
     Begins(NameId),
     /// All these names, and all members of the families among them, are different elements.
@@ -183,6 +193,7 @@ impl Claim {
             | Claim::AllDistinct(names)
             | Claim::AroundInOrder { halfedges: names, .. }
             | Claim::NotAllEmptyAround(names) => names.clone(),
+            Claim::Listed { halfedge, .. } => vec![*halfedge],
             Claim::Begins(name) => vec![*name],
         }
     }

@@ -103,7 +103,10 @@ impl Reach<'_> {
                 self.steps.push(Step::Attempt { element: name, halfedge, tries: self.tries(name) });
                 self.begin(halfedge);
                 self.follow();
-            } else if !self.is_whole_path(name) {
+            } else if let Some(path) = self.whole_path(name) {
+                let tries = self.is_alike_around().then_some(1);
+                self.steps.push(Step::Attempt { element: name, halfedge: path, tries });
+            } else {
                 let text = rule.quoted(name);
                 let kind = rule.kind(name);
                 let message = format!("`before` draws no halfedge of the parameter {text}");
@@ -229,12 +232,24 @@ impl Reach<'_> {
         }
     }
 
-    fn is_whole_path(&self, face: NameId) -> bool {
+    /// The path that is all of the loop of a face.
+    fn whole_path(&self, face: NameId) -> Option<NameId> {
         let rule = self.drawing.rule;
-        rule.kind(face) == Kind::Face
-            && self.drawing.before.loop_of_face(face).is_some_and(|orbit| {
-                matches!(orbit.items.as_slice(), [item] if rule.kind(item.item.name) == Kind::Path)
-            })
+        if rule.kind(face) != Kind::Face {
+            return None;
+        }
+        match self.drawing.before.loop_of_face(face)?.items.as_slice() {
+            [item] if rule.kind(item.item.name) == Kind::Path => Some(item.item.name),
+            _ => None,
+        }
+    }
+
+    /// Whether a loop that is one path matches alike wherever it begins: nothing is asked of
+    /// its vertex.
+    fn is_alike_around(&self) -> bool {
+        let rule = self.drawing.rule;
+        let asks = !rule.requires.is_empty() || rule.guard.is_some();
+        !asks && rule.assignments.is_empty() && rule.before.loops.len() == 1
     }
 
     /// Binds edges, faces and vertices, and tells the names that cannot be bound.
@@ -271,7 +286,6 @@ impl Reach<'_> {
                 return Err(vec![self.unreachable(op, &[face])]);
             }
             let first = Bound::First(path);
-            self.steps.push(Step::Bind { name: first, source: Source::FaceHalfedge(face) });
             self.steps.push(Step::Bind { name: Bound::Last(path), source: Source::Prev(first) });
             let vertex = item.from.name;
             let source = Source::Origin(first);

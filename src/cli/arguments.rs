@@ -106,6 +106,9 @@ pub(super) struct RunArguments {
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -278,6 +281,9 @@ pub(super) struct TestArguments {
     /// Only tests whose name holds this text
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
+    /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::arguments::FmtArguments;
 use super::failure::Failure;
 use super::output::{complain, complain_of};
-use super::program::{as_text, text_of};
+use crate::analysis::{program_text, read_program};
 use crate::format::{Formatted, format};
 use crate::source::Sources;
 
@@ -45,7 +45,7 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
     let read = stdin().read_to_end(&mut bytes);
     let text = read
         .map_err(|error| error.to_string())
-        .and_then(|_| as_text(bytes))
+        .and_then(|_| program_text(bytes))
         .map_err(|why| Failure::usage(format!("cannot read `{STANDARD_INPUT}`: {why}")))?;
     let formatted = formatted(&text, STANDARD_INPUT)?;
     if check {
@@ -59,8 +59,8 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
 
 fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
     let shown = path.display().to_string();
-    let text =
-        text_of(path).map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
+    let text = read_program(path)
+        .map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;
     let formatted = formatted(&text, &shown)?;
     if check {
         return Ok(is_as_it_should(&text, &formatted, &shown));

@@ -6,7 +6,7 @@ use strsim::damerau_levenshtein;
 
 use super::failure::Failure;
 use super::output::{complain, complain_of};
-use crate::analysis::{Analysis, Reader, meant};
+use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
 use crate::source::{Sources, Span};
 
@@ -18,8 +18,16 @@ pub(super) struct Program {
 
 /// Reads a program, and the files it uses. What is wrong inside them is in its diagnostics.
 ///
-/// A path that leads to no file, but is the name of one of the library, means that.
+/// A path that leads to no file, but does with `.hedge` behind it, means that; one that is the name
+/// of a file of the library means that.
 pub(super) fn read(path: &Path) -> Result<Program, Failure> {
+    let mut longer = path.as_os_str().to_owned();
+    longer.push(".hedge");
+    let longer = Path::new(&longer);
+    let path = match !path.is_file() && longer.is_file() {
+        true => longer,
+        false => path,
+    };
     let shown = path.display().to_string();
     if is_mesh(path) {
         return Err(Failure::usage(format!(
@@ -29,7 +37,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
     let of_library = library::file(&shown).filter(|_| !path.exists());
     let text = match of_library {
         Some(file) => Ok(file.text.to_owned()),
-        None => text_of(path),
+        None => read_program(path),
     };
     let text = text.map_err(|why| {
         let advice = match meant(&shown, &shown, &mut Disk) {
@@ -56,49 +64,6 @@ impl Program {
 fn is_mesh(path: &Path) -> bool {
     let end = path.extension().map(|end| end.to_ascii_lowercase());
     end.is_some_and(|end| end == "obj" || end == "halfedges")
-}
-
-/// The text of a file, or in words why there is none.
-pub(super) fn text_of(path: &Path) -> Result<String, String> {
-    as_text(std::fs::read(path).map_err(|error| error.to_string())?)
-}
-
-/// Bytes as text, or in words why they are none.
-pub(super) fn as_text(bytes: Vec<u8>) -> Result<String, String> {
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
-        format!("it is not UTF-8 text: see line {line}")
-    })?;
-    match u32::try_from(text.len()) {
-        Ok(_) => Ok(text),
-        Err(_) => Err("it is larger than 4 GiB".to_owned()),
-    }
-}
-
-/// The files of this computer.
-struct Disk;
-
-impl Reader for Disk {
-    fn read(&mut self, name: &str) -> Result<String, String> {
-        match Path::new(name).exists() {
-            true => text_of(Path::new(name)),
-            false => Err("there is no such file".to_owned()),
-        }
-    }
-
-    fn beside(&mut self, name: &str) -> Vec<String> {
-        let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-        let folder = match folder.as_os_str().is_empty() {
-            true => Path::new("."),
-            false => folder,
-        };
-        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-        let mut names: Vec<_> = names.filter(|name| name.ends_with(".hedge")).collect();
-        names.sort();
-        names
-    }
 }
 
 /// Reads a program that is wanted whole: says what is wrong, and stops there.

@@ -28,7 +28,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         Failure::Silent(code.into())
     };
     let prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
-        .map_err(|errors| failed(&errors, 1))?;
+        .map_err(|errors| failed(&errors, 1))?
+        .with_seed(arguments.seed);
     let values =
         prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();

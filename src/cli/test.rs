@@ -12,11 +12,15 @@ use super::interrupt;
 use super::meshes;
 use super::output::{complain_of, say, say_json};
 use super::program::{self, Program};
+use crate::analysis::expect_regular;
 use crate::diagnostic::Diagnostic;
 use crate::mesh::Obj;
 use crate::rewrite::Watch;
 use crate::run;
 use crate::source::Span;
+
+/// The largest mesh that a program loads, in bytes: 1 GiB.
+const LARGEST_MESH: u64 = 1 << 30;
 
 /// Runs the tests of files, and says which fail.
 pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
@@ -75,7 +79,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         let mut printed = Lines::default();
         let mut load = |path: &str, span: Span| load(program, path, span);
         let (resolved, plans) = (&analysis.program, &analysis.plans);
-        let done = run::test(resolved, number, plans, &mut load, &mut printed);
+        let done = run::test(resolved, number, plans, arguments.seed, &mut load, &mut printed);
         let failed = done.err().map(|failure| failure.diagnostic);
         if is_human {
             let word = if failed.is_some() { "FAILED" } else { "ok" };
@@ -113,8 +117,9 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
 /// The mesh of a path that is written in some file: beside it.
 fn load(program: &Program, path: &str, span: Span) -> Result<Obj, String> {
     let home = Path::new(program.sources.get(span.file).name());
-    let folder = home.parent().unwrap_or(Path::new(""));
-    let read = meshes::read(&folder.join(path));
+    let path = home.parent().unwrap_or(Path::new("")).join(path);
+    expect_regular(&path, LARGEST_MESH).map_err(|why| format!("{}: {why}", path.display()))?;
+    let read = meshes::read(&path);
     read.map_err(|failure| failure.reason().unwrap_or_default().to_owned())
 }
 

@@ -46,24 +46,24 @@ impl Reassign<'_, '_, '_, '_> {
     }
 
     /// A halfedge that starts at the vertex after: a named spoke; else the first of a path
-    /// that cannot be empty; else of one found not to be empty.
+    /// that cannot be empty; else what a path that may be begins with, be it what follows it.
     fn spoke_of(&mut self, vertex: NameId) -> Option<(Reg, String)> {
         let rule = self.drawing.rule;
         if let Some(half) = self.drawing.spoke_after(vertex) {
             return Some((self.element(half), self.word(half).into()));
         }
-        let paths = self.drawing.paths_after(vertex);
-        let first = *paths.first()?;
-        let first_of = |path: &NameId| format!("first({})", self.word(*path));
-        let certain = self.registers.home_of_empty(first).is_none();
-        let text = match certain {
-            true => first_of(&first),
-            false => paths.iter().map(first_of).collect::<Vec<_>>().join(" or "),
+        let path = self.drawing.path_after(vertex)?;
+        let first_of = |item: &NameId| match self.is_path(*item) {
+            true => format!("first({})", self.word(*item)),
+            false => self.word(*item).to_owned(),
         };
-        if rule.is_member(first) && !certain && !rule.is_member(vertex) {
-            let text = first_of(&first);
-            return Some((self.first_around(first), text));
+        let certain = self.registers.home_of_empty(path).is_none();
+        if rule.is_member(path) && !certain && !rule.is_member(vertex) {
+            let text = first_of(&path);
+            return Some((self.first_around(path), text));
         }
-        Some((self.head(&paths, 0), text))
+        let items = self.drawing.heads_after(path);
+        let text = items.iter().map(first_of).collect::<Vec<_>>().join(" or ");
+        Some((self.head(&items, 0), text))
     }
 }

@@ -101,7 +101,7 @@ impl Collect<'_, '_, '_, '_> {
         if tries == Some(1) {
             self.output.asm.bind(begin);
             self.output.asm.bind(again);
-            let target = self.drawing.rule.name(halfedge).text.clone();
+            let target = self.begin_word(halfedge);
             let value = each.split(',').next().unwrap_or_default().to_owned();
             self.row(Cell::Set { target, value });
             return;
@@ -124,8 +124,17 @@ impl Collect<'_, '_, '_, '_> {
         self.output.asm.emit(Inst::JumpEqual { left: to, right: start, to: self.fail });
         self.output.asm.bind(begin);
         self.fail = again;
-        let target = self.drawing.rule.name(halfedge).text.clone();
+        let target = self.begin_word(halfedge);
         self.row(Cell::Set { target, value: each });
+    }
+
+    /// What an attempt begins with, in words: a halfedge, or the first of a path.
+    fn begin_word(&self, halfedge: NameId) -> String {
+        let bound = match self.drawing.rule.kind(halfedge) {
+            Kind::Path => Bound::First(halfedge),
+            _ => Bound::Element(halfedge),
+        };
+        reason::bound(self.drawing, bound)
     }
 
     /// Whether a path is empty: then what follows it is what it begins with.

@@ -140,6 +140,16 @@ impl Collect<'_, '_, '_, '_> {
                 let all_empty = self.are_empty(paths);
                 Inst::Expect { condition: self.not(all_empty), refusal, otherwise }
             }
+            Claim::Listed { halfedge, vertices: [origin, vertex], spokes } => {
+                let mut hidden = self.are_one(*origin, *vertex);
+                for &spoke in spokes {
+                    let listed = self.are_one(*halfedge, spoke);
+                    let (left, right) = (hidden, self.not(listed));
+                    hidden = self.output.asm.reg();
+                    self.output.asm.emit(Inst::And { to: hidden, left, right });
+                }
+                Inst::Expect { condition: self.not(hidden), refusal, otherwise }
+            }
             claim => {
                 let condition = match self.around(claim) {
                     Around::Distinct(buffer) => {
@@ -175,6 +185,13 @@ impl Collect<'_, '_, '_, '_> {
             asm.emit(Inst::And { to, left, right });
             to
         })
+    }
+
+    fn are_one(&mut self, left: NameId, right: NameId) -> Reg {
+        let [left, right] = [left, right].map(|name| self.element(name));
+        let to = self.output.asm.reg();
+        self.output.asm.emit(Inst::Equal { to, left, right });
+        to
     }
 
     pub(super) fn not(&mut self, from: Reg) -> Reg {

@@ -44,6 +44,14 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
             let paths: Vec<_> = paths.iter().map(|&path| word(path)).collect();
             format!("{} not empty", paths.join(" or "))
         }
+        Claim::Listed { halfedge, vertices: [origin, vertex], spokes } => {
+            let spokes: Vec<_> = spokes.iter().map(|&spoke| word(spoke)).collect();
+            let among = match spokes.is_empty() {
+                true => String::new(),
+                false => format!(", or {} is {}", word(*halfedge), spokes.join(" or ")),
+            };
+            format!("{} is not {}{among}", word(*origin), word(*vertex))
+        }
         Claim::Begins(name) => format!("{} is the one that is given", word(*name)),
         Claim::AllDistinct(names) => {
             let names: Vec<_> = names.iter().map(|&name| word(name)).collect();
@@ -104,6 +112,10 @@ pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
             let face = paths.first().and_then(|&path| drawing.after.face(path));
             let face = face.map_or_else(|| "a face".to_string(), |face| rule.quoted(face));
             format!("{face} would be left without halfedges")
+        }
+        Claim::Listed { halfedge, vertices: [_, vertex], .. } => {
+            let (halfedge, vertex) = (rule.quoted(*halfedge), rule.quoted(*vertex));
+            format!("{halfedge} is a spoke of {vertex}, whose statement does not list it")
         }
         Claim::Begins(name) => format!("{} does not begin there", rule.quoted(*name)),
         Claim::AllDistinct(names) => {

@@ -97,16 +97,6 @@ impl<'a> Drawing<'a> {
         view.loop_target(item).or_else(|| self.origin_after(view.twin(item)?))
     }
 
-    /// The paths that start after at a vertex which an `alias` lets be one with this one. Where
-    /// all its own are empty it is, and one of these is not.
-    pub fn paths_where_one(&self, vertex: NameId) -> impl Iterator<Item = NameId> + '_ {
-        let paths = self.rule.names_of(Kind::Path);
-        paths.filter(move |&path| {
-            let origin = self.after.loop_origin(path);
-            origin.is_some_and(|origin| origin != vertex && self.rule.may_be_one(origin, vertex))
-        })
-    }
-
     /// Whether a path may have no halfedge: its ends before are one vertex, and it is
     /// not the whole of its loop.
     pub fn may_be_empty(&self, path: NameId) -> bool {

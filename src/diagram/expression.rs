@@ -114,7 +114,9 @@ impl Expr {
                 ExprKind::Binary(_, left, right) | ExprKind::Let(_, left, right) => {
                     open.extend([&**left, &**right]);
                 }
-                ExprKind::Call(_, args) | ExprKind::Invoke(_, args) => open.extend(args),
+                ExprKind::Call(_, args) | ExprKind::Invoke(_, args) | ExprKind::Try(_, args) => {
+                    open.extend(args);
+                }
                 ExprKind::If(condition, then, otherwise) => {
                     open.extend([&**condition, &**then, &**otherwise]);
                 }
@@ -175,6 +177,9 @@ pub enum ExprKind {
     Fold(Box<Fold>),
     /// A function of the program, by its number there, and an argument for each parameter.
     Invoke(u32, Vec<Expr>),
+    /// An operation of the program, by its number, that is asked and not applied, with its
+    /// arguments: as a bool whether it would apply, as a text why it would refuse.
+    Try(u32, Vec<Expr>),
     /// `let x = …` in a block that is a value: the variable's number, what it is, and the
     /// value of the block.
     Let(u32, Box<Expr>, Box<Expr>),
@@ -357,6 +362,9 @@ pub enum Builtin {
     Ceil,
     /// real -> int: half to even.
     Round,
+    /// -> real: by chance, from 0 up to 1; int -> int: from 0 up to the int
+    Random,
+    RandomInt,
     /// real -> matrix: the real on the diagonal, zero elsewhere.
     Diagonal,
     /// mat4 -> mat3: its first three rows and columns.

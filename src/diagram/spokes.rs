@@ -1,6 +1,6 @@
 //! Which halfedges start at a vertex: what its `halfedge` may be.
 
-use super::{Drawing, Kind, NameId, Ref, Spoke};
+use super::{Drawing, Kind, Loop, NameId, Ref, Spoke};
 
 impl Drawing<'_> {
     /// Whether all that started at a vertex before still does after, so that its `halfedge`
@@ -33,16 +33,31 @@ impl Drawing<'_> {
         listed.or_else(|| halfedges.find(|&half| self.starts_after(half, vertex)))
     }
 
-    /// The paths that start at a vertex after, those that cannot be empty first, then
-    /// those that start there where names are one.
-    pub fn paths_after(&self, vertex: NameId) -> Vec<NameId> {
+    /// A path that starts at a vertex after; one that cannot be empty, if there is one.
+    pub fn path_after(&self, vertex: NameId) -> Option<NameId> {
         let paths = self.rule.names_of(Kind::Path);
-        let mut paths: Vec<_> = paths.filter(|&path| self.starts_after(path, vertex)).collect();
-        paths.sort_by_key(|&path| self.is_empty_somewhere(path));
-        if !paths.is_empty() {
-            paths.extend(self.paths_where_one(vertex));
+        let paths = paths.filter(|&path| self.starts_after(path, vertex));
+        paths.min_by_key(|&path| self.is_empty_somewhere(path))
+    }
+
+    /// Where a path begins after: the path itself, and while all before may be empty, what
+    /// follows it in its loop. Where it is empty its two ends are one vertex, so whatever is the
+    /// first of these that is there starts at its vertex, under whichever name.
+    pub fn heads_after(&self, path: NameId) -> Vec<NameId> {
+        let size = self.rule.size().unwrap_or(1) as usize;
+        let period = |orbit: &Loop| orbit.items.len() / if orbit.each { size } else { 1 };
+        let most = self.after.loop_of_item(path).map_or(1, period);
+        let mut heads = vec![path];
+        let mut last = path;
+        while heads.len() < most
+            && self.rule.kind(last) == Kind::Path
+            && self.is_empty_somewhere(last)
+            && let Some(next) = self.after.item_after(last)
+        {
+            heads.push(next);
+            last = next;
         }
-        paths
+        heads
     }
 
     fn starts_after(&self, item: NameId, vertex: NameId) -> bool {

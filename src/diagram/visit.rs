@@ -25,7 +25,9 @@ impl Expr {
                 left.visit_mut(change);
                 right.visit_mut(change);
             }
-            ExprKind::Call(_, arguments) | ExprKind::Invoke(_, arguments) => {
+            ExprKind::Call(_, arguments)
+            | ExprKind::Invoke(_, arguments)
+            | ExprKind::Try(_, arguments) => {
                 arguments.iter_mut().for_each(|argument| argument.visit_mut(change));
             }
             ExprKind::If(condition, then, otherwise) => {

@@ -40,6 +40,9 @@ impl Expressions<'_> {
                 let args = args.iter().map(|arg| self.term(arg));
                 Term::Invoke(name, args.collect::<Result<_, _>>()?)
             }
+            ExprKind::Try(..) => {
+                return Err(NotEmitted::new("an op that is only asked", expr.span));
+            }
             ExprKind::Let(..) => {
                 return Err(NotEmitted::new("a block within a value", expr.span));
             }
@@ -87,6 +90,9 @@ impl Expressions<'_> {
                 if args.len() == 1 && args[0].ty == Type::Vec3 =>
             {
                 Term::Call(Function::IsFinite, vec![self.term(&args[0])?])
+            }
+            ExprKind::Call(Builtin::Random | Builtin::RandomInt, _) => {
+                return Err(NotEmitted::new("a random number", expr.span));
             }
             ExprKind::Call(builtin, args) => {
                 let function = match type_of_call(*builtin, args, expr.ty) {
@@ -177,6 +183,7 @@ pub(super) fn is_surely_finite(expr: &Expr) -> bool {
         | ExprKind::Follow(..)
         | ExprKind::Read(Access::Declared(_), _)
         | ExprKind::Invoke(..)
+        | ExprKind::Try(..)
         | ExprKind::Let(..)
         | ExprKind::Fold(_) => false,
     }

@@ -295,6 +295,11 @@ impl Matching<'_, '_> {
                 Term::Call(function, terms.collect())
             }
             Claim::NotAllEmpty(paths) => self.are_empty(paths).not(),
+            Claim::Listed { halfedge, vertices: [origin, vertex], spokes } => {
+                let apart = self.term(*origin).differs_from(self.term(*vertex));
+                let listed = spokes.iter().map(|&spoke| self.term(*halfedge).is(self.term(spoke)));
+                listed.fold(apart, Term::or)
+            }
         }
     }
     /// Whether all of these paths are empty.

@@ -329,12 +329,11 @@ impl Reassign<'_, '_> {
         if let Some(half) = drawing.spoke_after(vertex) {
             return Some((self.term(half), None));
         }
-        let paths = drawing.paths_after(vertex);
-        let &first = paths.first()?;
-        let certain = !drawing.is_empty_somewhere(first);
-        if rule.is_member(first) && !certain && !rule.is_member(vertex) {
-            return Some((self.turning(true, |this| this.term(first)), Some(first)));
+        let path = drawing.path_after(vertex)?;
+        let certain = !drawing.is_empty_somewhere(path);
+        if rule.is_member(path) && !certain && !rule.is_member(vertex) {
+            return Some((self.turning(true, |this| this.term(path)), Some(path)));
         }
-        Some((self.head(&paths, 0), None))
+        Some((self.head(&drawing.heads_after(path), 0), None))
     }
 }

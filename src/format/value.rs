@@ -33,7 +33,7 @@ impl Printer<'_> {
                 let inside = inside.append(source).align();
                 open.append(inside).append(self.token()).group()
             }
-            ExprKind::Must(call) => {
+            ExprKind::Must(call) | ExprKind::Asked(_, call) => {
                 let must = self.token().append(text(" "));
                 must.append(self.value(call, width))
             }

@@ -22,11 +22,16 @@ const FILES: &[LibraryFile] = &[
         text: include_str!("std/planar_triangle.hedge"),
     },
     LibraryFile { name: "std/planar_quad.hedge", text: include_str!("std/planar_quad.hedge") },
+    LibraryFile {
+        name: "std/planar_cleanup.hedge",
+        text: include_str!("std/planar_cleanup.hedge"),
+    },
     LibraryFile { name: "std/subdivide.hedge", text: include_str!("std/subdivide.hedge") },
     LibraryFile { name: "std/remesh.hedge", text: include_str!("std/remesh.hedge") },
     LibraryFile { name: "std/simplify.hedge", text: include_str!("std/simplify.hedge") },
     LibraryFile { name: "std/triangulate.hedge", text: include_str!("std/triangulate.hedge") },
     LibraryFile { name: "std/smooth.hedge", text: include_str!("std/smooth.hedge") },
+    LibraryFile { name: "std/random.hedge", text: include_str!("std/random.hedge") },
     LibraryFile { name: "std/repair.hedge", text: include_str!("std/repair.hedge") },
 ];
 
@@ -35,13 +40,13 @@ pub fn files() -> impl Iterator<Item = LibraryFile> {
     FILES.iter().copied()
 }
 
-/// The file of a name: `std/triangle.hedge`, for short also `triangle`.
+/// The file of a name: `std/triangle.hedge`, for short also `std/triangle` and `triangle`.
 pub fn file(name: &str) -> Option<LibraryFile> {
-    let short = |file: &LibraryFile| {
-        let inner = file.name.strip_prefix(FOLDER);
-        inner.and_then(|inner| inner.strip_suffix(".hedge"))
-    };
-    files().find(|file| file.name == name || short(file) == Some(name))
+    files().find(|file| {
+        let shorter = file.name.strip_suffix(".hedge").unwrap_or(file.name);
+        let shortest = shorter.strip_prefix(FOLDER).unwrap_or(shorter);
+        [file.name, shorter, shortest].contains(&name)
+    })
 }
 
 #[cfg(test)]
@@ -49,13 +54,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_file_is_found_by_both_of_its_names() {
+    fn every_file_is_found_by_all_of_its_names() {
         let mut found = 0;
         for known in files() {
-            let short = known.name.strip_prefix(FOLDER).unwrap();
-            let short = short.strip_suffix(".hedge").unwrap();
-            assert_eq!(file(known.name), Some(known));
-            assert_eq!(file(short), Some(known));
+            let shorter = known.name.strip_suffix(".hedge").unwrap();
+            let shortest = shorter.strip_prefix(FOLDER).unwrap();
+            for name in [known.name, shorter, shortest] {
+                assert_eq!(file(name), Some(known));
+            }
             found += 1;
         }
         assert!(found > 0);

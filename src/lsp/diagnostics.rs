@@ -19,19 +19,26 @@ impl Server {
         let unpublished = self.documents.iter_mut();
         let next = unpublished.into_iter().find(|document| !document.is_published);
         let Some(document) = next else { return false };
-        if document.snapshot().examine_next() {
-            let (done, all) = document.snapshot().progress();
-            self.report_progress(done, all);
-            return true;
-        }
-        document.is_published = true;
-        let params = PublishDiagnosticsParams {
+        let is_left = document.snapshot().examine_next();
+        let is_first = is_left && document.is_kept_waiting();
+        let params = (is_first || !is_left).then(|| PublishDiagnosticsParams {
             uri: document.uri().clone(),
             version: Some(document.version()),
-            diagnostics: diagnostics(document),
-        };
-        self.end_progress();
-        self.tell::<PublishDiagnosticsNotification>(params);
+            diagnostics: match is_left {
+                true => protocol(document, &document.snapshot().diagnostics_so_far()),
+                false => diagnostics(document),
+            },
+        });
+        if is_left {
+            let (done, all) = document.snapshot().progress();
+            self.report_progress(done, all);
+        } else {
+            document.is_published = true;
+            self.end_progress();
+        }
+        if let Some(params) = params {
+            self.tell::<PublishDiagnosticsNotification>(params);
+        }
         true
     }
 
@@ -54,7 +61,10 @@ impl Server {
 
 /// Everything that is wrong with a document.
 pub(super) fn diagnostics(document: &Document) -> Vec<Diagnostic> {
-    let told = document.snapshot().diagnostics();
+    protocol(document, &document.snapshot().diagnostics())
+}
+
+fn protocol(document: &Document, told: &[diagnostic::Diagnostic]) -> Vec<Diagnostic> {
     told.iter().map(|told| diagnostic(document, told)).collect()
 }
 

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::ops::Range;
 use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 use gen_lsp_types::{Location, Position, TextDocumentContentChangeEvent, TextDocumentItem, Uri};
 
@@ -25,7 +26,12 @@ pub(super) struct Document {
     earlier: Option<Rc<Snapshot>>,
     /// Whether diagnostics have been published for this version.
     pub(super) is_published: bool,
+    /// Since when nothing has been published of it, if nothing has.
+    waiting_since: Option<Instant>,
 }
+
+/// How long a person looks at a new document before something is said of it.
+const PATIENCE: Duration = Duration::from_millis(500);
 
 impl Document {
     pub(super) fn new(item: TextDocumentItem, encoding: Encoding, files: Files) -> Self {
@@ -40,7 +46,18 @@ impl Document {
             snapshot: OnceCell::new(),
             earlier: None,
             is_published: false,
+            waiting_since: Some(Instant::now()),
         }
+    }
+
+    /// Whether it is time to publish what is known, since nothing has been for a while: that is
+    /// so once.
+    pub(super) fn is_kept_waiting(&mut self) -> bool {
+        let is_due = self.waiting_since.is_some_and(|since| since.elapsed() > PATIENCE);
+        if is_due {
+            self.waiting_since = None;
+        }
+        is_due
     }
 
     pub(super) fn uri(&self) -> &Uri {

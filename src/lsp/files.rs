@@ -9,7 +9,7 @@ use std::rc::Rc;
 use gen_lsp_types::Uri;
 
 use super::uri;
-use crate::analysis::Reader;
+use crate::analysis::{Disk, Reader};
 use crate::library;
 
 /// A reader of all files, shared by all documents.
@@ -78,7 +78,7 @@ impl Files {
 fn written(name: &str, text: &str) -> std::io::Result<Uri> {
     let folder = format!("hedgerow-{}", env!("CARGO_PKG_VERSION"));
     let path = std::env::temp_dir().join(folder).join(name);
-    if std::fs::read_to_string(&path).is_ok_and(|known| known == text) {
+    if Disk.read(&path.display().to_string()).is_ok_and(|known| known == text) {
         return Ok(uri::of_path(&path));
     }
     let parent = path.parent().unwrap_or(Path::new("."));

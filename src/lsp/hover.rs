@@ -4,6 +4,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use gen_lsp_types::*;
 
+use super::markdown::{fenced, quoted};
 use super::requests::Answer;
 use super::server::Server;
 use crate::analysis::element::Element;
@@ -19,17 +20,20 @@ impl Server {
         let (document, offset) = self.place(&params.text_document_position_params)?;
         let found = hover(document.snapshot(), offset);
         let images = self.client.wants_images();
-        Ok(found.map(|found| {
+        let is_markdown = self.client.reads_markdown();
+        Ok(found.map(|mut found| {
+            if is_markdown && let Some(docs) = found.card.docs_mut() {
+                *docs = quoted(docs);
+            }
             let value = match &found.card {
                 Card::Op(op) => op_text(op, images),
                 Card::Element(element) => element_text(element),
                 Card::Declared { head, docs } => declared_text(head, docs),
                 Card::Word(word) => word_text(word),
             };
-            let kind = if self.client.reads_markdown() {
-                MarkupKind::Markdown
-            } else {
-                MarkupKind::PlainText
+            let kind = match is_markdown {
+                true => MarkupKind::Markdown,
+                false => MarkupKind::PlainText,
             };
             Hover {
                 contents: MarkupContent { kind, value }.into(),
@@ -37,10 +41,6 @@ impl Server {
             }
         }))
     }
-}
-
-fn fenced(word: &str, text: &str) -> String {
-    format!("```{word}\n{}\n```\n", text.trim_end())
 }
 
 fn op_text(op: &OpCard, images: bool) -> String {
@@ -85,7 +85,7 @@ pub(super) fn verdict(op: &OpCard) -> String {
         return rules.collect::<Vec<_>>().join("\n");
     }
     let mut lines = vec!["**not proved**".to_owned()];
-    lines.extend(op.wrong.iter().map(|wrong| format!("- {wrong}")));
+    lines.extend(quoted(&op.wrong).iter().map(|wrong| format!("- {wrong}")));
     lines.join("\n") + "\n"
 }
 
@@ -125,7 +125,7 @@ fn rule_text(rule: &RuleVerdict) -> String {
     text
 }
 
-/// A doc comment is Markdown already.
+/// A doc comment is Markdown already; for clients that draw it, it has been [`quoted`].
 fn docs(lines: &[String]) -> String {
     let mut text = lines.join("\n");
     text.push('\n');

@@ -5,12 +5,12 @@
 //! whatever text an editor holds; here it only gets positions and the protocol's names. One
 //! loop owns the documents. Requests are answered in the order they come in, one that is
 //! cancelled before its turn is not; between messages, ops are proved one by one, and when
-//! all are, diagnostics are published.
+//! all are, diagnostics are published. What is asked about all ops of a document waits until then,
+//! and keeps no other question waiting.
 
 // What comes and goes.
+mod message;
 mod stdio;
-
-mod disk;
 
 mod server;
 
@@ -38,6 +38,7 @@ mod formatting;
 mod hints;
 mod hover;
 mod lenses;
+mod markdown;
 mod navigation;
 mod symbols;
 mod tokens;
@@ -50,4 +51,4 @@ mod progress;
 pub use errand::Errand;
 pub use position::Encoding;
 pub use server::Server;
-pub use stdio::serve;
+pub use stdio::{serve, serve_on};

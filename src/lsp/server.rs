@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
 use serde::Serialize;
+use serde_json::Value;
 
 use super::client::Client;
 use super::document::Document;
@@ -52,6 +53,8 @@ pub struct Server {
     pub(super) progress: Option<Progress>,
     pub(super) errands: Vec<Errand>,
     waiting: VecDeque<Message>,
+    /// Requests that are answered when all of their document is proved.
+    deferred: Vec<Request>,
     outgoing: Vec<Message>,
     pub(super) asked: Vec<(RequestId, Asked)>,
     next_id: i32,
@@ -71,6 +74,7 @@ impl Server {
             documents: Documents::default(),
             workspace: Workspace::default(),
             waiting: VecDeque::new(),
+            deferred: Vec::new(),
             outgoing: Vec::new(),
             asked: Vec::new(),
             next_id: 0,
@@ -97,10 +101,13 @@ impl Server {
         };
         let is_meant =
             |message: &Message| matches!(message, Message::Request(request) if request.id == id);
-        let Some(at) = self.waiting.iter().position(is_meant) else {
+        if let Some(at) = self.waiting.iter().position(is_meant) {
+            self.waiting.remove(at);
+        } else if let Some(at) = self.deferred.iter().position(|request| request.id == id) {
+            self.deferred.remove(at);
+        } else {
             return; // it is answered already
-        };
-        self.waiting.remove(at);
+        }
         let code = ErrorCode::RequestCanceled as i32;
         let answer = Response::new_err(id, code, "the request was cancelled".into());
         self.outgoing.push(answer.into());
@@ -113,7 +120,16 @@ impl Server {
         if !self.outgoing.is_empty() {
             return Some(std::mem::take(&mut self.outgoing));
         }
+        let ready = self.deferred.iter().position(|request| !self.needs_proofs(request));
+        if let Some(at) = ready {
+            let request = self.deferred.remove(at);
+            self.request(request);
+            return Some(std::mem::take(&mut self.outgoing));
+        }
         match self.waiting.pop_front() {
+            Some(Message::Request(request)) if self.needs_proofs(&request) => {
+                self.deferred.push(request);
+            }
             Some(Message::Request(request)) => self.request(request),
             Some(Message::Notification(notice)) => self.notification(notice),
             Some(Message::Response(response)) => self.response(response),
@@ -138,6 +154,21 @@ impl Server {
     /// The text of an open document, as the server holds it.
     pub fn text(&self, uri: &str) -> Option<&str> {
         Some(self.documents.get(&uri.into())?.text())
+    }
+
+    /// Whether a request is about all ops of a document, and not all of them have been looked at.
+    /// To answer at once would keep all others waiting: between messages they are proved one by
+    /// one.
+    fn needs_proofs(&self, request: &Request) -> bool {
+        let method = LspRequestMethod::from(request.method.as_str());
+        let asks_all = matches!(
+            method,
+            LspRequestMethod::TextDocumentCodeLens | LspRequestMethod::TextDocumentDiagnostic
+        );
+        let uri = request.params.pointer("/textDocument/uri").and_then(Value::as_str);
+        let document = uri.filter(|_| asks_all && self.stage == Stage::Ready);
+        let document = document.and_then(|uri| self.documents.get(&uri.into()));
+        document.is_some_and(|document| !document.is_published)
     }
 
     fn request(&mut self, request: Request) {

@@ -20,6 +20,26 @@ pub struct Footprint {
     pub faces: Vec<FaceId>,
 }
 
+impl Footprint {
+    /// How many elements are listed.
+    pub fn len(&self) -> usize {
+        self.vertices.len() + self.halfedges.len() + self.edges.len() + self.faces.len()
+    }
+
+    /// Whether none is.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Adds what was written later.
+    pub fn append(&mut self, mut later: Self) {
+        self.vertices.append(&mut later.vertices);
+        self.halfedges.append(&mut later.halfedges);
+        self.edges.append(&mut later.edges);
+        self.faces.append(&mut later.faces);
+    }
+}
+
 /// Whether a valid mesh that had the level still has it after the elements of the footprint
 /// were written; if not, the first reason found.
 pub fn validate_level_near(

@@ -1,9 +1,10 @@
-//! The link condition: which edges of a triangle mesh may be collapsed.
+//! The link condition: which edges of a mesh may be collapsed.
 //!
 //! After T. K. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, *Topology preserving edge
 //! contraction*, 1999: contracting the edge `ab` keeps the topology exactly if the
 //! links of its ends meet in the link of `ab` only, `Lk a ∩ Lk b = Lk ab`, a boundary
-//! being coned off to one further vertex.
+//! being coned off to one further vertex. For polygons it is what the condition is for: the
+//! result is simple again.
 
 use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
@@ -11,9 +12,18 @@ use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
 /// Stars up to this size are compared without sorting.
 const SMALL_STAR: usize = 24;
 
+/// What lies on one side of an edge.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Hole,
+    /// A triangle, by the corner that is no end of the edge.
+    Triangle(VertexId),
+    Polygon(FaceId),
+}
+
 impl Mesh {
     /// Whether merging the ends of `e`, and with them the edges of each triangle at
-    /// `e`, turns a simple triangle mesh into a simple triangle mesh.
+    /// `e`, turns a simple mesh into a simple mesh.
     ///
     /// ```text
     ///         x                 x
@@ -25,62 +35,112 @@ impl Mesh {
     ///
     /// It holds when all of these do:
     ///
-    /// * each side of `e` is a triangle or a hole, and one at least is a triangle;
     /// * the vertices that neighbor both ends are exactly the tips of the triangles at
     ///   `e`, one for each;
-    /// * both ends lie on a boundary only if `e` does;
-    /// * no edge lies in the links of both ends: of simple meshes only a tetrahedron,
-    ///   and a triangle on its own, pass the above and fail here.
+    /// * no face but those at `e` has both ends as corners;
+    /// * both ends lie on a boundary only if `e` does, and then its hole has more than
+    ///   three sides;
+    /// * no two faces have the same corners but for the ends: of triangle meshes only a
+    ///   tetrahedron passes the above and fails here.
     ///
     /// It is false for an edge that does not live.
     pub fn link_condition(&self, e: EdgeId) -> bool {
-        self.collapse_tips(e).is_some()
+        self.contracts(e).unwrap_or(false)
     }
 
-    /// The tips of the triangles at `e` if the link condition holds.
-    fn collapse_tips(&self, e: EdgeId) -> Option<[Option<VertexId>; 2]> {
+    fn contracts(&self, e: EdgeId) -> Option<bool> {
         let h = self.get_edge_halfedge(e)?;
         let twin = self.get_twin(h)?;
         let (a, b) = (self.get_vertex(h)?, self.get_vertex(twin)?);
-        let tips = [self.tip(h)?, self.tip(twin)?];
+        let sides = [self.side(h)?, self.side(twin)?];
+        let tips = sides.map(|side| match side {
+            Side::Triangle(tip) => Some(tip),
+            _ => None,
+        });
+        let polygons = sides.map(|side| match side {
+            Side::Polygon(face) => Some(face),
+            _ => None,
+        });
         let wanted = tips.iter().flatten().count();
-        if wanted == 0 || a == b || tips[0] == tips[1] {
-            return None;
+        let closed = !sides.contains(&Side::Hole);
+        if a == b || sides[0] == sides[1] {
+            return Some(false);
         }
-        let boundary = wanted == 1;
-        if !boundary && self.is_boundary_vertex(a) && self.is_boundary_vertex(b) {
-            return None;
+        if closed && self.is_boundary_vertex(a) && self.is_boundary_vertex(b) {
+            return Some(false);
         }
         if self.common_neighbors(a, b, wanted) != wanted {
-            return None;
+            return Some(false);
         }
-        let closed_up = match tips {
-            // a, b, x, y is a tetrahedron if both ends have these three neighbors only
-            // and no hole.
-            [Some(_), Some(_)] => {
-                let lonely = |v| self.degree(v) == 3 && !self.is_boundary_vertex(v);
-                lonely(a) && lonely(b)
+        let hole = [h, twin].into_iter().zip(sides).find(|(_, side)| *side == Side::Hole);
+        if hole.is_some_and(|(hole, _)| self.loop_from(hole).take(4).count() < 4) {
+            return Some(false);
+        }
+        // What neighbors both ends is a tip, so a triangle at an end that has the corners of
+        // another face without the ends has a tip among its own.
+        let is_tip = |v: VertexId| tips.contains(&Some(v));
+        let concerns = |spoke: HalfedgeId| match self.is_triangle(spoke) {
+            true => {
+                self.get_target(spoke).is_some_and(is_tip)
+                    || self.last_of(spoke).is_some_and(is_tip)
             }
-            // The hole at e would shrink to two sides: by the neighbors counted above
-            // the third corner is the tip, and the triangle stands alone.
-            _ => {
-                let hole = if tips[0].is_none() { h } else { twin };
-                self.loop_from(hole).take(4).count() < 4
-            }
+            false => true,
         };
-        (!closed_up).then_some(tips)
+        for (end, other) in [(a, b), (b, a)] {
+            for spoke in self.spokes(end) {
+                let face = self.get_face(spoke)?;
+                if self.get_is_hole(face)? || self.is_at(e, face) || !concerns(spoke) {
+                    continue;
+                }
+                if !self.is_triangle(spoke) && self.face_vertices(face).any(|v| v == other) {
+                    return Some(false);
+                }
+                let around_other = self.spokes(other).filter_map(|spoke| self.get_face(spoke));
+                let others = around_other.filter(|&g| !self.is_at(e, g) && end == a);
+                let mut others = others.chain(polygons.into_iter().flatten());
+                if others.any(|other| self.same_corners(face, other, [a, b])) {
+                    return Some(false);
+                }
+            }
+        }
+        Some(true)
     }
 
-    /// The corner opposite `h` in its triangle; `Some(None)` in a hole, `None` in a
-    /// face that is no triangle.
-    fn tip(&self, h: HalfedgeId) -> Option<Option<VertexId>> {
+    fn side(&self, h: HalfedgeId) -> Option<Side> {
         let face: FaceId = self.get_face(h)?;
         if self.get_is_hole(face)? {
-            return Some(None);
+            return Some(Side::Hole);
         }
-        let last = self.get_prev(h)?;
-        let triangle = self.get_next(self.get_next(h)?)? == last && self.get_next(last)? == h;
-        triangle.then(|| self.get_vertex(last))
+        Some(match self.is_triangle(h) {
+            true => Side::Triangle(self.last_of(h)?),
+            false => Side::Polygon(face),
+        })
+    }
+
+    fn is_triangle(&self, h: HalfedgeId) -> bool {
+        let last = self.get_next(h).and_then(|next| self.get_next(next));
+        last.is_some_and(|last| last != h && self.get_next(last) == Some(h))
+    }
+
+    /// The corner before `h` in its loop.
+    fn last_of(&self, h: HalfedgeId) -> Option<VertexId> {
+        self.get_vertex(self.get_prev(h)?)
+    }
+
+    /// Whether a face lies at an edge.
+    fn is_at(&self, e: EdgeId, face: FaceId) -> bool {
+        let half = self.get_edge_halfedge(e);
+        let halves = [half, half.and_then(|h| self.get_twin(h))];
+        halves.into_iter().flatten().any(|h| self.get_face(h) == Some(face))
+    }
+
+    /// Whether two faces have the same corners, but for some.
+    fn same_corners(&self, f: FaceId, g: FaceId, but: [VertexId; 2]) -> bool {
+        if self.get_is_hole(g) != Some(false) {
+            return false;
+        }
+        let others = |face| self.face_vertices(face).filter(move |v| !but.contains(v));
+        others(f).count() == others(g).count() && others(f).all(|v| others(g).any(|w| v == w))
     }
 
     /// The number of common neighbors, or some number above `enough`.
@@ -122,7 +182,7 @@ mod tests {
         assert_eq!(collapsible(&shape::pillow(3)), 0);
         assert_eq!(collapsible(&shape::octahedron()), 12);
         assert_eq!(collapsible(&shape::icosahedron()), 30);
-        assert_eq!(collapsible(&shape::cube()), 0);
+        assert_eq!(collapsible(&shape::cube()), 12);
         // The outer edge of two triangles: yes; the diagonal would pinch: no.
         assert_eq!(collapsible(&shape::triangle_grid(1, 1)), 4);
     }

@@ -12,6 +12,7 @@ use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::sequence::is_sequence;
 use super::testing::mesh_maker;
+use super::typing::Typing;
 use super::words::a_type;
 
 /// `must split(e)` as a value.
@@ -219,46 +220,54 @@ impl Scripting<'_> {
         args: &[tree::Expr],
         span: Span,
     ) -> Option<(usize, Vec<Expr>)> {
-        let number = self.typing.declared.op(&function.text);
+        self.typing.application(function, args, span)
+    }
+}
+
+impl Typing<'_> {
+    /// An op and its arguments, those left out as well.
+    pub(super) fn application(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<(usize, Vec<Expr>)> {
+        let number = self.declared.op(&function.text);
         let ops = self.ops;
         let found = number.and_then(|number| Some((number, ops.get(number)?)));
         let Some((number, op)) = found else {
             self.unknown_op(function);
             for arg in args.iter().filter(|arg| !is_sequence(arg)) {
-                self.typing.expression(arg);
+                self.expression(arg);
             }
             return None;
         };
-        self.typing.declared.expect_one(function, self.typing.report)?;
-        let values = self.typing.arguments(&op.name, &op.params, args, span)?;
+        self.declared.expect_one(function, self.report)?;
+        let values = self.arguments(&op.name, &op.params, args, span)?;
         Some((number, values))
     }
 
     fn unknown_op(&mut self, function: &Ident) {
-        let declared = self.typing.declared;
+        let declared = self.declared;
         let word = function.text.as_str();
         if declared.lacks_files() {
             // What declares it has been refused already.
-            self.typing.report.fail();
+            self.report.fail();
             return;
         }
         if declared.is_called(word) {
-            let message = format!("`{word}` is a function, not an op");
+            let message = match declared.is_script(word) {
+                true => format!("`{word}` is a script, not an op"),
+                false => format!("`{word}` is a function, not an op"),
+            };
             let error = Diagnostic::error("not-an-op", message, function.span);
-            self.typing.report.add(error);
+            self.report.add(error);
             return;
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
-        let error = match declared.is_script(word) {
-            true => error
-                .note(format!("`{word}` is a script, which is only run from outside"))
-                .note("put what it does into a `fn`, and call that from both"),
-            false => {
-                let here = elsewhere::function(word).or_else(|| mesh_maker(word));
-                elsewhere::tell(error, (word, function.span), here, declared.op_names())
-            }
-        };
-        self.typing.report.add(error);
+        let here = elsewhere::function(word).or_else(|| mesh_maker(word));
+        let place = (word, function.span);
+        self.report.add(elsewhere::tell(error, place, here, declared.op_names()));
     }
 }

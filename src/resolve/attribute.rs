@@ -128,6 +128,7 @@ fn attribute(
             declared,
             scopes,
             report: &mut report,
+            ops: &[],
             may_change: false,
         };
         match ty {

@@ -153,7 +153,11 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
     ("floor", &[f(&[R], REAL, Builtin::Floor)]),
     ("ceil", &[f(&[R], REAL, Builtin::Ceil)]),
     ("round", &[f(&[R], INT, Builtin::Round)]),
+    ("random", &[f(&[], REAL, Builtin::Random), f(&[I], INT, Builtin::RandomInt)]),
 ];
+
+/// The function that puts a sequence into an order by chance.
+pub(super) const SHUFFLE: &str = "shuffle";
 
 /// The types that are made of parts: `vec3(x, y, z)`.
 pub(super) const CONSTRUCTORS: [Type; 5] = [VEC2, VEC3, VEC4, MAT3, MAT4];
@@ -167,5 +171,5 @@ pub(super) fn overloads(name: &str) -> &'static [Overload] {
 /// The names of all functions but the aggregates.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     let known = FUNCTIONS.iter().map(|(known, _)| *known);
-    known.chain(CONSTRUCTORS.map(Type::word))
+    known.chain(CONSTRUCTORS.map(Type::word)).chain([SHUFFLE])
 }

@@ -37,6 +37,8 @@ pub(super) enum What {
     Op,
     /// A function.
     Function,
+    /// A script. Its number is one behind those of the functions.
+    Script,
 }
 
 impl What {
@@ -44,6 +46,7 @@ impl What {
         match self {
             What::Op => "an op",
             What::Function => "a function",
+            What::Script => "a script",
         }
     }
 }
@@ -55,7 +58,6 @@ pub(super) struct Declared {
     called: BTreeMap<String, Named>,
     /// What else a used file has under such a name.
     others: HashMap<String, Span>,
-    scripts: HashMap<String, Span>,
     /// The functions that are known so far, by name.
     functions: HashMap<String, Rc<FunctionSignature>>,
     /// The attributes that can be seen.
@@ -73,6 +75,7 @@ pub(super) struct Declared {
 struct Numbers {
     ops: usize,
     functions: usize,
+    scripts: usize,
     attributes: u32,
     /// The attributes that are not private: each has its name alone, in all files.
     public: Vec<Head>,
@@ -88,7 +91,11 @@ impl Declared {
             own.declare(unit.tree, &mut numbers, diagnostics);
             own
         });
-        let own: Vec<Self> = own.collect();
+        let mut own: Vec<Self> = own.collect();
+        let called = own.iter_mut().flat_map(|own| own.called.values_mut());
+        for script in called.filter(|named| named.what == What::Script) {
+            script.number += numbers.functions;
+        }
         let with_used = |(own_of, unit): (&Self, &Unit)| {
             let mut all = own_of.clone();
             all.lacks = unit.lacks;
@@ -113,7 +120,15 @@ impl Declared {
                     numbers.ops += 1;
                     diagnostics.extend(self.declare_called(&op.name, named));
                 }
-                Item::Script(script) => diagnostics.extend(self.declare_script(&script.name)),
+                Item::Script(script) => {
+                    let named = Named {
+                        what: What::Script,
+                        number: numbers.scripts,
+                        span: script.name.span,
+                    };
+                    numbers.scripts += 1;
+                    diagnostics.extend(self.declare_called(&script.name, named));
+                }
                 Item::Fn(function) => {
                     let named = Named {
                         what: What::Function,
@@ -175,18 +190,14 @@ impl Declared {
         }
     }
 
-    fn declare_script(&mut self, name: &Ident) -> Option<Diagnostic> {
-        if let Some(first) = self.scripts.get(&name.text) {
-            return Some(duplicate("a script", name, *first));
-        }
-        self.scripts.insert(name.text.clone(), name.span);
-        None
-    }
-
     /// Takes in what a used file declares. What the file has of its `own` clashes with it.
     fn take_in(&mut self, used: &Self, own: &Self, diagnostics: &mut Vec<Diagnostic>) {
         for (name, named) in &used.called {
             if let Some(mine) = own.called.get(name) {
+                // A script of a used file gives way.
+                if named.what == What::Script {
+                    continue;
+                }
                 let name = Ident { text: name.clone(), span: mine.span };
                 let error = duplicate(named.what.a_word(), &name, named.span);
                 diagnostics.push(error.note("a file has the names of the files it uses"));
@@ -248,14 +259,10 @@ impl Declared {
         None
     }
 
-    /// Whether the op or function whose name stands here has the name, and not an earlier one.
+    /// Whether the op, function or script whose name stands here has the name, and not an
+    /// earlier one.
     pub(super) fn has_its_name(&self, name: &Ident) -> bool {
         self.called(&name.text).is_some_and(|named| named.span == name.span)
-    }
-
-    /// Whether the script whose name stands here has the name, and not an earlier one.
-    pub(super) fn is_script_of_its_name(&self, name: &Ident) -> bool {
-        self.scripts.get(&name.text) == Some(&name.span)
     }
 
     /// The names of all that can be called.
@@ -271,7 +278,7 @@ impl Declared {
 
     /// Whether there is a script of this name.
     pub(super) fn is_script(&self, name: &str) -> bool {
-        self.scripts.contains_key(name)
+        self.called(name).is_some_and(|named| named.what == What::Script)
     }
 
     /// Whether the name is that of something to call.

@@ -8,6 +8,7 @@ use crate::source::Span;
 use crate::syntax::Part;
 use crate::syntax::tree::{self, ActionKind, Block, ExprKind, Item};
 
+use super::builtin::SHUFFLE;
 use super::declared::{Declared, What};
 use super::depth::each_part;
 use super::file::Unit;
@@ -22,14 +23,26 @@ pub(super) struct Effects {
     pub(super) prints: Option<Span>,
     /// It looks at the whole mesh.
     pub(super) looks: Option<Span>,
+    /// It asks an op.
+    pub(super) asks: Option<Span>,
+    /// It takes numbers by chance.
+    pub(super) draws: Option<Span>,
 }
 
 impl Effects {
+    /// What a script may do that is called here.
+    pub(super) fn all(here: Span) -> Self {
+        let here = Some(here);
+        Self { changes: here, prints: here, looks: here, asks: here, draws: here }
+    }
+
     fn take_in(&mut self, other: Effects) -> bool {
         let before = *self;
         self.changes = self.changes.or(other.changes);
         self.prints = self.prints.or(other.prints);
         self.looks = self.looks.or(other.looks);
+        self.asks = self.asks.or(other.asks);
+        self.draws = self.draws.or(other.draws);
         *self != before
     }
 }
@@ -42,6 +55,8 @@ pub(super) struct Deeds {
     pub(super) calls: Vec<usize>,
     /// Whether it calls an op, itself or through others.
     pub(super) calls_ops: bool,
+    /// The calls of ops that are only asked.
+    asked: Vec<Span>,
 }
 
 /// The deeds of all functions of a program, by number.
@@ -86,13 +101,27 @@ fn own_deeds(body: &Block, declared: &Declared) -> Deeds {
 impl Deeds {
     fn of_expr(&mut self, expr: &tree::Expr, declared: &Declared) {
         match &expr.kind {
+            ExprKind::Asked(_, call) => {
+                self.calls_ops = true;
+                self.asked.push(call.span);
+                self.effects.asks.get_or_insert(expr.span);
+            }
+            ExprKind::Call { .. } if self.asked.contains(&expr.span) => {}
             ExprKind::Call { function, args } => {
                 match declared.called(&function.text).map(|n| (n.what, n.number)) {
+                    Some((What::Script, _)) => {
+                        self.calls_ops = true;
+                        self.effects.take_in(Effects::all(expr.span));
+                    }
                     Some((What::Op, _)) => {
                         self.calls_ops = true;
                         self.effects.changes.get_or_insert(expr.span);
                     }
                     Some((What::Function, number)) => self.calls.push(number),
+                    None if matches!(function.text.as_str(), "random" | SHUFFLE) => {
+                        self.effects.draws.get_or_insert(expr.span);
+                        args.iter().for_each(|arg| self.of_sequence(arg));
+                    }
                     None if function.text == "print" => {
                         self.effects.prints.get_or_insert(expr.span);
                     }

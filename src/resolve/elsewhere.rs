@@ -143,7 +143,8 @@ pub(super) fn function(word: &str) -> Option<Here> {
         }
         "clamp" => Said("it is `min(max(x, low), high)`"),
         "sqr" | "square" => Said("it is `x * x`"),
-        "rand" | "random" => Said("there is no chance here: each run of a script is the same"),
+        "rand" | "randint" | "rnd" | "uniform" => Written("random"),
+        "permute" | "shuffled" => Written("shuffle"),
         _ => return sequence_called(word),
     })
 }

@@ -88,6 +88,8 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             if let Item::Script(script) = item {
                 let mut report = Report::default();
                 let resolved = resolve_script(script, &signatures, declared, &mut report);
+                let place = resolved.is_some().then_some(program.scripts.len());
+                program.called_scripts.push(place);
                 program.scripts.extend(resolved);
                 diagnostics.extend(report.into_diagnostics());
             }

@@ -5,12 +5,12 @@ use crate::diagram::{Access, Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::builtin::{Overload, Wanted, function_names, overloads};
+use super::builtin::{Overload, SHUFFLE, Wanted, function_names, overloads};
 use super::construct::constructed;
 use super::elsewhere;
 use super::sequence::{fold_names, is_sequence};
 use super::testing::mesh_maker;
-use super::typing::{Typing, to_real, typed};
+use super::typing::{Place, Typing, to_real, typed};
 use super::vocabulary::signatures;
 use super::words::{a_type, arguments, either, subject};
 
@@ -70,7 +70,20 @@ impl Typing<'_> {
         if let Some(value) = self.invoked(function, args, span) {
             return value;
         }
+        if word == SHUFFLE {
+            let message =
+                "`shuffle` gives an order to what `for` visits, and stands behind its `in`";
+            self.report.add(Diagnostic::error("not-a-value", message, span));
+            return None;
+        }
         let known = overloads(word);
+        if word == "random" && !matches!(self.place, Place::Script) {
+            let message =
+                "an op or a default does the same each time, so nothing is by chance here";
+            let error = Diagnostic::error("misplaced-random", message, span);
+            self.report.add(error.note("give the number to it as an argument"));
+            return None;
+        }
         if known.is_empty() {
             self.unknown_function(function, span);
             // The arguments may hold more that is wrong; but such a function may well have
@@ -87,6 +100,8 @@ impl Typing<'_> {
         self.right_count(function, count, args.len(), span)?;
         let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
         // The best fit wins, and of several the first.
+        let known: Vec<&Overload> =
+            known.iter().filter(|way| way.wanted.len() == values.len()).collect();
         let ranked = known.iter().rev().map(|way| (fit_all(way, &values), way));
         match ranked.max_by_key(|(fit, _)| *fit) {
             Some((fit, way)) if fit > Fit::No => {
@@ -96,7 +111,7 @@ impl Typing<'_> {
                 Some(typed(way.result, kind, span))
             }
             _ => {
-                self.no_overload(function, known, args, &values);
+                self.no_overload(function, &known, args, &values);
                 None
             }
         }
@@ -140,11 +155,11 @@ impl Typing<'_> {
     fn no_overload(
         &mut self,
         function: &Ident,
-        known: &[Overload],
+        known: &[&Overload],
         args: &[tree::Expr],
         values: &[Expr],
     ) {
-        let mut left: Vec<&Overload> = known.iter().collect();
+        let mut left: Vec<&Overload> = known.to_vec();
         for (place, (written, value)) in args.iter().zip(values).enumerate() {
             let fits = |way: &&&Overload| fit(way.wanted[place], value.ty) > Fit::No;
             let still: Vec<&Overload> = left.iter().filter(fits).copied().collect();

@@ -15,7 +15,9 @@ use super::file::Unit;
 use super::op::Signature;
 use super::program::Function;
 use super::report::Report;
-use super::routine::{FunctionSignature, Value, resolve_function, written_signature};
+use super::routine::{
+    FunctionSignature, Value, resolve_function, script_signature, written_signature,
+};
 
 /// The functions of a program, by number.
 pub(super) struct Functions<'t> {
@@ -62,6 +64,12 @@ impl<'t> Functions<'t> {
         }
         for item in &items {
             declared.iter_mut().for_each(|file| file.learn(&item.signature));
+        }
+        for item in units.iter().flat_map(|unit| &unit.tree.items) {
+            if let Item::Script(script) = item {
+                let signature = Rc::new(script_signature(script));
+                declared.iter_mut().for_each(|file| file.learn(&signature));
+            }
         }
         Self { declared, items, diagnostics: Vec::new() }
     }

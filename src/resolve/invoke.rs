@@ -73,12 +73,17 @@ impl Typing<'_> {
         let may_change = std::mem::take(&mut self.may_change);
         self.declared.expect_one(function, self.report)?;
         let named = self.declared.called(&function.text)?;
-        debug_assert_eq!(named.what, What::Function);
         let signature = Rc::clone(self.declared.function(&function.text)?);
         let allowed = self.expect_allowed(&signature, may_change, function.span);
+        let given = args.len();
         let args = self.arguments(&signature.name, &signature.params, args, span);
         allowed?;
-        Some(Invocation { number: named.number as u32, signature, args: args? })
+        let mut args = args?;
+        if named.what == What::Script {
+            let flag = |at| typed(Type::Bool, ExprKind::Bool(at < given), span);
+            args.extend((0..signature.params.len()).map(flag));
+        }
+        Some(Invocation { number: named.number as u32, signature, args })
     }
 
     /// The arguments of a call, those left out as well.
@@ -178,6 +183,10 @@ impl Typing<'_> {
                     error("changes-mesh", "prints").label(place, "here")
                 } else if let Some(place) = effects.looks {
                     error("whole-mesh", "looks at the whole mesh").label(place, "here")
+                } else if let Some(place) = effects.asks {
+                    error("misplaced-can", "asks an op").label(place, "here")
+                } else if let Some(place) = effects.draws {
+                    error("misplaced-random", "takes a number by chance").label(place, "here")
                 } else {
                     return Some(());
                 }

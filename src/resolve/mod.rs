@@ -52,6 +52,7 @@ mod returns;
 mod routine;
 
 mod application;
+mod asking;
 mod script;
 mod statement;
 mod steps;

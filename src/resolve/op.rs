@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{self, Attribute, Kind, Property, Type};
 use crate::source::Span;
-use crate::syntax::tree::{self, Ident};
+use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
 use super::declared::{Declared, duplicate};
 use super::elsewhere;
@@ -19,6 +19,12 @@ use super::rule::{Context, resolve_rule};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
 use super::words::quoted;
+
+/// How many halfedges the loops of `before` can name: every pair of them may have to be told
+/// apart.
+const MOST_BEFORE: usize = 256;
+/// How many those of `after` can.
+const MOST_AFTER: usize = 1024;
 
 /// What a call of an op needs to know.
 #[derive(Clone, Debug)]
@@ -86,6 +92,12 @@ pub(super) fn resolve_op(
         let message = format!("the op `{}` has neither `before` nor `after`", op.name.text);
         report.add(Diagnostic::error("missing-side", message, op.name.span));
     }
+    if op.rules.iter().any(|rule| draws_too_much(rule, report)) {
+        let result = Returned::Unknown;
+        let signature = Signature { name: op.name.text.clone(), params, result };
+        let resolved = signature.op(op.name.span, None);
+        return (signature, resolved);
+    }
     let names = op.rules.iter().map(|rule| {
         let letter = read_index(rule, &op.params, report);
         Names::of(rule, &params, letter, report)
@@ -118,6 +130,35 @@ pub(super) fn resolve_op(
     let signature = Signature { name: op.name.text.clone(), params, result };
     let resolved = signature.op(op.name.span, diagram);
     (signature, resolved)
+}
+
+/// Whether a side of a rule names more halfedges than there can be: then nothing else is asked
+/// of the op, whose proof would take its time.
+fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
+    let sides = [("before", &rule.before, MOST_BEFORE), ("after", &rule.after, MOST_AFTER)];
+    let mut is_too_much = false;
+    for (word, side, most) in sides {
+        let statements = side.iter().flat_map(|side| &side.statements);
+        let named = statements.map(|statement| match statement {
+            Statement::Loop(orbit) => {
+                let arrows = orbit.items.iter().map(|item| &item.arrow);
+                arrows.filter(|arrow| matches!(arrow, Arrow::Halfedge(_))).count()
+            }
+            _ => 1,
+        });
+        let count: usize = named.sum();
+        if let Some(side) = side.as_ref().filter(|_| count > most) {
+            let message =
+                format!("`{word}` draws {count} halfedges and statements, and there can be {most}");
+            let error = Diagnostic::error("too-large", message, side.span);
+            report.add(error.note(
+                "draw a run that stays as it is as a path, `v0 =P=> v1`, and what repeats around \
+                 a face or a vertex as a family, `each i { … }`",
+            ));
+            is_too_much = true;
+        }
+    }
+    is_too_much
 }
 
 /// A family is many elements, and an op returns one.

@@ -12,6 +12,9 @@ use super::scopes::{Binding, Local, Scopes};
 use super::typing::{Place, Typing};
 use super::words::{a_type, quoted};
 
+/// How many parameters an item can have.
+const MOST_PARAMETERS: usize = 255;
+
 /// A parameter, as far as it is understood.
 #[derive(Clone, Debug)]
 pub(super) struct Parameter {
@@ -79,8 +82,14 @@ pub(super) fn parameters(
     declared: &Declared,
     report: &mut Report,
 ) -> Vec<Parameter> {
+    if let Some(beyond) = params.get(MOST_PARAMETERS) {
+        let message =
+            format!("this has {} parameters, and there can be {MOST_PARAMETERS}", params.len());
+        let error = Diagnostic::error("too-large", message, beyond.span);
+        report.add(error.note("numbers that belong together can be one vector or matrix"));
+    }
     let mut understood: Vec<Parameter> = Vec::new();
-    for param in params {
+    for param in params.iter().take(MOST_PARAMETERS) {
         let name = &param.name.ident;
         if let Some(first) = understood.iter().find(|p| p.name == name.text) {
             report.add(duplicate("a parameter", name, first.span));
@@ -142,7 +151,8 @@ fn default_value(
     for parameter in earlier {
         scopes.declare(local(parameter));
     }
-    let mut typing = Typing { place: Place::Default, declared, scopes, report, may_change: false };
+    let place = Place::Default;
+    let mut typing = Typing { place, declared, scopes, report, ops: &[], may_change: false };
     typing.whole_as(default, ty, &format!("`{}`", name.text))
 }
 

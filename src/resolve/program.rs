@@ -18,6 +18,9 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// The scripts that could be resolved.
     pub scripts: Vec<Script>,
+    /// All scripts as what can be called, by the numbers behind those of the functions: the place
+    /// of each among the scripts, if it could be resolved.
+    pub called_scripts: Vec<Option<usize>>,
     /// The tests that could be resolved.
     pub tests: Vec<Test>,
     /// The tests that could not be resolved: their names, and where these stand.
@@ -171,7 +174,14 @@ pub enum StatementKind {
     While { condition: Expr, body: Block },
     /// `for x in xs where c { … }`: elements that exist when the loop starts and still
     /// exist when their turn comes.
-    For { variable: u32, collection: Collection, filter: Option<Expr>, body: Block },
+    For {
+        variable: u32,
+        collection: Collection,
+        filter: Option<Expr>,
+        body: Block,
+        /// Whether they are visited in an order by chance.
+        shuffled: bool,
+    },
     /// `update x in xs where c { … }`: a `Write` in its body is kept back to the end.
     Update { variable: u32, collection: Collection, filter: Option<Expr>, body: Block },
     /// `drain x in xs by key while c { … }`: the element with the least key first, and keys

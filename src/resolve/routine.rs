@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Require, Type};
+use crate::diagram::{Expr, ExprKind, Require, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
@@ -17,6 +17,7 @@ use super::program::{Body, Function};
 use super::report::Report;
 use super::returns::{Returns, ends};
 use super::script::Scripting;
+use super::typing::typed;
 
 /// What a call of a function needs to know.
 #[derive(Clone, Debug)]
@@ -68,6 +69,40 @@ pub(super) fn written_signature(
         result,
         effects,
     }
+}
+
+/// What a call of a script needs to know. What its defaults are it finds out itself, so where a
+/// call leaves a parameter out, anything of the type will do.
+pub(super) fn script_signature(script: &tree::Script) -> FunctionSignature {
+    let span = script.name.span;
+    let params = script.params.iter().map(|param| {
+        let name = &param.name.ident;
+        let ty = type_named(&param.ty, &mut Report::default());
+        let default = param.default.as_ref().zip(ty).map(|(_, ty)| zero(ty, span));
+        let (name, span, optional) = (name.text.clone(), name.span, param.default.is_some());
+        Parameter { name, span, ty, optional, default }
+    });
+    FunctionSignature {
+        name: script.name.text.clone(),
+        span,
+        params: params.collect(),
+        result: Value::Nothing,
+        effects: Effects::all(span),
+    }
+}
+
+/// Some value of a type that a script takes.
+fn zero(ty: Type, span: Span) -> Expr {
+    let kind = match ty {
+        Type::Bool => ExprKind::Bool(false),
+        Type::Real => ExprKind::Real(0.0),
+        _ if ty.is_vector() => {
+            let part = |_| typed(Type::Real, ExprKind::Real(0.0), span);
+            ExprKind::Vector((0..ty.size()).map(part).collect())
+        }
+        _ => ExprKind::Int(0),
+    };
+    typed(ty, kind, span)
 }
 
 /// Resolves the body of a function, and with it the type of its value, if that is not written.

@@ -51,6 +51,7 @@ pub(super) fn resolve_rule(
         declared: context.declared,
         scopes,
         report,
+        ops: &[],
         may_change: false,
     };
     let op = &context.op.name.text;

@@ -5,6 +5,7 @@ use crate::diagram::{Collection, Expr, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Ident};
 
+use super::builtin::SHUFFLE;
 use super::condition::not_held;
 use super::declared::Declared;
 use super::depth::shallow_block;
@@ -57,7 +58,7 @@ pub(super) fn resolve_script(
     declared: &Declared,
     report: &mut Report,
 ) -> Option<Script> {
-    if !declared.is_script_of_its_name(&script.name) {
+    if !declared.has_its_name(&script.name) {
         report.fail();
     }
     let params = parameters(&script.params, Owner::Script, declared, report);
@@ -94,7 +95,14 @@ impl<'a> Scripting<'a> {
             scopes.declare(local(param));
         }
         Self {
-            typing: Typing { place: Place::Script, declared, scopes, report, may_change: false },
+            typing: Typing {
+                place: Place::Script,
+                declared,
+                scopes,
+                report,
+                ops,
+                may_change: false,
+            },
             ops,
             loops: 0,
             updating: false,
@@ -218,8 +226,16 @@ impl Scripting<'_> {
 
     /// `for x in xs where c { … }`
     fn visit_each(&mut self, visit: Visit) -> Option<StatementKind> {
-        let visited = self.visit(visit)?;
+        let (sequence, shuffled) = match &visit.sequence.kind {
+            tree::ExprKind::Call { function, args } if function.text == SHUFFLE => {
+                self.typing.right_count(function, 1, args.len(), visit.sequence.span)?;
+                (args.first()?, true)
+            }
+            _ => (visit.sequence, false),
+        };
+        let visited = self.visit(Visit { sequence, ..visit })?;
         Some(StatementKind::For {
+            shuffled,
             variable: visited.variable,
             collection: visited.collection,
             filter: visited.filter,

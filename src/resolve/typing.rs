@@ -12,6 +12,7 @@ use crate::syntax::tree;
 use super::declared::Declared;
 use super::depth::{left_side, shallow_expr};
 use super::names::Names;
+use super::op::Signature;
 use super::parameter::type_named;
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
@@ -35,6 +36,8 @@ pub(super) struct Typing<'a> {
     /// The variables; in a rule, the op's parameters first.
     pub(super) scopes: Scopes,
     pub(super) report: &'a mut Report,
+    /// The ops of the program, by number, as far as they can be asked here.
+    pub(super) ops: &'a [Signature],
     /// Whether the function that is called next may change the mesh; it stands as a whole
     /// value then.
     pub(super) may_change: bool,
@@ -115,6 +118,7 @@ impl Typing<'_> {
             tree::ExprKind::Name(name) => self.name(name),
             tree::ExprKind::Call { function, args } => self.call(function, args, span),
             tree::ExprKind::Must(inner) => self.misplaced_must(inner, span),
+            tree::ExprKind::Asked(asking, inner) => self.asked(*asking, inner, span),
             tree::ExprKind::Unary(op, inner) => {
                 let value = self.expression(inner)?;
                 self.unary(*op, (inner, value), span)

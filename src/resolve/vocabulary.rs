@@ -2,7 +2,7 @@
 
 use crate::diagram::Type;
 
-use super::builtin::{Wanted, function_names, overloads};
+use super::builtin::{SHUFFLE, Wanted, function_names, overloads};
 use super::field::{Entry, entries_of};
 use super::lookup::CONSTANTS;
 use super::sequence::{WHOLE_MESH, fold_names, sequences_of};
@@ -55,6 +55,9 @@ pub fn signatures(function: &str) -> Vec<Signature> {
             let gives = Some(ty);
             return vec![Signature { takes, gives }];
         }
+    }
+    if function == SHUFFLE {
+        return vec![Signature { takes: vec!["sequence"], gives: None }];
     }
     let mut ways: Vec<_> = overloads(function)
         .iter()

@@ -81,6 +81,9 @@ impl Machine<'_> {
                 break Message::Malformed;
             };
             at += 1;
+            if OBSERVED && self.is_dry && inst.writes() {
+                return Ok(Outcome::Applied { result: None });
+            }
             if OBSERVED && !self.drains.is_empty() {
                 let scene = Scene {
                     mesh,
@@ -164,6 +167,22 @@ impl Machine<'_> {
                 }
                 Matrix { operation, size, to, left, right } => {
                     wide::matrix(&mut w, operation, size, [to, left, right])
+                }
+
+                Random { to } => w.set_real(to, self.chance.real()),
+                RandomInt { to, below } => {
+                    let bound = w.int(below);
+                    let chosen = or_trap!(self.chosen_below(bound));
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                    w.set_int(to, chosen);
+                }
+                BufferShuffle { buffer } => {
+                    let mut slots = std::mem::take(buffer!(buffer));
+                    self.chance.shuffle(&mut slots);
+                    *buffer!(buffer) = slots;
                 }
 
                 // Loads.
@@ -337,12 +356,20 @@ impl Machine<'_> {
                 }
                 Foresee { condition, to, element, at: place } => {
                     let (element, place) = (w.id(element), w.id(place));
+                    self.preview.listen(OBSERVED && self.drains.is_reading());
                     let holds = self.preview.foresees(mesh, condition, element, place);
+                    if OBSERVED {
+                        self.drains.foreseen(mesh, &self.preview.looked());
+                    }
                     w.set_truth(to, or_trap!(holds));
                 }
                 ForeseeAlong { condition, to, buffer } => {
+                    self.preview.listen(OBSERVED && self.drains.is_reading());
                     let halfedges = buffer!(buffer);
                     let holds = self.preview.foresees_along(mesh, condition, halfedges);
+                    if OBSERVED {
+                        self.drains.foreseen(mesh, &self.preview.looked());
+                    }
                     w.set_truth(to, or_trap!(holds));
                 }
                 Refuse => {
@@ -518,6 +545,22 @@ impl Machine<'_> {
                         Outcome::Refused { .. } => w.set_truth(applied, false),
                     }
                 }
+                Try { op, args, to, why } => {
+                    let outcome = match self.attempt(mesh, &call, [op, args.0], watch) {
+                        Ok(outcome) => outcome,
+                        Err(trap) => return Err(trap.through_all(&call, at - 1, &returns)),
+                    };
+                    let reason = why.then(|| self.reason_of(op, outcome).to_owned());
+                    let text = reason.map(|reason| self.said.number(call.texts, &reason));
+                    match Window::at(&mut self.stack, call.base) {
+                        Some(window) => w = window,
+                        None => break Message::Malformed,
+                    }
+                    match text {
+                        Some(text) => w.set_id(to, text),
+                        None => w.set_truth(to, matches!(outcome, Outcome::Applied { .. })),
+                    }
+                }
                 Refused { op } => match call.steps {
                     Some(steps) => {
                         let reason = steps.refusal_of(op, self.last_reason);
@@ -540,7 +583,7 @@ impl Machine<'_> {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },
-                PrintTextOf { from } => match call.texts.get(w.id(from) as usize) {
+                PrintTextOf { from } => match self.said.text(call.texts, w.id(from)) {
                     Some(text) => self.line.push_str(text),
                     None => break Message::Malformed,
                 },

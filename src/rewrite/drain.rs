@@ -15,7 +15,11 @@ use crate::mesh::{ElementKind, HalfedgeId, Mesh};
 
 /// The drains that run, the innermost last.
 #[derive(Debug, Default)]
-pub(super) struct Drains(Vec<Drain>);
+pub(super) struct Drains {
+    all: Vec<Drain>,
+    /// The first so many of them are not told what is written, since it will be undone.
+    quiet: usize,
+}
 
 #[derive(Debug)]
 struct Drain {
@@ -73,17 +77,33 @@ impl Drain {
 impl Drains {
     /// Ends all.
     pub(super) fn clear(&mut self) {
-        self.0.clear();
+        self.all.clear();
+        self.quiet = 0;
+    }
+
+    /// From here on those that are open are not told what is written. Gives how many were not.
+    pub(super) fn hush(&mut self) -> usize {
+        std::mem::replace(&mut self.quiet, self.all.len())
+    }
+
+    /// Ends that.
+    pub(super) fn unhush(&mut self, quiet: usize) {
+        self.quiet = quiet;
+    }
+
+    /// Those that are told what is written.
+    fn told(&mut self) -> &mut [Drain] {
+        self.all.get_mut(self.quiet..).unwrap_or_default()
     }
 
     /// How many are open.
     pub(super) fn open_ones(&self) -> usize {
-        self.0.len()
+        self.all.len()
     }
 
     /// Ends all but so many.
     pub(super) fn leave(&mut self, open: usize) {
-        self.0.truncate(open);
+        self.all.truncate(open);
     }
 
     /// Begins a drain of all elements of the mesh, or of some.
@@ -98,7 +118,7 @@ impl Drains {
             }
             members
         });
-        self.0.push(Drain {
+        self.all.push(Drain {
             of,
             members,
             keys: Vec::new(),
@@ -113,12 +133,12 @@ impl Drains {
 
     /// Ends the innermost.
     pub(super) fn close(&mut self) {
-        self.0.pop();
+        self.all.pop();
     }
 
     /// Makes all elements of the innermost stale.
     pub(super) fn make_all_stale(&mut self, mesh: &Mesh) {
-        if let Some(drain) = self.0.last_mut() {
+        if let Some(drain) = self.all.last_mut() {
             // The stale ones are taken from the end.
             for id in (0..mesh.capacity(drain.of.kind()) as u32).rev() {
                 if drain.is_member(mesh, id) {
@@ -130,7 +150,7 @@ impl Drains {
 
     /// The next element whose key is to be computed; from here on what is read is noted.
     pub(super) fn next_stale(&mut self, mesh: &Mesh) -> Option<u32> {
-        let drain = self.0.last_mut()?;
+        let drain = self.all.last_mut()?;
         while let Some(id) = drain.stale.pop() {
             drain.is_stale[id as usize] = false;
             if drain.is_member(mesh, id) {
@@ -144,7 +164,7 @@ impl Drains {
 
     /// Sets the key of that element.
     pub(super) fn set_key(&mut self, key: f64) -> Result<(), Message> {
-        let Some(drain) = self.0.last_mut() else {
+        let Some(drain) = self.all.last_mut() else {
             return Err(Message::Malformed);
         };
         let Some(id) = drain.reading.take() else {
@@ -175,12 +195,12 @@ impl Drains {
 
     /// The element with the least key.
     pub(super) fn least(&self) -> Option<u32> {
-        self.0.last()?.queue.least()
+        self.all.last()?.queue.least()
     }
 
     /// Takes that element out of the queue.
     pub(super) fn take(&mut self) {
-        if let Some(drain) = self.0.last_mut()
+        if let Some(drain) = self.all.last_mut()
             && let Some(id) = drain.queue.least()
         {
             drain.queue.remove(id, &drain.keys);
@@ -190,17 +210,17 @@ impl Drains {
     /// Whether a key is being computed, so that reads are to be noted.
     #[inline]
     pub(super) fn is_reading(&self) -> bool {
-        self.0.iter().any(|drain| drain.reading.is_some())
+        self.all.iter().any(|drain| drain.reading.is_some())
     }
 
     #[inline]
     pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.all.is_empty()
     }
 
     /// Something at a place is read.
     pub(super) fn read(&mut self, place: Place) {
-        for drain in &mut self.0 {
+        for drain in &mut self.all {
             if let Some(reader) = drain.reading {
                 drain.readers.note(place, reader);
             }
@@ -209,7 +229,7 @@ impl Drains {
 
     /// Something at a place is about to be written.
     pub(super) fn touch(&mut self, place: Place) {
-        for drain in &mut self.0 {
+        for drain in self.told() {
             drain.touch(place);
         }
     }
@@ -217,7 +237,7 @@ impl Drains {
     /// An element has been created. It has no key, whatever had its number before, and
     /// belongs only to drains of all elements.
     pub(super) fn born(&mut self, kind: ElementKind, id: u32) {
-        for drain in &mut self.0 {
+        for drain in self.told() {
             drain.touch(Place::Whole);
             if drain.of.kind() != kind {
                 continue;
@@ -234,7 +254,7 @@ impl Drains {
     /// A face is about to become a hole, or a hole a face.
     pub(super) fn turned(&mut self, face: u32) {
         self.touch(Place::Face(face));
-        for drain in &mut self.0 {
+        for drain in self.told() {
             if drain.of.kind() == ElementKind::Face && drain.members.is_none() {
                 drain.make_stale(face);
             }
@@ -252,7 +272,7 @@ impl Drains {
             ElementKind::Face => self.touch(Place::FaceHalfedge(id)),
             ElementKind::Edge | ElementKind::Halfedge => {}
         }
-        for drain in &mut self.0 {
+        for drain in self.told() {
             if drain.of.kind() == kind {
                 drain.make_stale(id);
             }

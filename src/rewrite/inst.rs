@@ -73,6 +73,13 @@ pub enum Inst {
     /// `left`.
     Matrix { operation: Matrix, size: u8, to: Reg, left: Reg, right: Reg },
 
+    /// By chance: a real from 0 up to 1.
+    Random { to: Reg },
+    /// By chance: an int from 0 up to `below`. Traps if there is none.
+    RandomInt { to: Reg, below: Reg },
+    /// Puts the slots of a buffer into an order by chance.
+    BufferShuffle { buffer: u16 },
+
     // Loads. Each traps if the element is none or erased.
     Load { field: HalfedgeField, to: Reg, halfedge: Reg },
     LoadHalfedge { of: ElementField, to: Reg, element: Reg },
@@ -230,6 +237,9 @@ pub enum Inst {
     /// Applies an op: arguments in consecutive slots from `args`; `applied` becomes a
     /// bool; the result, if applied, goes to `result`.
     Apply { op: u16, args: Reg, applied: Reg, result: Reg },
+    /// Asks an op whether it would apply, and applies nothing: a bool; or, if `why`, the number of
+    /// a text, the reason of its refusal or nothing. Arguments as for `Apply`.
+    Try { op: u16, args: Reg, to: Reg, why: bool },
     /// The op just called refused, and the script said `must`: traps with its reason.
     Refused { op: u16 },
     /// One turn of a loop of the script: `done` of `total`. The watcher may interrupt.

@@ -6,7 +6,10 @@
 //! which is the duty of whoever makes the code; a script that traps has done what it did
 //! so far.
 
+use super::attempt::Said;
+use super::chance::Chance;
 use super::drain::Drains;
+use super::known::KnownLevel;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
@@ -31,10 +34,16 @@ pub struct Machine<'p> {
     /// The line that is being printed.
     pub(super) line: String,
     counts: Vec<Count>,
-    /// The level that the mesh surely has.
-    pub(super) level: Level,
+    /// What is known of the level of the mesh.
+    pub(super) known: KnownLevel,
     /// Why the op called last refused.
     pub(super) last_reason: Option<u16>,
+    /// Whether the operation that runs is only asked: it ends at its first write.
+    pub(super) is_dry: bool,
+    /// What `random` gives.
+    pub(super) chance: Chance,
+    /// The texts that code has made.
+    pub(super) said: Said,
     /// How many running calls need that no id is given out again.
     pub(super) holding: u32,
     /// Meshes to compare with, by number.
@@ -68,8 +77,11 @@ impl<'p> Machine<'p> {
             progress: Progress::default(),
             line: String::new(),
             counts: plans.iter().map(count).collect(),
-            level: Level::Map,
+            known: KnownLevel::new(Level::Map),
             last_reason: None,
+            is_dry: false,
+            chance: Chance::new(0),
+            said: Said::default(),
             holding: 0,
             meshes: Vec::new(),
             created: None,
@@ -82,11 +94,16 @@ impl<'p> Machine<'p> {
         self.columns = columns;
     }
 
-    /// Says that the mesh of the next run has a level. An operation for meshes of a higher
-    /// one that is called traps, and so it does after another has been applied that may have
-    /// left a lower one.
+    /// Says that the mesh of the next run has a level. Where an operation for meshes of a higher
+    /// one is called, or another has been applied that may have left a lower one, the mesh is
+    /// asked; the call traps if it has not got the level.
     pub fn trust_level(&mut self, level: Level) {
-        self.level = level;
+        self.known = KnownLevel::new(level);
+    }
+
+    /// Says from which seed the numbers come that the next runs get by chance; without it, from 0.
+    pub fn seed(&mut self, seed: u64) {
+        self.chance = Chance::new(seed);
     }
 
     /// Gives the meshes that the next run compares with, by number; it may replace them.
@@ -151,6 +168,7 @@ impl<'p> Machine<'p> {
         self.line.clear();
         self.drains.clear();
         self.last_reason = None;
+        self.is_dry = false;
         self.holding = 0;
         if let Some(created) = &mut self.created {
             created.clear();
@@ -159,6 +177,31 @@ impl<'p> Machine<'p> {
         for (slot, arg) in self.stack.iter_mut().zip(args) {
             *slot = *arg;
         }
+    }
+
+    /// What is the same for an operation that is called and for one that is asked: its plan, and
+    /// the call with the arguments at their place.
+    #[inline]
+    pub(super) fn begin_call(
+        &mut self,
+        mesh: &Mesh,
+        caller: &Call<'_>,
+        [op, args]: [u16; 2],
+    ) -> Result<(&'p Plan, Call<'p>), Trap> {
+        let Some(plan) = self.plans.get(usize::from(op)).and_then(Option::as_ref) else {
+            return Err(Trap::new(Message::Unproved));
+        };
+        if caller.depth >= DEPTH {
+            return Err(Trap::new(Message::TooDeep));
+        }
+        self.expect_level(mesh, plan).map_err(Trap::new)?;
+        let call = caller.calling(op, plan);
+        reserve(&mut self.stack, call.base);
+        let from = caller.base + usize::from(args);
+        let width: u16 = plan.params.iter().fold(0, |sum, &one| sum.saturating_add(one));
+        let end = self.stack.len().min(from + usize::from(width));
+        self.stack.copy_within(from.min(end)..end, call.base);
+        Ok((plan, call))
     }
 
     /// Calls an operation from running code, and counts what becomes of it.
@@ -170,30 +213,14 @@ impl<'p> Machine<'p> {
         [op, args]: [u16; 2],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        let Some(plan) = self.plans.get(usize::from(op)).and_then(Option::as_ref) else {
-            return Err(Trap::new(Message::Unproved));
-        };
-        if caller.depth >= DEPTH {
-            return Err(Trap::new(Message::TooDeep));
-        }
-        if plan.level > self.level {
-            return Err(Trap::new(Message::BelowLevel {
-                op: plan.name.clone(),
-                level: plan.level,
-            }));
-        }
-        let call = caller.calling(op, plan);
-        reserve(&mut self.stack, call.base);
-        let from = caller.base + usize::from(args);
-        let width: u16 = plan.params.iter().fold(0, |sum, &one| sum.saturating_add(one));
-        let end = self.stack.len().min(from + usize::from(width));
-        self.stack.copy_within(from.min(end)..end, call.base);
-        let outcome = self.carry_out::<OBSERVED>(mesh, plan, call, watch)?;
+        let (plan, call) = self.begin_call(mesh, caller, [op, args])?;
+        let mark = self.begin_op(mesh, plan);
+        let outcome = self.carry_out::<OBSERVED>(mesh, plan, call, watch);
+        let applied = matches!(outcome, Ok(Outcome::Applied { .. }));
+        self.end_op(mesh, (op, plan), mark, applied);
+        let outcome = outcome?;
         if let Outcome::Refused { reason } = outcome {
             self.last_reason = reason;
-        }
-        if matches!(outcome, Outcome::Applied { .. }) {
-            self.level = plan.level_after(self.level);
         }
         // What a step does may yet be undone.
         if caller.op.is_none() && caller.steps.is_none() {

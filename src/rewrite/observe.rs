@@ -7,6 +7,7 @@
 use super::around;
 use super::attribute::{self, Held};
 use super::drain::{Drains, place};
+use super::preview::Looked;
 use super::readers::Place;
 use super::window::Window;
 use super::{ElementField, HalfedgeField, Inst, Question, Walk};
@@ -228,6 +229,14 @@ impl Drains {
             Inst::Meets { walk, from, goal, stop, .. } => {
                 self.read_walk(mesh, walk, w.id(from), [w.id(goal), w.id(stop)])
             }
+            Inst::MeetsAll { walk, buffer, .. } => {
+                let walked = scene.buffers.get(usize::from(buffer));
+                if let Some(&from) = walked.and_then(|all| all.first()) {
+                    self.read_walk(mesh, walk, from as u32, [from as u32; 2]);
+                }
+            }
+            // What is foreseen tells itself what it reads.
+            Inst::Foresee { .. } | Inst::ForeseeAlong { .. } => {}
             // Registers, buffers and output alone; writes, and what only ops do.
             #[rustfmt::skip]
             Inst::Const { .. } | Inst::Copy { .. } | Inst::CopyVec { .. } | Inst::CopyWide { .. }
@@ -251,7 +260,7 @@ impl Drains {
             | Inst::ExpectRoom { .. } | Inst::PreviewClear | Inst::PreviewNew { .. }
             | Inst::PreviewStore { .. } | Inst::PreviewStoreHalfedge { .. }
             | Inst::PreviewStoreHole { .. } | Inst::PreviewStoreAll { .. }
-            | Inst::Foresee { .. } | Inst::ForeseeAlong { .. } | Inst::Refuse
+            | Inst::Refuse
             | Inst::Return { .. } | Inst::BufferClear { .. } | Inst::BufferPush { .. }
             | Inst::BufferLength { .. } | Inst::BufferGet { .. } | Inst::BufferNext { .. }
             | Inst::NewVertex { .. } | Inst::NewHalfedge { .. } | Inst::NewEdge { .. }
@@ -259,7 +268,8 @@ impl Drains {
             | Inst::StoreHole { .. } | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
             | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }
             | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. } | Inst::Erase { .. }
-            | Inst::Recycle | Inst::Apply { .. } | Inst::Refused { .. } | Inst::Turn { .. }
+            | Inst::Recycle | Inst::Apply { .. } | Inst::Try { .. } | Inst::Random { .. }
+            | Inst::RandomInt { .. } | Inst::BufferShuffle { .. } | Inst::Refused { .. } | Inst::Turn { .. }
             | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
             | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintVec { .. } | Inst::PrintWide { .. } | Inst::PrintElement { .. }
@@ -273,7 +283,18 @@ impl Drains {
             | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
             | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
-            | Inst::MeetsAll { .. } | Inst::StoreSpan { .. } => {}
+            | Inst::StoreSpan { .. } => {}
+        }
+    }
+
+    /// What was foreseen has looked at these.
+    pub(super) fn foreseen(&mut self, mesh: &Mesh, looked: &[Looked]) {
+        for &looked in looked {
+            match looked {
+                Looked::Halfedge(id) => self.read_halfedge(mesh, id),
+                Looked::HalfedgeOf(of, id) => self.read(of.place(id)),
+                Looked::Hole(face) => self.read(Place::Face(face)),
+            }
         }
     }
 

@@ -8,6 +8,8 @@
 //! New elements have no ids yet. They get numbers from the top of the range, where no
 //! element of the mesh is as long as there is room for them.
 
+use std::cell::{Cell, RefCell};
+
 use super::access::{self, gone};
 use super::notes::Notes;
 use super::{ElementField, Foreseen, HalfedgeField, Message};
@@ -29,10 +31,21 @@ pub(super) struct Preview {
     /// The halfedges of vertices, edges and faces.
     halfedges: Notes<(ElementField, u32), u32>,
     holes: Notes<u32, bool>,
+    /// Whether what is read of the mesh is wanted, and that.
+    listens: Cell<bool>,
+    looked: RefCell<Vec<Looked>>,
     walked: Vec<u32>,
     seen: Vec<u32>,
     corners: Vec<u32>,
     runs: Vec<(u32, u32)>,
+}
+
+/// What a question has read of the mesh under the sheet.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Looked {
+    Halfedge(u32),
+    HalfedgeOf(ElementField, u32),
+    Hole(u32),
 }
 
 const NOTHING: HalfedgeRecord = HalfedgeRecord {
@@ -126,6 +139,23 @@ impl Preview {
 
 /// What there would be.
 impl Preview {
+    /// From now on tells what is read of the mesh, or no longer.
+    pub fn listen(&mut self, listens: bool) {
+        self.listens.set(listens);
+    }
+
+    /// What has been read of the mesh since.
+    pub fn looked(&mut self) -> Vec<Looked> {
+        std::mem::take(self.looked.get_mut())
+    }
+
+    #[inline]
+    fn look(&self, at: Looked) {
+        if self.listens.get() {
+            self.looked.borrow_mut().push(at);
+        }
+    }
+
     fn record<'a>(&'a self, mesh: &'a Mesh, id: u32) -> Result<&'a HalfedgeRecord, Message> {
         let new = (FIRST_NEW.wrapping_sub(id)) as usize;
         if let Some(record) = self.new.get(new) {
@@ -134,7 +164,10 @@ impl Preview {
         let noted = self.noted.get(id as usize).copied().unwrap_or_default();
         let record = match noted.0 == self.stamp {
             true => self.records.get(noted.1 as usize),
-            false => mesh.get_halfedge(HalfedgeId(id)),
+            false => {
+                self.look(Looked::Halfedge(id));
+                mesh.get_halfedge(HalfedgeId(id))
+            }
         };
         record.ok_or_else(|| gone(ElementKind::Halfedge, id))
     }
@@ -142,14 +175,20 @@ impl Preview {
     fn halfedge(&self, mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Message> {
         match self.halfedges.get((of, id)) {
             Some(halfedge) => Ok(halfedge),
-            None => access::load_halfedge(mesh, of, id),
+            None => {
+                self.look(Looked::HalfedgeOf(of, id));
+                access::load_halfedge(mesh, of, id)
+            }
         }
     }
 
     fn is_hole(&self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
         match self.holes.get(face) {
             Some(hole) => Ok(hole),
-            None => mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face)),
+            None => {
+                self.look(Looked::Hole(face));
+                mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face))
+            }
         }
     }
 

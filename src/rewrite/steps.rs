@@ -71,7 +71,7 @@ impl Machine<'_> {
     }
 
     #[cold]
-    fn take<const OBSERVED: bool>(
+    pub(super) fn take<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
         (plan, steps): (&Plan, &Steps),
@@ -82,7 +82,8 @@ impl Machine<'_> {
         if self.progress.tick(watch).is_break() {
             return Err(Trap::new(Message::Interrupted));
         }
-        let (level, holding, drains) = (self.level, self.holding, self.drains.open_ones());
+        let known = self.begin_steps(mesh, &steps.calls);
+        let (holding, drains) = (self.holding, self.drains.open_ones());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
         let mut outcome = match OBSERVED || call.code.drains() {
@@ -96,7 +97,7 @@ impl Machine<'_> {
             outcome = Ok(Outcome::Refused { reason });
         }
         // Within, other levels may have been passed, and loops been left.
-        (self.level, self.holding) = (level, holding);
+        (self.known, self.holding) = (known, holding);
         self.drains.leave(drains);
         if let Ok(Outcome::Applied { .. }) = outcome {
             mesh.keep(mark);

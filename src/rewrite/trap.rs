@@ -38,6 +38,8 @@ pub enum Message {
     DivisionByZero,
     /// An int is out of range.
     IntOverflow,
+    /// An int by chance is wanted from 0 up to no more than 0.
+    NothingToChoose,
     /// What has no nearest int is rounded.
     RoundsNaN,
     /// A position would get a component that is no number.
@@ -68,12 +70,16 @@ pub enum Message {
         /// Its reason.
         reason: String,
     },
-    /// An op with a guard is called on a mesh that may not be of its level.
+    /// An op with a guard is called on a mesh that is not of its level.
     BelowLevel {
         /// Its name.
         op: String,
         /// The level.
         level: Level,
+        /// What is wrong with the mesh.
+        why: String,
+        /// The op applied last that may have made it so.
+        after: Option<String>,
     },
     /// An op without a plan is called.
     Unproved,
@@ -92,6 +98,7 @@ impl fmt::Display for Message {
             Message::Missing(kind) => write!(f, "there is no {kind} here"),
             Message::DivisionByZero => f.write_str("division by zero"),
             Message::IntOverflow => f.write_str("the number is too large for an int"),
+            Message::NothingToChoose => f.write_str("`random(n)` wants an `n` of 1 or more"),
             Message::RoundsNaN => f.write_str("what is rounded is not a number"),
             Message::NotFinite => f.write_str("the new position is not finite"),
             Message::KeyNotANumber => f.write_str("the key of an element is not a number"),
@@ -101,9 +108,12 @@ impl fmt::Display for Message {
             Message::Endless => f.write_str("the mesh is broken: a walk does not end"),
             Message::Said(text) | Message::Asserted { said: text, .. } => f.write_str(text),
             Message::Refused { op, reason } => write!(f, "`{op}` refused: {reason}"),
-            Message::BelowLevel { op, level } => write!(
+            Message::BelowLevel { op, level, after: None, .. } => {
+                write!(f, "`{op}` is for meshes of level {level}, and this one is not")
+            }
+            Message::BelowLevel { op, level, after: Some(after), .. } => write!(
                 f,
-                "`{op}` is for meshes of level {level}, and what was applied before may have left another"
+                "`{op}` is for meshes of level {level}, and after `{after}` this one is not"
             ),
             Message::Unproved => f.write_str("the operation has not been proved"),
             Message::TooDeep => f.write_str("calls are nested too deeply"),

@@ -7,9 +7,9 @@ use super::report::{Failure, diagnostic, expect_level, level_for_steps};
 use super::steps::with_steps;
 use super::{Argument, Report, prepare};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{ElementKind, Mesh, Value};
+use crate::mesh::{ElementKind, Mesh, Value, validate_level};
 use crate::resolve::{Program, Script, Variable};
-use crate::rewrite::{Machine, Outcome, Plan, Trap, Unwatched, Watch};
+use crate::rewrite::{Machine, Message, Outcome, Plan, Trap, Unwatched, Watch};
 use crate::source::Span;
 
 /// What became of a call.
@@ -141,7 +141,7 @@ impl<'p> Application<'p> {
         let slots = machine.window().to_vec();
         let outcome = machine
             .apply_watched(mesh, plan, &slots, watch)
-            .map_err(|trap| failure(in_plan(plan, trap, &prepared)));
+            .map_err(|trap| failure(in_plan(plan, trap, &prepared, mesh)));
         self.columns.release(mesh);
         Ok(match outcome? {
             Outcome::Applied { result } => {
@@ -184,9 +184,23 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
     }
 }
 
-/// A trap in the code of the operation itself, at its place there.
-fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared) -> Diagnostic {
+/// A trap in the code of the operation itself, at its place there. The mesh is as it was.
+fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared, mesh: &Mesh) -> Diagnostic {
     let place = trap.trace.first().and_then(|site| plan.places.get(site.place? as usize)).copied();
+    if let (Message::BelowLevel { op, level, why, .. }, Some(place)) = (&trap.message, place) {
+        let name = &plan.name;
+        return match validate_level(mesh, *level) {
+            Err(below) => {
+                let message = format!(
+                    "`{op}`, a step of `{name}`, is for meshes of level {level}, and this one is not"
+                );
+                Diagnostic::error("below-level", message, place).note(below.to_string())
+            }
+            Ok(()) => {
+                Diagnostic::error("below-level", trap.message.to_string(), place).note(why.clone())
+            }
+        };
+    }
     let message = trap.message.to_string();
     match place {
         Some(span) => Diagnostic::error("run-time-error", message, span),

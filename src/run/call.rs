@@ -17,9 +17,7 @@ pub(super) struct FunctionCall<'e> {
 impl Lowering<'_> {
     /// A call; gives the registers of whether it was applied, and of its result.
     pub(super) fn apply(&mut self, op: usize, args: &[Expr], span: Span) -> (Reg, Reg) {
-        if !self.called.iter().any(|&(known, _)| known == op) {
-            self.called.push((op, span));
-        }
+        self.note_op(op, span);
         let (applied, result) = (self.asm.reg(), self.asm.reg());
         let mark = self.asm.mark();
         let slots = self.arguments(args);

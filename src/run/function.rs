@@ -10,7 +10,7 @@ use super::lower::{Lowering, Routine};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind};
-use crate::resolve::{Program, Script};
+use crate::resolve::{self, Program, Script};
 use crate::rewrite::{self, Code};
 use crate::source::Span;
 
@@ -30,33 +30,27 @@ pub struct Functions {
 }
 
 impl Functions {
-    /// Lowers all functions of a program.
+    /// Lowers all functions of a program, and behind them its scripts, which are called as
+    /// functions are.
     ///
     /// # Errors
     /// One diagnostic for each function that is too large; it has no code.
     pub fn of(program: &Program) -> (Self, Vec<Diagnostic>) {
-        let mut functions = Self::default();
+        let mut all = Self::default();
         let mut code: Vec<rewrite::Function> = Vec::new();
         let mut diagnostics = Vec::new();
         let mut texts = Vec::new();
-        for function in &program.functions {
-            let params = function.params.iter().map(|param| width(param.ty));
-            let mut lowered = rewrite::Function {
-                name: function.name.clone(),
-                params: params.fold(0, u16::saturating_add),
-                ..rewrite::Function::default()
-            };
+        let functions = program.functions.iter().map(lowered_function);
+        let scripts = program.called_scripts.iter().map(|at| {
+            let script = at.and_then(|at| program.scripts.get(at));
+            script.map_or_else(Beginning::default, called_script)
+        });
+        for Beginning { name, span, params, lower } in functions.chain(scripts) {
+            let mut lowered = rewrite::Function { name, params, ..rewrite::Function::default() };
             let (mut applies, mut calls) = (Vec::new(), Vec::new());
             let (mut assertions, mut missing) = (Vec::new(), true);
-            if let Some(body) = &function.body {
-                let routine = Routine {
-                    params: &function.params,
-                    variables: &body.variables,
-                    block: &body.block,
-                };
-                let mut lowering = Lowering::of_function(routine, &texts);
-                lowering.block(&body.block, Some(&Exits::default()));
-                lowering.end();
+            if let Some(lower) = lower {
+                let lowering = lower(&texts);
                 (applies, calls) = (lowering.called, lowering.functions);
                 assertions = lowering.assertions;
                 lowered.places = lowering.names.places;
@@ -67,21 +61,20 @@ impl Functions {
                         missing = false;
                     }
                     Err(too_large) => {
-                        let message = format!("`{}` is {too_large}", function.name);
-                        let code = "script-too-large";
-                        diagnostics.push(Diagnostic::error(code, message, function.span));
+                        let message = format!("`{}` is {too_large}", lowered.name);
+                        diagnostics.push(Diagnostic::error("script-too-large", message, span));
                     }
                 }
             }
             lowered.code.texts.clone_from(&texts);
             code.push(lowered);
-            functions.applies.push(applies);
-            functions.calls.push(calls);
-            functions.assertions.push(assertions);
-            functions.missing.push(missing);
+            all.applies.push(applies);
+            all.calls.push(calls);
+            all.assertions.push(assertions);
+            all.missing.push(missing);
         }
-        functions.code = code.into();
-        (functions, diagnostics)
+        all.code = code.into();
+        (all, diagnostics)
     }
 
     /// The texts that all of them know.
@@ -123,6 +116,58 @@ impl Functions {
     /// Of those the first that has no code.
     pub(super) fn first_missing(&self, reached: &[usize]) -> Option<usize> {
         reached.iter().copied().find(|&at| self.missing[at])
+    }
+}
+
+/// Lowers something, with the texts that are known.
+type Lower<'p> = Box<dyn Fn(&[String]) -> Lowering<'p> + 'p>;
+
+/// What is to be lowered: a function, or a script that is called as one.
+#[derive(Default)]
+struct Beginning<'p> {
+    name: String,
+    span: Span,
+    params: u16,
+    /// None if it could not be resolved.
+    lower: Option<Lower<'p>>,
+}
+
+fn lowered_function<'p>(function: &'p resolve::Function) -> Beginning<'p> {
+    let params = function.params.iter().map(|param| width(param.ty));
+    Beginning {
+        name: function.name.clone(),
+        span: function.span,
+        params: params.fold(0, u16::saturating_add),
+        lower: function.body.as_ref().map(|body| {
+            let routine = Routine {
+                params: &function.params,
+                variables: &body.variables,
+                block: &body.block,
+            };
+            let lower: Lower<'p> = Box::new(move |texts: &[String]| {
+                let mut lowering = Lowering::of_function(routine, texts);
+                lowering.block(&body.block, Some(&Exits::default()));
+                lowering.end();
+                lowering
+            });
+            lower
+        }),
+    }
+}
+
+fn called_script(script: &Script) -> Beginning<'_> {
+    // Behind the parameters stands for each whether it is given.
+    let params = script.params.iter().map(|param| width(param.ty).saturating_add(1));
+    Beginning {
+        name: script.name.clone(),
+        span: script.span,
+        params: params.fold(0, u16::saturating_add),
+        lower: Some(Box::new(|texts| {
+            let mut lowering = Lowering::of_called_script(routine(script), texts);
+            lowering.body(routine(script));
+            lowering.end();
+            lowering
+        })),
     }
 }
 

@@ -85,7 +85,7 @@ impl Liveness<'_> {
                 self.reading([count], self.at_head(&[], body, exits))
             }
             StatementKind::While { condition, body } => self.at_head(&[condition], body, exits),
-            StatementKind::For { variable, collection, filter, body }
+            StatementKind::For { variable, collection, filter, body, .. }
             | StatementKind::Update { variable, collection, filter, body } => {
                 let filter: Vec<&Expr> = filter.iter().collect();
                 let live = self.at_head(&filter, body, exits);
@@ -155,7 +155,7 @@ impl Liveness<'_> {
                 self.read(left, live);
                 self.read(right, live);
             }
-            ExprKind::Call(_, args) | ExprKind::Invoke(_, args) => {
+            ExprKind::Call(_, args) | ExprKind::Invoke(_, args) | ExprKind::Try(_, args) => {
                 args.iter().for_each(|arg| self.read(arg, live))
             }
             ExprKind::If(condition, then, otherwise) => {

@@ -110,6 +110,12 @@ impl<'p> Lowering<'p> {
         lowering
     }
 
+    /// Begins the code of a script that is called as a function is: what says whether a parameter
+    /// is given is a parameter itself.
+    pub(super) fn of_called_script(routine: Routine<'p>, texts: &[String]) -> Self {
+        Self { ending: Ending::Function, ..Self::of_script(routine, texts) }
+    }
+
     /// Begins the code of a function: the parameters first, then the other variables.
     pub(super) fn of_function(routine: Routine<'p>, texts: &[String]) -> Self {
         let mut lowering = Self::with_parameters(routine, texts);
@@ -361,13 +367,21 @@ impl<'p> Lowering<'p> {
 
     /// Notes the functions that an expression calls.
     pub(super) fn note_functions(&mut self, value: &Expr) {
-        let mut found = Vec::new();
-        value.each(&mut |part| {
-            if let ExprKind::Invoke(function, _) = part.kind {
-                found.push(function);
-            }
+        let (mut found, mut asked) = (Vec::new(), Vec::new());
+        value.each(&mut |part| match part.kind {
+            ExprKind::Invoke(function, _) => found.push(function),
+            ExprKind::Try(op, _) => asked.push((op as usize, part.span)),
+            _ => {}
         });
         found.into_iter().for_each(|function| self.note_function(function));
+        asked.into_iter().for_each(|(op, span)| self.note_op(op, span));
+    }
+
+    /// Notes an operation that is called or asked.
+    pub(super) fn note_op(&mut self, op: usize, span: Span) {
+        if !self.called.iter().any(|&(known, _)| known == op) {
+            self.called.push((op, span));
+        }
     }
 
     pub(super) fn note_function(&mut self, function: u32) {

@@ -21,14 +21,14 @@ pub struct Prepared<'p> {
     pub(super) code: Code,
     pub(super) functions: Functions,
     pub(super) columns: Columns,
+    /// Where the numbers come from that it gets by chance.
+    pub(super) seed: u64,
     /// Where in the source the code can trap, by number.
     pub(super) places: Vec<Span>,
     /// The numbers of those places where the script asserts something, in order.
     pub(super) assertions: Vec<u32>,
     /// The operations it may call, in the order of the program.
     pub(super) called: Vec<usize>,
-    /// Where it calls each of them first.
-    pub(super) calls: Vec<Span>,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -93,9 +93,9 @@ pub(super) fn prepare_script<'p>(
         columns,
         code,
         functions,
+        seed: 0,
         places: lowering.names.places,
         assertions: lowering.assertions,
-        calls: called.iter().map(|&(_, call)| call).collect(),
         called: called.into_iter().map(|(op, _)| op).collect(),
     })
 }
@@ -131,6 +131,12 @@ impl Prepared<'_> {
     /// The code of the script, to look at.
     pub fn code(&self) -> &Code {
         &self.code
+    }
+
+    /// The same with a seed for the numbers that it gets by chance; without it, that is 0. The same
+    /// seed gives the same numbers on every machine.
+    pub fn with_seed(self, seed: u64) -> Self {
+        Self { seed, ..self }
     }
 
     /// The attributes that it uses and that are not scratch: what it would take from a file.

@@ -60,14 +60,12 @@ pub(super) fn run_with(
     let slots = prepared.slots(mesh, arguments, &mut code.texts);
     let slots =
         slots.map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
-    let level = level(prepared, mesh)
-        .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let columns = prepared
         .columns
         .bind(mesh)
         .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let mut machine = Machine::new(prepared.plans);
-    machine.trust_level(level);
+    machine.seed(prepared.seed);
     machine.use_columns(columns);
     machine.use_meshes(meshes);
     let outcome = machine.run(mesh, &code, &slots, watch);
@@ -77,20 +75,6 @@ pub(super) fn run_with(
         Ok(_) => Ok(report),
         Err(trap) => Err(Box::new(Failure { diagnostic: diagnostic(prepared, trap), report })),
     }
-}
-
-/// The level that the operations with a guard need, if the mesh has it.
-fn level(prepared: &Prepared, mesh: &Mesh) -> Result<Level, Diagnostic> {
-    let mut level = Level::Map;
-    for (&op, &call) in prepared.called.iter().zip(&prepared.calls) {
-        if let Some(Some(plan)) = prepared.plans.get(op)
-            && plan.level > level
-        {
-            expect_level(plan, mesh, call)?;
-            level = plan.level;
-        }
-    }
-    Ok(level_for_steps(prepared.plans, &prepared.called, level, mesh))
 }
 
 /// The level of a mesh that has one, or what it has of what some operations call in steps.
@@ -163,10 +147,12 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
         None => (prepared.script.span, known.as_slice()),
     };
     let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
-    if let Message::Asserted { values, .. } = &trap.message
-        && !values.is_empty()
-    {
-        diagnostic = diagnostic.note(values.clone());
+    match &trap.message {
+        Message::Asserted { values, .. } if !values.is_empty() => {
+            diagnostic = diagnostic.note(values.clone());
+        }
+        Message::BelowLevel { why, .. } => diagnostic = diagnostic.note(why.clone()),
+        _ => {}
     }
     let mut told = vec![first];
     for (_, span) in calls {
@@ -210,6 +196,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
     match &trap.message {
         Message::Gone(_) => "element-gone",
         Message::Missing(_) => "no-element",
+        Message::NothingToChoose => "nothing-to-choose",
         Message::DivisionByZero => "division-by-zero",
         Message::IntOverflow | Message::RoundsNaN => "int-overflow",
         Message::NotFinite => "not-finite",

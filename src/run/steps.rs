@@ -15,6 +15,10 @@ use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp, Steps};
 use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 
+/// How many reasons to refuse an operation in steps can have, with those of all that it calls:
+/// each has its own list of them.
+const MOST_REFUSALS: usize = 1024;
+
 /// Makes plans of the operations in steps of a program, among the plans of the others. One
 /// that calls an operation without a plan gets none.
 ///
@@ -27,33 +31,52 @@ pub fn plan_steps(
     plans: &mut [Option<Plan>],
 ) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
-    let mut left: Vec<_> = program
-        .ops
-        .iter()
-        .enumerate()
+    let ops = program.ops.iter().enumerate();
+    let mut left: BTreeMap<usize, Lowered> = ops
         .filter_map(|(number, op)| Some((number, lowered(op, op.steps.as_ref()?, functions))))
         .collect();
-    while !left.is_empty() {
-        let waiting: BTreeSet<usize> = left.iter().map(|(number, _)| *number).collect();
-        let before = left.len();
-        left.retain_mut(|(number, lowered)| {
-            if !lowered.calls.is_disjoint(&waiting) {
-                return true;
-            }
-            let op = &program.ops[*number];
-            match lowered.plan(op, functions, plans) {
-                Ok(plan) => plans[*number] = plan,
-                Err(TooLarge) => diagnostics.push(too_large(op)),
-            }
-            false
-        });
-        if left.len() == before {
-            let circle = left.iter().map(|(number, _)| &program.ops[*number]);
-            diagnostics.extend(circle.map(calls_itself));
-            break;
+    for number in called_first(&left) {
+        let Some(mut lowered) = left.remove(&number) else { continue };
+        let op = &program.ops[number];
+        match lowered.plan(op, functions, plans) {
+            Ok(plan) => plans[number] = plan,
+            Err(TooLarge) => diagnostics.push(too_large(op)),
         }
     }
+    diagnostics.extend(left.keys().map(|&number| calls_itself(&program.ops[number])));
     diagnostics
+}
+
+/// Those whose steps do not lead back to them, each behind all that it calls.
+fn called_first(all: &BTreeMap<usize, Lowered>) -> Vec<usize> {
+    let mut waits: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut callers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut order = Vec::new();
+    for (&number, lowered) in all {
+        let calls = lowered.calls.iter().filter(|called| all.contains_key(called));
+        let mut count = 0;
+        for &called in calls {
+            callers.entry(called).or_default().push(number);
+            count += 1;
+        }
+        if count == 0 {
+            order.push(number);
+        }
+        waits.insert(number, count);
+    }
+    let mut at = 0;
+    while let Some(&done) = order.get(at) {
+        at += 1;
+        for caller in callers.remove(&done).into_iter().flatten() {
+            if let Some(count) = waits.get_mut(&caller) {
+                *count -= 1;
+                if *count == 0 {
+                    order.push(caller);
+                }
+            }
+        }
+    }
+    order
 }
 
 /// What each operation in steps of a program calls, by their numbers; also what the functions do
@@ -140,6 +163,9 @@ impl Lowered<'_> {
             };
             calls.push((number(called)?, number(refusals.len())?));
             refusals.extend(plan.refusals.iter().map(|refusal| within(plan, refusal)));
+            if refusals.len() > MOST_REFUSALS {
+                return Err(TooLarge);
+            }
         }
         let below = number(refusals.len())?;
         refusals
@@ -177,7 +203,10 @@ fn within(step: &Plan, refusal: &Refusal) -> Refusal {
 
 fn too_large(op: &ResolvedOp) -> Diagnostic {
     let message = format!("`{}` is too large to compile", op.name);
-    Diagnostic::error("too-large", message, op.span)
+    Diagnostic::error("too-large", message, op.span).note(format!(
+        "its steps, and those of what they call, can refuse for more than {MOST_REFUSALS} reasons: \
+         call fewer operations, or take the steps in a script"
+    ))
 }
 
 fn calls_itself(op: &ResolvedOp) -> Diagnostic {

@@ -15,7 +15,7 @@ use crate::source::Span;
 /// Gives the file of a mesh that a test loads, by its path as it is written.
 pub type Load<'l> = dyn FnMut(&str, Span) -> Result<Obj, String> + 'l;
 
-/// Runs a test of a program, by its number.
+/// Runs a test of a program, by its number. What it gets by chance comes from the seed.
 ///
 /// # Errors
 /// It fails; or it cannot be run, because a mesh cannot be loaded or an operation is not
@@ -24,6 +24,7 @@ pub fn test(
     program: &Program,
     test: usize,
     plans: &[Option<Plan>],
+    seed: u64,
     load: &mut Load,
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
@@ -38,7 +39,7 @@ pub fn test(
         return Err(failure(error));
     }
     let prepared = prepare_script(program, &test.script, plans, functions);
-    let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
+    let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?.with_seed(seed);
     let mut made = Vec::new();
     for mesh in std::iter::once(&test.begin).chain(&test.meshes) {
         made.push(make(mesh, &prepared, load).map_err(failure)?);

@@ -61,7 +61,7 @@ impl Lowering<'_> {
 
     /// `for x in xs where c { … }`
     pub(super) fn visit(&mut self, statement: &Statement) {
-        let (StatementKind::For { variable, collection, filter, body }
+        let (StatementKind::For { variable, collection, filter, body, .. }
         | StatementKind::Update { variable, collection, filter, body }) = &statement.kind
         else {
             return;
@@ -69,6 +69,9 @@ impl Lowering<'_> {
         let span = statement.span;
         let buffer = self.asm.buffer();
         self.list(collection, buffer, span);
+        if let StatementKind::For { shuffled: true, .. } = statement.kind {
+            self.asm.emit(Inst::BufferShuffle { buffer });
+        }
         let (again, end) = (self.asm.label(), self.asm.label());
         let (index, total) = (self.asm.reg(), self.asm.reg());
         let zero = self.asm.constant_int(0);

@@ -18,9 +18,10 @@ impl Expr {
     /// Shows the parts of a value, in the order of the text.
     pub fn each_part<'t>(&'t self, look: &mut dyn FnMut(Part<'t>)) {
         match &self.kind {
-            ExprKind::Field(inner, _) | ExprKind::Must(inner) | ExprKind::Unary(_, inner) => {
-                look(Part::Expr(inner));
-            }
+            ExprKind::Field(inner, _)
+            | ExprKind::Must(inner)
+            | ExprKind::Asked(_, inner)
+            | ExprKind::Unary(_, inner) => look(Part::Expr(inner)),
             ExprKind::Call { args, .. } => args.iter().for_each(|arg| look(Part::Expr(arg))),
             ExprKind::Binary(_, left, right) => {
                 look(Part::Expr(left));

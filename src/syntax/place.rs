@@ -251,7 +251,9 @@ impl Shift for ExprKind {
                 function.shift(by);
                 args.shift(by);
             }
-            ExprKind::Must(inner) | ExprKind::Unary(_, inner) => inner.shift(by),
+            ExprKind::Must(inner) | ExprKind::Asked(_, inner) | ExprKind::Unary(_, inner) => {
+                inner.shift(by);
+            }
             ExprKind::Binary(_, left, right) => {
                 left.shift(by);
                 right.shift(by);

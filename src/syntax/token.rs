@@ -108,7 +108,7 @@ token_kinds! {
         "each" Each "new" New "keep" Keep "erase" Erase
         "let" Let "var" Var "if" If "else" Else "repeat" Repeat "for" For "in" In
         "where" Where "while" While "drain" Drain "by" By "update" Update
-        "must" Must "print" Print "assert" Assert
+        "must" Must "can" Can "why" Why "print" Print "assert" Assert
         "return" Return "break" Break "continue" Continue
         "and" And "or" Or "not" Not "div" Div "mod" Mod "true" True "false" False
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use hedgerow::check::{Verdict, check, identifications};
 use hedgerow::compile::compile;
-use hedgerow::diagram::{Alias, Op, Ref};
+use hedgerow::diagram::{Alias, NameId, Op, Ref};
 use hedgerow::mesh::{Level, Mesh, validate, validate_level};
 use hedgerow::rewrite::{Machine, Outcome, Plan};
 
@@ -93,23 +93,23 @@ enum Found {
     Refused,
 }
 
-/// The op with one `alias` for each set of names of a verdict that is fine.
+/// The op with `alias`es, for each set of names of a verdict that is fine.
 fn with_aliases(op: &Op, most: usize) -> Vec<Op> {
-    let rule = &op.rules[0];
-    let span = rule.after.span;
-    let mut all = Vec::new();
-    let found = identifications(op, rule);
+    let found = identifications(op, &op.rules[0]);
     let fine = found.iter().filter(|one| matches!(one.verdict, Verdict::Fine));
-    for one in fine.take(most) {
-        let mut with = op.clone();
-        let alias = |class: &Vec<_>| Alias {
-            names: class.iter().map(|&name| Ref::plain(name, span)).collect(),
-            span,
-        };
-        with.rules[0].aliases = one.names.iter().map(alias).collect();
-        all.push(with);
-    }
-    all
+    fine.take(most).map(|one| with_alias(op, &one.names)).collect()
+}
+
+/// The op with one `alias` for each class of names.
+pub fn with_alias(op: &Op, classes: &[Vec<NameId>]) -> Op {
+    let span = op.rules[0].after.span;
+    let mut with = op.clone();
+    let alias = |class: &Vec<_>| Alias {
+        names: class.iter().map(|&name| Ref::plain(name, span)).collect(),
+        span,
+    };
+    with.rules[0].aliases = classes.iter().map(alias).collect();
+    with
 }
 
 fn apply(op: &Op, plan: &Plan, mesh: &Mesh, place: &[u32], level: Level) -> Found {

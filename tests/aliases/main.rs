@@ -12,6 +12,7 @@ mod reference;
 mod meshes;
 
 mod applied;
+mod closed;
 mod commands;
 mod verdicts;
 

@@ -4,7 +4,7 @@ use hedgerow::diagram::Rule;
 use hedgerow::mesh::{Mesh, validate};
 use hedgerow::rewrite::{Machine, Outcome, Plan};
 
-use crate::reference::matching::{bound_by, matches};
+use crate::reference::matching::{bound_by, matches_where};
 use crate::reference::printing::mesh_text;
 use crate::reference::rewriting::rewrite;
 use crate::reference::same::{identical, same_result};
@@ -55,7 +55,9 @@ pub fn experience(
             let mut most = 0;
             let mut results = Vec::new();
             for &rule in rules {
-                let found = matches(rule, &mesh, &bound_by(rule, &place), MOST);
+                let may_be_one = |left, right| rule.may_be_one(left, right);
+                let bound = bound_by(rule, &place);
+                let found = matches_where(rule, &mesh, &bound, MOST, &may_be_one);
                 most = most.max(found.len());
                 let rewritten = found.iter().map(|at| (rule, rewrite(rule, &mesh, at)));
                 results.extend(rewritten);

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use hedgerow::check::{Proved, check};
+use hedgerow::check::{Outcome, Proved, examine};
 use hedgerow::compile::compile;
 use hedgerow::diagram::Op;
 use hedgerow::source::Sources;
@@ -13,12 +13,14 @@ use crate::bases::read_back;
 use crate::experience::experience;
 use crate::reference::random::Random;
 use crate::reference::unrolling::unrolled;
-use crate::trial::Pool;
+use crate::trial::{Pool, Trial};
 
 /// Codes of rejections that do not say that a mesh breaks: the op says too little, or says a
 /// thing that nobody can follow, or leaves a vertex alone.
 pub const BY_RULE: &[&str] = &[
     "adjacent-runs",
+    "alias-impossible",
+    "alias-incomplete",
     "empty-fan",
     "erased-and-drawn",
     "erased-run",
@@ -40,6 +42,8 @@ pub struct Judged {
     pub verdict: Verdict,
     pub matches: usize,
     pub applied: usize,
+    /// Whether a rejection comes with a mesh that breaks.
+    pub shown: bool,
     /// How long the checker took.
     pub time: Duration,
     pub complaints: Vec<String>,
@@ -51,7 +55,20 @@ impl Judged {
         let Verdict::Rejected(code, meshes) = self.verdict else {
             return false;
         };
-        meshes == Meshes::Survived && !BY_RULE.contains(&code)
+        meshes == Meshes::Survived && !BY_RULE.contains(&code) && !self.shown
+    }
+
+    /// Whether it was rejected for breaking meshes, and breaks one.
+    pub fn breaks_by_a_law(&self) -> bool {
+        let Verdict::Rejected(code, meshes) = self.verdict else {
+            return false;
+        };
+        meshes == Meshes::Broke && !BY_RULE.contains(&code)
+    }
+
+    /// The same, and none is shown.
+    pub fn lacks_a_witness(&self) -> bool {
+        self.breaks_by_a_law() && !self.shown
     }
 }
 
@@ -73,16 +90,23 @@ pub enum Meshes {
     Survived,
 }
 
-pub fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
+/// Judges an op on the meshes of the pool, and where it comes from.
+pub fn judge(
+    text: String,
+    pool: &Pool,
+    home: Option<&Trial>,
+    random: &mut Random,
+) -> Option<Judged> {
     let (sources, op) = read_back(&text)?;
     let start = Instant::now();
-    let checked = catch_unwind(AssertUnwindSafe(|| check(&op)));
+    let checked = catch_unwind(AssertUnwindSafe(|| examine(&op)));
     let time = start.elapsed();
     let mut judged = Judged {
         text,
         verdict: Verdict::Accepted,
         matches: 0,
         applied: 0,
+        shown: false,
         time,
         complaints: Vec::new(),
     };
@@ -93,13 +117,15 @@ pub fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
     match checked {
         Ok(proved) => {
             let sizes = sizes(proved.op(), &judged.text, LONGEST);
-            accepted(&proved, &sources, &sizes, pool, random, &mut judged);
+            accepted(&proved, &sources, &sizes, pool, home, random, &mut judged);
         }
-        Err(diagnostics) => {
-            let code = diagnostics.first().map_or("none", |diagnostic| diagnostic.code);
+        Err(rejection) => {
+            let code = rejection.diagnostics.first().map_or("none", |told| told.code);
+            judged.shown = rejection.outcomes.iter().any(|it| matches!(it, Outcome::Breaks(_)));
             let sizes = sizes(&op, &judged.text, TRIED);
             let rules: Vec<_> = sizes.iter().map(|op| &op.rules[0]).collect();
-            let experience = experience(&rules, None, pool.trials(&sizes, random));
+            let trials = home.cloned().into_iter().chain(pool.trials(&sizes, random));
+            let experience = experience(&rules, None, trials);
             judged.matches = experience.matches;
             let meshes = if experience.broken > 0 {
                 Meshes::Broke
@@ -119,13 +145,13 @@ pub fn judge(text: String, pool: &Pool, random: &mut Random) -> Option<Judged> {
 }
 
 /// Cycles up to this long are drawn, and others met in maps.
-const TRIED: usize = 4;
+pub const TRIED: usize = 4;
 
 /// No orbit of a mesh that is tried is longer.
 const LONGEST: usize = 14;
 
 /// The op without families: itself, or written out for cycles of size 1, 2 and so on.
-fn sizes(op: &Op, text: &str, most: usize) -> Vec<Op> {
+pub fn sizes(op: &Op, text: &str, most: usize) -> Vec<Op> {
     if !op.rules[0].has_families() {
         return vec![op.clone()];
     }
@@ -146,6 +172,7 @@ fn accepted(
     sources: &Sources,
     sizes: &[Op],
     pool: &Pool,
+    home: Option<&Trial>,
     random: &mut Random,
     judged: &mut Judged,
 ) {
@@ -153,7 +180,8 @@ fn accepted(
     let tried = &sizes[..sizes.len().min(TRIED)];
     let run = catch_unwind(AssertUnwindSafe(|| {
         let plan = compile(proved, sources, &Arc::default()).expect("a small op");
-        experience(&rules, Some(&plan), pool.trials(tried, random))
+        let trials = home.cloned().into_iter().chain(pool.trials(tried, random));
+        experience(&rules, Some(&plan), trials)
     }));
     let Ok(experience) = run else {
         judged.complaints.push("compiling or running it panics".into());

@@ -9,6 +9,7 @@ use crate::reference::maps::random_map;
 use crate::reference::random::Random;
 
 /// Where an op is tried.
+#[derive(Clone)]
 pub struct Trial {
     pub mesh: Mesh,
     /// The elements given, each choice of them.
@@ -38,6 +39,11 @@ impl Pool {
         let mut random = Random::new(seed);
         let maps = (0..maps).map(|_| random_map(2 + 2 * random.below(7), &mut random)).collect();
         Self { maps, completions }
+    }
+
+    /// These meshes, and no completions.
+    pub fn of(maps: Vec<Mesh>) -> Self {
+        Self { maps, completions: 0 }
     }
 
     /// The meshes on which an op is tried, one after the other. With families these are the op

@@ -83,3 +83,24 @@ fn the_library_is_listed_printed_copied_and_run() {
     assert_eq!((said.code, said.err.as_str()), (0, ""));
     bench.fails(2, &["plan", "std/triangle.hedge::flipp"], "did you mean `flip`?");
 }
+
+#[test]
+fn the_only_script_of_a_file_is_found() {
+    let bench = Bench::new();
+    bench.write("mesh.obj", TETRAHEDRON);
+    bench.write("own.hedge", "script shuffled() { for e in shuffle(edges) { print e } }");
+    let run = |seed: &str| bench.run(&["run", "own", "mesh.obj", "--seed", seed]).out;
+    let lines = |said: String| said.lines().take(6).map(String::from).collect::<Vec<_>>();
+    assert_eq!(lines(run("3")), lines(run("3")));
+    assert_ne!(lines(run("3")), lines(run("4")));
+    let said =
+        bench.run(&["run", "std/remesh", "mesh.obj", "-o", "out.obj", "--set", "iterations=1"]);
+    assert_eq!((said.code, said.err.as_str()), (0, ""), "{said:?}");
+    let several = bench.fails(2, &["run", "std/smooth", "mesh.obj"], "which script?");
+    for script in ["`laplacian`", "`taubin`", "`tangential`"] {
+        assert!(several.err.contains(script), "{several:?}");
+    }
+    bench.write("test.hedge", "test \"three\" { assert random(1000) == random(7) }");
+    bench.fails(1, &["test", "test.hedge", "--seed", "2"], "the left side is");
+    bench.fails(2, &["run", "std/nothing", "mesh.obj"], "cannot read `std/nothing`");
+}

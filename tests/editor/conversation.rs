@@ -137,6 +137,38 @@ fn a_request_that_is_cancelled_in_time_is_not_answered() {
 }
 
 #[test]
+fn what_is_about_all_ops_waits_for_proofs_and_keeps_nobody_waiting() {
+    let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
+    let mut client = Client::able("utf-8");
+    let item = json!({ "uri": URI, "languageId": "hedgerow", "version": 1, "text": flip });
+    let opened = json!({ "textDocument": item });
+    client.server.accept(Notification::new("textDocument/didOpen".into(), opened).into());
+    let at = json!({ "line": 0, "character": 0 });
+    let params = json!({ "textDocument": document(), "position": at });
+    for (id, method) in [("one", "codeLens"), ("two", "codeLens"), ("three", "hover")] {
+        let method = format!("textDocument/{method}");
+        let request = Request::new(id.to_owned().into(), method, params.clone());
+        client.server.accept(request.into());
+    }
+    let mut answered = Vec::new();
+    while let Some(messages) = client.server.work() {
+        for message in messages {
+            let Message::Response(response) = message else { continue };
+            answered.push((response.id.to_string(), response.response_result.map_err(|e| e.code)));
+            if answered.len() == 1 {
+                let cancel = Notification::new("$/cancelRequest".into(), json!({ "id": "two" }));
+                client.server.accept(cancel.into());
+            }
+        }
+    }
+    let ids: Vec<_> = answered.iter().map(|(id, _)| id.as_str()).collect();
+    assert_eq!(ids, ["\"three\"", "\"two\"", "\"one\""]);
+    assert_eq!(answered[1].1, Err(-32800));
+    let lenses = answered[2].1.as_ref().unwrap().as_array().unwrap();
+    assert!(lenses.iter().any(|lens| lens["command"]["title"].to_string().contains("proved")));
+}
+
+#[test]
 fn one_bad_op_blinds_no_other() {
     let flip = std::fs::read_to_string("examples/flip.hedge").unwrap();
     let mut client = Client::able("utf-8");

@@ -204,3 +204,31 @@ fn every_snippet_can_be_read() {
     }
     assert!(count > 5);
 }
+
+#[test]
+fn nothing_that_a_program_says_is_trusted() {
+    let sources = sources();
+    assert!(sources.contains("markdown: { isTrusted: false, supportHtml: false }"));
+    assert!(!sources.contains("isTrusted: true"));
+    let untrusted = &manifest()["capabilities"]["untrustedWorkspaces"];
+    assert_eq!(untrusted["supported"], "limited");
+    // What names a program to start, or an address to speak with.
+    let restricted = &untrusted["restrictedConfigurations"];
+    assert_eq!(*restricted, json!(["hedgerow.path", "hedgerow.bridge"]));
+    let mut client = Client::able("utf-16");
+    let said = "[run](command:workbench.action.terminal.new) <img src=x> `[code]`";
+    client.open(&PROGRAM.replace("op f", &format!("/// {said}\nop f")));
+    let params =
+        json!({ "textDocument": { "uri": URI }, "position": { "line": 1, "character": 3 } });
+    let hover = client.request("textDocument/hover", params).unwrap();
+    let value = hover["contents"]["value"].as_str().unwrap();
+    assert!(
+        value.contains("\\[run](command:workbench.action.terminal.new) \\<img src=x> `[code]`"),
+        "{value}"
+    );
+}
+
+#[test]
+fn a_test_is_named_as_a_filter() {
+    assert!(sources().contains("[\"test\", path, `--filter=${name}`]"));
+}

@@ -14,4 +14,5 @@ mod extension;
 mod latency;
 mod proofs;
 mod shown;
+mod sound;
 mod workspace;

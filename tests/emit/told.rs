@@ -32,3 +32,26 @@ fn a_text_is_no_value_in_pointer_code() {
     );
     assert_eq!((what.as_str(), place.as_str()), ("a text", "\"a\""));
 }
+
+#[test]
+fn what_only_a_run_can_do_is_said() {
+    for (statement, what, place) in [
+        ("if can g(v) { }", "an op that is only asked", "can g(v)"),
+        ("if random() < 0.5 { g(v) }", "a random number", "random()"),
+        ("if chosen() == 1 { g(v) }", "a random number", "random(3)"),
+        (
+            "for w in shuffle(v.neighbors) { g(w) }",
+            "an order by chance",
+            "for w in shuffle(v.neighbors) { g(w) }",
+        ),
+        ("s()", "the call of a script", "s()"),
+    ] {
+        let told = refused(&format!(
+            "op f(v: vertex) {{ steps {{ {statement} }} }}
+            op g(v: vertex) {{ steps {{ }} }}
+            fn chosen() -> int {{ random(3) }}
+            script s() {{ for v in vertices {{ g(v) }} }}"
+        ));
+        assert_eq!((told.0.as_str(), told.1.as_str()), (what, place));
+    }
+}

@@ -1,9 +1,9 @@
 //! Scripts know the level of their mesh: an op with a guard runs on no other.
 
 use hedgerow::analysis::Analysis;
-use hedgerow::mesh::{Level, Mesh, shape, validate_level};
+use hedgerow::mesh::{ElementKind, Level, Mesh, shape, validate_level};
 use hedgerow::rewrite::Unwatched;
-use hedgerow::run::{Failure, Report, prepare, run};
+use hedgerow::run::{Argument, Failure, Report, apply, prepare, run};
 use hedgerow::source::Sources;
 
 const OPS: &str = "
@@ -71,16 +71,40 @@ fn what_may_break_the_level_may_not() {
     assert_eq!(failure.diagnostic.code, "below-level");
     assert_eq!(
         failure.diagnostic.message,
-        "`collapse` is for meshes of level simple, and what was applied before may have left another"
+        "`collapse` is for meshes of level simple, and after `flip` this one is not"
     );
 }
 
 #[test]
-fn a_mesh_below_the_level_is_refused_at_once() {
+fn a_mesh_below_the_level_is_refused_with_the_place() {
     let mut mesh = shape::pillow(3);
     let before = mesh.clone();
     let failure = run_on(&mut mesh, NOT_ADJACENT).unwrap_err();
     assert_eq!(failure.diagnostic.code, "below-level");
     assert_eq!(failure.diagnostic.notes, ["face 0 and face 1 have the same corners"]);
+    assert!(hedgerow::mesh::identical(&before, &mesh));
+}
+
+/// An op in steps has no level of its own; the step that has one asks for it.
+#[test]
+fn applied_alone_a_step_asks_for_its_level() {
+    let steps =
+        "op both(e: edge) -> vertex { steps { flip(e)  let v = must collapse(e)  return v } }";
+    let mut sources = Sources::new();
+    let text = format!("{}\n{steps}", OPS.replace("REQUIRE", ""));
+    let file = sources.add("test.hedge", text);
+    let analysis = Analysis::of(&sources, file);
+    assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
+    let op = analysis.program.ops.iter().position(|op| op.name == "both").unwrap();
+    let mut mesh = shape::pillow(3);
+    let before = mesh.clone();
+    let arguments = [("e".to_owned(), Argument::Element(ElementKind::Edge, 0))];
+    let applied = apply(&analysis.program, op, &analysis.plans, &mut mesh, &arguments);
+    let told = applied.unwrap_err().diagnostic;
+    assert_eq!(told.code, "below-level");
+    assert_eq!(
+        told.message,
+        "`collapse`, a step of `both`, is for meshes of level simple, and this one is not"
+    );
     assert!(hedgerow::mesh::identical(&before, &mesh));
 }

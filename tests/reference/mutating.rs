@@ -5,7 +5,8 @@
 //! of what is true, so that there are accepted ops of all shapes.
 
 use hedgerow::diagram::{
-    Edge, Kind, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side, Spoke, Star, Type,
+    Alias, Edge, Kind, LoopItem, LoopKind, Name, NameId, Op, Ref, Role, Rule, Side, Spoke, Star,
+    Type,
 };
 use hedgerow::mesh::VertexId;
 use hedgerow::source::Span;
@@ -16,7 +17,7 @@ use super::random::Random;
 /// Changes an op of one rule once; `None` if the change picked does not apply.
 pub fn mutate(op: &mut Op, random: &mut Random) -> Option<()> {
     let mut mutation = Mutation { rule: op.rules.first_mut()?, random };
-    match mutation.random.below(34) {
+    match mutation.random.below(40) {
         0 => mutation.swap_names()?,
         1 => mutation.swap_mentions()?,
         2..=4 => mutation.relabel()?,
@@ -38,6 +39,7 @@ pub fn mutate(op: &mut Op, random: &mut Random) -> Option<()> {
         30 => mutation.lengthen()?,
         31 => mutation.any_loops()?,
         32 => mutation.rotate_loop()?,
+        33..=38 => mutation.let_names_be_one()?,
         _ => change_parameter(op, random)?,
     }
     let rule = op.rules.first_mut()?;
@@ -61,6 +63,10 @@ fn tidy(rule: &mut Rule) {
     rule.erased.retain(|old| {
         (before.contains(&old.name) || after.contains(&old.name)) && !created.contains(&old.name)
     });
+    for alias in &mut rule.aliases {
+        alias.names.retain(|name| before.contains(&name.name));
+    }
+    rule.aliases.retain(|alias| alias.names.len() > 1);
     let erased: Vec<_> = rule.erased.iter().map(|old| old.name).collect();
     rule.assignments.retain(|set| {
         let name = set.target.name;
@@ -169,6 +175,26 @@ impl Mutation<'_> {
         let kind = self.rule.kind(first);
         let others: Vec<_> = self.rule.names_of(kind).filter(|&name| name != first).collect();
         Some([first, *self.random.pick(&others)?])
+    }
+
+    /// Two to four names of one kind, vertices as a rule, may stand for one element.
+    fn let_names_be_one(&mut self) -> Option<()> {
+        if self.rule.cycle.is_some() {
+            return None;
+        }
+        let kind = match self.random.below(8) {
+            0 => Kind::Halfedge,
+            1 => Kind::Face,
+            _ => Kind::Vertex,
+        };
+        let drawn = mentioned(&self.rule.before);
+        let mut names: Vec<_> =
+            self.rule.names_of(kind).filter(|name| drawn.contains(name)).collect();
+        self.random.shuffle(&mut names);
+        names.truncate(2 + self.random.below(3).min(self.random.below(3)));
+        let names: Vec<_> = names.into_iter().map(|name| self.here(name)).collect();
+        let span = self.span();
+        (names.len() > 1).then(|| self.rule.aliases.push(Alias { names, span }))
     }
 
     fn swap_names(&mut self) -> Option<()> {

@@ -18,7 +18,12 @@ pub fn op_text(op: &Op, rule: &Rule) -> String {
     }
     text.push_str(") {\n  before {\n");
     side(rule, &rule.before, &mut text);
-    text.push_str("  }\n  after {\n");
+    text.push_str("  }\n");
+    for alias in &rule.aliases {
+        let words: Vec<_> = alias.names.iter().map(|&name| mention(rule, name)).collect();
+        writeln!(text, "  alias {}", words.join(" ")).expect("a string");
+    }
+    text.push_str("  after {\n");
     list(rule, "new", &rule.created, &mut text);
     side(rule, &rule.after, &mut text);
     list(rule, "erase", &rule.erased, &mut text);

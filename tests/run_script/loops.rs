@@ -53,6 +53,49 @@ fn a_loop_does_not_visit_what_is_gone() {
     assert_eq!(gone + refused(&report, "collapse"), turns);
 }
 
+/// A face that has become a hole is no face any more, and the other way round.
+#[test]
+fn a_loop_over_faces_does_not_visit_what_has_become_a_hole() {
+    let (_, lines) = run_alone(
+        &mut shape::cube(),
+        "op open(f: face) { before { face f: v =P=> v } after { hole f: v =P=> v } }
+         op fill(f: face) { before { hole f: v =P=> v } after { face f: v =P=> v } }
+         script main() {
+           var turns = 0
+           for f in faces { turns = turns + 1  for g in faces { if g != f { open(g) } } }
+           print turns, count(faces), count(holes)
+           turns = 0
+           for f in holes { turns = turns + 1  for g in holes { if g != f { fill(g) } } }
+           print turns, count(faces), count(holes)
+           turns = 0
+           for v in vertices {
+             for f in v.faces { turns = turns + 1  for g in v.faces { if g != f { open(g) } } }
+             break
+           }
+           print turns
+         }",
+        &[],
+    )
+    .unwrap();
+    assert_eq!(lines, ["1 1 5", "1 5 1", "1"]);
+}
+
+#[test]
+fn what_fails_in_an_update_writes_nothing_of_it() {
+    let mut mesh = shape::cube();
+    let before = mesh.clone();
+    let script = "script main() {
+      var left = 3
+      update v in vertices {
+        left = left - 1
+        v.position = v.position * (6 div left)
+      }
+    }";
+    let failure = try_run(&mut mesh, script, &[]).unwrap_err();
+    assert_eq!(failure.diagnostic.code, "division-by-zero");
+    assert!(mesh.vertices().all(|v| mesh.position(v) == before.position(v)));
+}
+
 #[test]
 fn where_is_asked_when_the_turn_comes() {
     let lines = printed(

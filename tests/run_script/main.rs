@@ -1,6 +1,7 @@
 //! Scripts on small meshes.
 
 mod arguments;
+mod asking;
 mod attributes;
 #[path = "../dice/mod.rs"]
 mod dice;

@@ -311,6 +311,8 @@ fn value(expr: &Expr) -> String {
             format!("({}{args})", function.text)
         }
         ExprKind::Must(call) => format!("(must {})", value(call)),
+        ExprKind::Asked(Asking::Can, call) => format!("(can {})", value(call)),
+        ExprKind::Asked(Asking::Why, call) => format!("(why {})", value(call)),
         ExprKind::Unary(UnaryOp::Negate, of) => format!("(neg {})", value(of)),
         ExprKind::Unary(UnaryOp::Not, of) => format!("(not {})", value(of)),
         ExprKind::Binary(op, left, right) => {

@@ -1,4 +1,4 @@
-//! Pages of operations: the rejected ones with what they do to a smallest mesh (`text`), the
+//! Pages of operations: the rejected ones with what they do to a small mesh (`text`), the
 //! proved ones with the argument (`argument`).
 
 use hedgerow::analysis::{Analysis, why_proved};

@@ -60,7 +60,7 @@ async function check() {
   if (path) await run("check", ["check", path]);
 }
 
-const runTest = (path, name) => run("test", name ? ["test", path, name] : ["test", path]);
+const runTest = (path, name) => run("test", name ? ["test", path, `--filter=${name}`] : ["test", path]);
 
 async function testHere() {
   const path = await file();

@@ -15,8 +15,9 @@ exports.options = (lenses = {}) => ({
     configurationSection: "hedgerow",
     fileEvents: vscode.workspace.createFileSystemWatcher("**/*.hedge"),
   },
-  // Pictures in hovers are images of markdown.
-  markdown: { isTrusted: true, supportHtml: true },
+  // What a hover says comes from programs that others wrote: no link in it runs a command, and
+  // nothing in it is HTML. Pictures are images of Markdown, for which no trust is needed.
+  markdown: { isTrusted: false, supportHtml: false },
   // What the server would show on a page or run unseen is shown and run here.
   middleware: {
     executeCommand: (command, [uri, name, ...rest], next) => {

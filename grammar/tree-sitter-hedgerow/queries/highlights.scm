@@ -9,7 +9,7 @@
 [ "before" "after" ] @keyword
 [ "face" "hole" "loop" "edge" "vertex" "each" ] @keyword
 [ "new" "keep" "erase" ] @keyword
-[ "let" "var" "update" "drain" "by" "where" "in" "print" "assert" "must" ] @keyword
+[ "let" "var" "update" "drain" "by" "where" "in" "print" "assert" "must" "can" "why" ] @keyword
 [ "if" ] @keyword.conditional
 [ "repeat" "for" "while" (break) (continue) ] @keyword.repeat
 [ "return" ] @keyword.return

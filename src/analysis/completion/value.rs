@@ -38,12 +38,13 @@ pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Co
         let (name, choice) = match item {
             Item::Op(op) => (&op.name.text, Choice::Op),
             Item::Fn(function) => (&function.name.text, Choice::Function),
+            Item::Script(script) => (&script.name.text, Choice::Function),
             _ => continue,
         };
         let snippet = format!("{name}($1)");
         found.push(Completion::new(name, choice, 2).with(&snippet));
     }
-    for word in ["if", "true", "false", "not", "pi"] {
+    for word in ["if", "true", "false", "not", "can", "why", "pi"] {
         found.push(Completion::new(word, Choice::Keyword, 6));
     }
     found

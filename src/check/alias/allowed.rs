@@ -9,13 +9,16 @@ use crate::check::guard::{Obligation, Statement, obligations};
 use crate::check::problem::{Problem, enumerate};
 use crate::check::properties::kept;
 use crate::check::proved::Broken;
-use crate::check::witness;
+use crate::check::witness::{self, Outcome};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, NameId, Op, Rule};
 use crate::source::Span;
 
 /// How many sets of names are looked at.
 const MOST: usize = 400;
+
+/// For how many of them a mesh is looked for that breaks.
+const MOST_SEARCHES: usize = 16;
 
 /// Every way in which names that may be one are, each proved.
 pub(in crate::check) struct Aliased {
@@ -30,8 +33,9 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
         return Ok(aliased);
     }
     let wanted = wanted(rule);
-    let mut problems = Vec::new();
-    let mut outcome = None;
+    // Of the sets that break a law the first is told that breaks a mesh too.
+    let mut broken: Option<(Problem, Outcome)> = None;
+    let mut searches = 0;
     for (names, quotients) in sets(rule, &wanted)? {
         for quotient in quotients {
             let quotient = quotient.finished();
@@ -42,21 +46,26 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
                 }
                 Err(Failed::Impossible(_)) => {}
                 Err(Failed::Broken { why, arcs }) => {
+                    if searches == MOST_SEARCHES {
+                        continue;
+                    }
+                    searches += 1;
                     let code = "alias-breaks";
                     let arcs = arcs.as_deref();
                     let found = witness::find_where_one(op, rule, &quotient, arcs, code);
-                    outcome.get_or_insert(found);
-                    problems.push(breaks(rule, &names, &wanted, &why));
-                    break;
+                    let problem = breaks(rule, &names, &wanted, &why);
+                    if matches!(found, Outcome::Breaks(_)) {
+                        return Err(told(problem, found));
+                    }
+                    broken.get_or_insert((problem, found));
                 }
             }
         }
     }
-    if !problems.is_empty() {
-        // The smallest set says most.
-        problems.truncate(1);
-        return Err(Broken { problems, arcs: None, outcome });
+    if let Some((problem, outcome)) = broken {
+        return Err(told(problem, outcome));
     }
+    let mut problems = Vec::new();
     for &(pair, span) in &wanted {
         let is_one = |quotient: &Quotient| {
             let [left, right] = pair.map(|name| quotient.stands_for(name));
@@ -70,6 +79,10 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
         true => Ok(aliased),
         false => Err(problems.into()),
     }
+}
+
+fn told(problem: Problem, outcome: Outcome) -> Broken {
+    Broken { problems: vec![problem], arcs: None, outcome: Some(outcome) }
 }
 
 /// The pairs that may be one, each with the statement that says so.

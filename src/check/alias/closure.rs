@@ -9,7 +9,7 @@ use super::overlap::{Overlap, overlaps};
 use super::quotient::Quotient;
 use crate::check::chain::corners;
 use crate::check::port::{Links, Port};
-use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke};
+use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke, Star};
 
 /// Why names cannot be one, or that it was not found out.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,6 +28,8 @@ enum Consequence {
     Among(NameId, Vec<NameId>, String),
     /// Two statements of `before` speak of one loop.
     Overlap([usize; 2], LoopKind, Vec<Overlap>),
+    /// Two statements of `before` speak of the spokes of one vertex, and name the same ones.
+    OneStar([usize; 2]),
     /// Nothing can be like that.
     Never(Contradiction),
 }
@@ -85,6 +87,12 @@ pub(in crate::check) fn united(
                     open.push(option);
                 }
             }
+            Some(Consequence::OneStar(stars)) => match quotient.join_stars(stars) {
+                Ok(()) => open.push(quotient),
+                Err(why) => {
+                    never.get_or_insert(Contradiction::Certain(why));
+                }
+            },
             Some(Consequence::Never(Contradiction::Unclear(why))) => {
                 return Err(Contradiction::Unclear(why));
             }
@@ -253,9 +261,9 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
                 format!("{name} would be a spoke of {text}, whose statement does not list it");
             return Some(Consequence::Among(half, listed, otherwise));
         }
-        if stars[..at].iter().any(|other| other.vertex.name == star.vertex.name) {
-            let why = format!("{text} would have two statements of its spokes");
-            return Some(Consequence::Never(Contradiction::Unclear(why)));
+        let same = |other: &Star| other.vertex.name == star.vertex.name;
+        if let Some(first) = stars[..at].iter().position(same) {
+            return Some(Consequence::OneStar([first, at]));
         }
         // Counterclockwise the spoke after `a` is `a.prev.twin`.
         let count = star.spokes.len();

@@ -53,13 +53,13 @@ impl Quotient {
         at.map_or(piece, |at| NameId(at as u32))
     }
 
-    /// The names of the rule it comes from that are one, set by set, without edges: they are
-    /// one where their halfedges are.
+    /// The names of the rule it comes from that are one, set by set, without edges, which are
+    /// one where their halfedges are, and without fans, which are where their vertices are.
     pub fn classes(&self, count: usize) -> Vec<Vec<NameId>> {
         let mut classes: Vec<Vec<NameId>> = Vec::new();
         for name in (0..count as u32).map(NameId) {
             let one = self.stands_for(name);
-            if one == name || self.rule.kind(name) == Kind::Edge {
+            if one == name || matches!(self.rule.kind(name), Kind::Edge | Kind::Fan) {
                 continue;
             }
             match classes.iter_mut().find(|class| class[0] == one) {
@@ -139,6 +139,53 @@ impl Quotient {
         }
     }
 
+    /// Makes one statement of two of `before` that list the same spokes of one vertex: between
+    /// two of them lies one fan, which is empty where one statement has none there.
+    pub(super) fn join_stars(&mut self, [first, second]: [usize; 2]) -> Result<(), String> {
+        let stars = &self.rule.before.stars;
+        let [one, other] = [first, second].map(|at| sectors(&stars[at].spokes));
+        let turn = other.iter().position(|(spoke, _)| *spoke == one[0].0).unwrap_or(0);
+        let count = one.len();
+        let mut spokes = Vec::new();
+        let (mut same, mut empty) = (Vec::new(), Vec::new());
+        for at in 0..count.max(other.len()) {
+            let mine = one.get(at).copied();
+            let [(half, fan), (known, also)] =
+                match (mine, other.get((turn + at) % other.len()).copied()) {
+                    (Some(mine), Some(theirs)) if mine.0 == theirs.0 => [mine, theirs],
+                    _ => {
+                        let text = self.rule.quoted(stars[first].vertex.name);
+                        return Err(format!("the spokes of {text} would lie in two orders"));
+                    }
+                };
+            debug_assert_eq!(half, known);
+            let span = stars[first].span;
+            spokes.extend(half.map(|half| Spoke::Halfedge(Ref::plain(half, span))));
+            match (fan, also) {
+                (Some(Spoke::Fan(left)), Some(Spoke::Fan(right))) => {
+                    same.push([left.name, right.name]);
+                    spokes.push(Spoke::Fan(left));
+                }
+                (Some(Spoke::Rest(_)), Some(fan)) | (Some(fan), Some(_)) => spokes.push(fan),
+                (Some(Spoke::Fan(fan)), None) | (None, Some(Spoke::Fan(fan))) => {
+                    empty.push(fan.name);
+                }
+                _ => {}
+            }
+        }
+        self.rule.before.stars[first].spokes = spokes;
+        self.rule.before.stars.remove(second);
+        let is_left =
+            |spoke: &Spoke| !matches!(spoke, Spoke::Fan(fan) if empty.contains(&fan.name));
+        let stars = &mut self.rule.after.stars;
+        stars.iter_mut().for_each(|star| star.spokes.retain(is_left));
+        stars.retain(|star| !star.spokes.is_empty());
+        for [left, right] in same {
+            self.unite(left, right);
+        }
+        Ok(())
+    }
+
     /// The same, ready for the laws: what `after` says twice alike is left out, and what it
     /// says twice otherwise is noted. No more names can be made one then.
     pub fn finished(mut self) -> Self {
@@ -193,6 +240,20 @@ impl Quotient {
         }
         self
     }
+}
+
+/// The spokes of a statement with names, each with the fan behind it; one without a name where
+/// there is nothing but a fan. Two fans never follow each other in `before`.
+fn sectors(spokes: &[Spoke]) -> Vec<(Option<NameId>, Option<Spoke>)> {
+    let half = |spoke: &Spoke| match spoke {
+        Spoke::Halfedge(half) => Some(half.name),
+        Spoke::Fan(_) | Spoke::Rest(_) => None,
+    };
+    let count = spokes.len();
+    let fan_at = |at: usize| Some(spokes[at % count]).filter(|spoke| half(spoke).is_none());
+    let named = (0..count).filter_map(|at| Some((half(&spokes[at]), fan_at(at + 1))));
+    let named: Vec<_> = named.filter(|(half, _)| half.is_some()).collect();
+    if named.is_empty() { vec![(None, fan_at(0))] } else { named }
 }
 
 /// Every mention of a side.

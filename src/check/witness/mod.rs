@@ -1,4 +1,4 @@
-//! Counterexamples: a smallest mesh and match on which a rejected rule breaks.
+//! Counterexamples: a small mesh and match on which a rejected rule breaks.
 //!
 //! The drawing of `before` is laid down as a [`sketch`], its [`outside`] is closed in one of
 //! the ways it can run, and the result is a [`place`]: a valid mesh with the match in it. There
@@ -142,7 +142,7 @@ fn outcome(op: &str, drawing: &Drawing, found: Found, code: &'static str) -> Out
 fn note(outcome: &Outcome) -> Option<String> {
     match outcome {
         Outcome::Breaks(example) => Some(format!(
-            "carried out literally on the smallest such mesh ({}): {}",
+            "carried out literally on a small mesh ({}): {}",
             words::size(&example.before),
             example.verdict
         )),

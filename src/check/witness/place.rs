@@ -66,7 +66,7 @@ impl Place {
         };
         let run = |name: NameId| match quotient.run(name) {
             Some(run) => pieces(run),
-            None => self.runs[name.index()].clone(),
+            None => self.runs[quotient.stands_for(name).index()].clone(),
         };
         let halfedges = self.halfedges.iter().map(|role| match *role {
             HalfedgeRole::OnPath(piece) => HalfedgeRole::OnPath(quotient.path_of(piece)),

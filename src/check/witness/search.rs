@@ -1,4 +1,4 @@
-//! The smallest mesh on which a rewrite breaks.
+//! A small mesh on which a rewrite breaks.
 //!
 //! Places are tried from small to large: the fewest halfedges on every path, then more; the
 //! arcs without further spokes, then with a few; all ways in which the arcs can run. A failing

@@ -177,7 +177,10 @@ impl Language for Printer<'_> {
             | Builtin::Transpose
             | Builtin::Inverse
             | Builtin::Determinant
-            | Builtin::Solve => return Spelled::whole(""),
+            | Builtin::Solve
+            // These are not emitted.
+            | Builtin::Random
+            | Builtin::RandomInt => return Spelled::whole(""),
             Builtin::Round => {
                 let rounded = self.std("cmath", "nearbyint", texts);
                 return Spelled::whole(format!("static_cast<long long>({})", rounded.text));

@@ -163,7 +163,10 @@ impl Language for Printer {
             | Builtin::Transpose
             | Builtin::Inverse
             | Builtin::Determinant
-            | Builtin::Solve => return Spelled::whole(""),
+            | Builtin::Solve
+            // These are not emitted.
+            | Builtin::Random
+            | Builtin::RandomInt => return Spelled::whole(""),
         };
         let whose = match builtin {
             Builtin::MixVector

@@ -165,7 +165,10 @@ impl<'s> Writer<'s> {
             StatementKind::While { condition, body } => {
                 Action::While { condition: self.term(condition)?, body: self.block(body)? }
             }
-            StatementKind::For { variable, collection, filter, body } => {
+            StatementKind::For { shuffled: true, .. } => {
+                return Err(NotEmitted::new("an order by chance", span));
+            }
+            StatementKind::For { variable, collection, filter, body, .. } => {
                 self.visit((*variable, collection), filter.as_ref(), body, span)?
             }
             StatementKind::If { condition, then, otherwise } => Action::Choose {
@@ -208,6 +211,11 @@ impl<'s> Writer<'s> {
             StatementKind::Break => Action::Break,
             StatementKind::Continue => Action::Continue,
             StatementKind::Return(value) => return self.leave(value.as_ref(), out),
+            StatementKind::Call { function, .. }
+                if *function as usize >= self.known.program.functions.len() =>
+            {
+                return Err(NotEmitted::new("the call of a script", span));
+            }
             StatementKind::Call { function, args, .. } => {
                 let deeds = self.known.deeds.function(*function);
                 // What changes nothing has been called for nothing.

@@ -11,7 +11,7 @@ use super::text::text_with_values;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
-    Action, ActionKind, BinaryOp, Block, Expr, ExprKind, Ident, Name, UnaryOp,
+    Action, ActionKind, Asking, BinaryOp, Block, Expr, ExprKind, Ident, Name, UnaryOp,
 };
 use chumsky::prelude::*;
 
@@ -143,7 +143,12 @@ fn atom<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, Expr
     let call = call(expression.clone());
     let must =
         just(T::Must).ignore_then(called(call.clone())).map(|call| ExprKind::Must(Box::new(call)));
-    choice((call, int, real, literal, parenthesised, text, must, branches(expression, block)))
+    let asking = select! { T::Can => Asking::Can, T::Why => Asking::Why };
+    let asked = asking
+        .then(called(call.clone()))
+        .map(|(asking, call)| ExprKind::Asked(asking, Box::new(call)));
+    let calls = choice((call, must, asked));
+    choice((calls, int, real, literal, parenthesised, text, branches(expression, block)))
         .map_with(|kind, scene| Expr { kind, span: scene.span() })
         .boxed()
 }

@@ -50,6 +50,15 @@ pub enum BinaryOp {
     Or,
 }
 
+/// What is asked about an op, without applying it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asking {
+    /// `can flip(e)`: whether it would apply.
+    Can,
+    /// `why flip(e)`: why it would refuse.
+    Why,
+}
+
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
@@ -69,6 +78,8 @@ pub enum ExprKind {
     Call { function: Ident, args: Vec<Expr> },
     /// `must f(x)`
     Must(Box<Expr>),
+    /// `can f(x)`, `why f(x)`
+    Asked(Asking, Box<Expr>),
     /// `-x`, `not x`
     Unary(UnaryOp, Box<Expr>),
     /// `x + y`

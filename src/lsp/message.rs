@@ -1,0 +1,182 @@
+//! Messages as they stand on a stream: a header, and a body of JSON.
+//!
+//! A header that cannot be read ends the conversation, since nobody knows where the next
+//! message begins. A body is another matter: its length is known, so what is wrong with it is
+//! answered, and the conversation goes on.
+
+use std::io::{self, BufRead, Read, Write};
+
+use lsp_server::{ErrorCode, Message};
+use serde_json::{Value, json};
+
+/// The longest line of a header that is read, in bytes.
+const LONGEST_HEADER: u64 = 4096;
+
+/// What came in.
+#[derive(Debug)]
+pub(super) enum Heard {
+    /// A message.
+    Message(Message),
+    /// Something else, and the error that answers it.
+    Refused(Spoken),
+}
+
+/// What goes out.
+#[derive(Debug)]
+pub(super) enum Spoken {
+    /// A message.
+    Message(Message),
+    /// An error about what is no message. Its id may be one that no request can have.
+    Error { id: Value, code: ErrorCode, why: String },
+}
+
+impl Spoken {
+    /// Writes it, with its header.
+    pub(super) fn write(&self, output: &mut impl Write) -> io::Result<()> {
+        match self {
+            Self::Message(message) => message.write(output),
+            Self::Error { id, code, why } => {
+                let error = json!({ "code": *code as i32, "message": why });
+                let body = json!({ "jsonrpc": "2.0", "id": id, "error": error }).to_string();
+                write!(output, "Content-Length: {}\r\n\r\n{body}", body.len())?;
+                output.flush()
+            }
+        }
+    }
+}
+
+/// Reads what comes next; `None` at the end.
+///
+/// # Errors
+///
+/// Fails if the stream breaks, or has no header where one is due.
+pub(super) fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
+    let Some(body) = body(input)? else { return Ok(None) };
+    Ok(Some(match serde_json::from_slice(&body) {
+        Ok(value) => message(value),
+        Err(error) => {
+            let why = format!("the message cannot be read: {error}");
+            Heard::Refused(Spoken::Error { id: Value::Null, code: ErrorCode::ParseError, why })
+        }
+    }))
+}
+
+/// The bytes of the next body. However long it claims to be, there is no more room taken for it
+/// than has come.
+fn body(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
+    let invalid = |text: String| io::Error::new(io::ErrorKind::InvalidData, text);
+    let mut length = None;
+    let mut line = String::new();
+    loop {
+        line.clear();
+        if input.take(LONGEST_HEADER).read_line(&mut line)? == 0 {
+            return Ok(None);
+        }
+        let malformed = || invalid(format!("malformed header: {line:?}"));
+        let text = line.strip_suffix("\r\n").ok_or_else(malformed)?;
+        if text.is_empty() {
+            break;
+        }
+        let (name, value) = text.split_once(": ").ok_or_else(malformed)?;
+        if name.eq_ignore_ascii_case("Content-Length") {
+            length = Some(value.parse::<u64>().map_err(|_| malformed())?);
+        }
+    }
+    let length = length.ok_or_else(|| invalid("no Content-Length".to_owned()))?;
+    let mut body = Vec::new();
+    if (input.take(length).read_to_end(&mut body)? as u64) < length {
+        return Err(io::ErrorKind::UnexpectedEof.into());
+    }
+    Ok(Some(body))
+}
+
+/// A value as a message, or the error that answers it.
+fn message(value: Value) -> Heard {
+    let refused = |id: Value, why: &str| {
+        Heard::Refused(Spoken::Error { id, code: ErrorCode::InvalidRequest, why: why.to_owned() })
+    };
+    let Value::Object(fields) = &value else {
+        let why = match value {
+            Value::Array(_) => "batches are not taken: send each message by itself",
+            _ => "a message is an object",
+        };
+        return refused(Value::Null, why);
+    };
+    let id = fields.get("id").cloned();
+    let is_id = |id: &Value| match id {
+        Value::Number(number) => number.as_i64().is_some_and(|id| i32::try_from(id).is_ok()),
+        id => id.is_string(),
+    };
+    if let Some(id) = id.as_ref().filter(|id| !is_id(id)) {
+        // The id of a number comes back as it came, so that somebody may know it again.
+        let id = if id.is_number() { id.clone() } else { Value::Null };
+        return refused(id, "an id is a text or a whole number of 32 bits");
+    }
+    match serde_json::from_value(value) {
+        Ok(message) => Heard::Message(message),
+        Err(_) => {
+            let why = "this is neither a request nor a notification nor an answer";
+            refused(id.unwrap_or_default(), why)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first(text: &str) -> Result<Option<Heard>, String> {
+        read(&mut text.as_bytes()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn messages_are_read_and_nothing_else() {
+        let exit = r#"{"jsonrpc":"2.0","method":"exit"}"#;
+        let length = exit.len();
+        let text = format!("content-length: {length}\r\nContent-Type: x\r\n\r\n{exit}{exit}");
+        let Ok(Some(Heard::Message(Message::Notification(told)))) = first(&text) else {
+            panic!("it is a notification");
+        };
+        assert_eq!(told.method, "exit");
+        assert!(matches!(first(""), Ok(None)));
+        for (text, wanted) in [
+            ("Content-Length: 99999999999999\r\n\r\n{}", "unexpected end"),
+            ("Content-Length: -1\r\n\r\n{}", "malformed header"),
+            ("Content-Length: 2\n\n{}", "malformed header"),
+            ("hello\r\n\r\n", "malformed header"),
+            ("Content-Type: x\r\n\r\n{}", "no Content-Length"),
+        ] {
+            let told = first(text).expect_err(text);
+            assert!(told.contains(wanted), "{told}");
+        }
+        let endless = "x".repeat(10_000);
+        assert!(first(&endless).is_err());
+    }
+
+    #[test]
+    fn what_is_no_message_is_answered() {
+        for (body, wanted) in [
+            ("{]", r#""code":-32700"#),
+            ("\u{0}", r#""code":-32700"#),
+            (&"[".repeat(9000), r#""id":null"#),
+            ("17", "a message is an object"),
+            ("[]", "batches are not taken"),
+            (r#"[{"id":1,"method":"shutdown"}]"#, r#""id":null"#),
+            (r#"{"id":1.5,"method":"shutdown"}"#, r#""id":1.5"#),
+            (r#"{"id":5000000000,"method":"shutdown"}"#, r#""id":5000000000"#),
+            (r#"{"id":null,"method":"shutdown"}"#, "an id is a text"),
+            (r#"{"id":[1],"method":"shutdown"}"#, r#""id":null"#),
+            (r#"{"id":7,"method":8}"#, r#""id":7"#),
+            (r#"{"id":"a"}"#, r#""id":"a""#),
+        ] {
+            let text = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+            let Ok(Some(Heard::Refused(answer))) = first(&text) else {
+                panic!("{body} is no message");
+            };
+            let mut told = Vec::new();
+            answer.write(&mut told).expect("there is room");
+            let told = String::from_utf8(told).expect("it is a text");
+            assert!(told.contains(wanted), "{told}");
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Operations that are asked and not applied.
+//!
+//! An operation that is drawn makes all its tests before its first write, so it is run up to
+//! there. One in steps is taken, and undone. Either way the mesh, the counts and the numbers by
+//! chance are what they were. A key of a `drain` that asks notes what the operation reads; what
+//! it writes and undoes is nothing that it depends on.
+
+use std::ops::ControlFlow;
+
+use super::{Call, Inst, Machine, Message, Outcome, Trap, Watch};
+use crate::mesh::Mesh;
+
+/// The numbers of texts that are made while code runs begin here.
+const SAID: u32 = 1 << 31;
+
+/// The texts that are made while code runs; no two are equal.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Said(Vec<String>);
+
+impl Said {
+    /// The number of a text, among the constant texts if it is one.
+    pub(super) fn number(&mut self, constant: &[String], text: &str) -> u32 {
+        if let Some(known) = constant.iter().position(|known| known == text) {
+            return known as u32;
+        }
+        let known = self.0.iter().position(|known| known == text);
+        let number = known.unwrap_or_else(|| {
+            self.0.push(text.to_owned());
+            self.0.len() - 1
+        });
+        SAID | number as u32
+    }
+
+    /// The text of a number.
+    pub(super) fn text<'t>(&'t self, constant: &'t [String], number: u32) -> Option<&'t str> {
+        let found = match number & SAID {
+            0 => constant.get(number as usize),
+            _ => self.0.get((number ^ SAID) as usize),
+        };
+        found.map(String::as_str)
+    }
+}
+
+impl Inst {
+    /// Whether it writes to the mesh.
+    pub(super) fn writes(&self) -> bool {
+        matches!(
+            self,
+            Inst::NewVertex { .. }
+                | Inst::NewHalfedge { .. }
+                | Inst::NewEdge { .. }
+                | Inst::NewFace { .. }
+                | Inst::Store { .. }
+                | Inst::StoreHalfedge { .. }
+                | Inst::StoreHole { .. }
+                | Inst::StorePosition { .. }
+                | Inst::StoreAttribute { .. }
+                | Inst::StoreAll { .. }
+                | Inst::StoreSpan { .. }
+                | Inst::Erase { .. }
+        )
+    }
+}
+
+impl Machine<'_> {
+    /// Asks an operation whether it would apply; if not, the number of its reason.
+    #[cold]
+    pub(super) fn attempt(
+        &mut self,
+        mesh: &mut Mesh,
+        caller: &Call<'_>,
+        call: [u16; 2],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        let (plan, call) = self.begin_call(mesh, caller, call)?;
+        let Some(steps) = &plan.steps else {
+            self.is_dry = true;
+            let outcome = self.execute::<true>(mesh, call, watch);
+            self.is_dry = false;
+            return outcome;
+        };
+        let (chance, quiet) = (self.chance.clone(), self.drains.hush());
+        let created = self.created.as_ref().map_or(0, Vec::len);
+        let mark = mesh.open_journal();
+        let outcome = self.take::<true>(mesh, (plan, steps), call, &mut Silent(watch));
+        mesh.roll_back(mark);
+        self.drains.unhush(quiet);
+        self.chance = chance;
+        if let Some(all) = &mut self.created {
+            all.truncate(created);
+        }
+        outcome
+    }
+
+    /// Why an operation refuses, in words; nothing if it does not.
+    pub(super) fn reason_of(&self, op: u16, outcome: Outcome) -> &str {
+        let Outcome::Refused { reason } = outcome else {
+            return "";
+        };
+        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
+        let refusal = plan.zip(reason).and_then(|(plan, at)| plan.refusals.get(usize::from(at)));
+        refusal.map_or("the diagram does not match here", |refusal| &refusal.reason)
+    }
+
+    /// A number below a bound, by chance.
+    pub(super) fn chosen_below(&mut self, bound: i64) -> Result<i64, Message> {
+        match u64::try_from(bound) {
+            Ok(bound) if bound > 0 => Ok(self.chance.below(bound) as i64),
+            _ => Err(Message::NothingToChoose),
+        }
+    }
+}
+
+/// Somebody who looks on, and is shown nothing that is printed.
+struct Silent<'w>(&'w mut dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn turn(&mut self, depth: u16, done: u64, total: Option<u64>) -> ControlFlow<()> {
+        self.0.turn(depth, done, total)
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        self.0.tick()
+    }
+
+    fn print(&mut self, _line: &str) {}
+}

@@ -1,0 +1,128 @@
+//! What is known of the level of the mesh while operations change it.
+//!
+//! An operation with a guard takes for granted that the mesh has its level. Most operations keep
+//! the level; after another one the mesh may have it still, so it is asked anew, where an
+//! operation is called that needs it: near what was written since, or everywhere, once as much
+//! was written as there is. So the asking costs no more than the writing did, and a script that
+//! goes to and fro between such operations is no slower than the operations are.
+
+use super::{Machine, Message, Plan};
+use crate::mesh::{
+    BelowLevel, Bookmark, ElementKind, Footprint, Level, Mesh, validate_level, validate_level_near,
+};
+
+/// How many levels an operation keeps that keeps all.
+const MOST_KEPT: usize = 2;
+
+/// What is known of the level of a mesh.
+#[derive(Clone, Debug)]
+pub(super) struct KnownLevel {
+    /// It has this level.
+    now: Level,
+    /// It had this one before what is `written` was.
+    was: Level,
+    written: Footprint,
+    /// The operation that was applied last of those that may have lowered the level.
+    lowered: Option<u16>,
+}
+
+impl KnownLevel {
+    pub(super) fn new(now: Level) -> Self {
+        Self { now, was: now, written: Footprint::default(), lowered: None }
+    }
+
+    /// Makes sure that the mesh has a level.
+    pub(super) fn expect(&mut self, mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
+        if self.now >= level {
+            return Ok(());
+        }
+        let found = match self.was >= level {
+            true => match validate_level_near(mesh, self.was, &self.written) {
+                Ok(()) => self.was,
+                Err(_) => {
+                    validate_level_near(mesh, level, &self.written)?;
+                    level
+                }
+            },
+            false => {
+                validate_level(mesh, level)?;
+                level
+            }
+        };
+        *self = Self::new(found);
+        Ok(())
+    }
+
+    /// Whether what an operation writes has to be known when it has been applied.
+    fn is_lowered_by(&self, plan: &Plan) -> bool {
+        plan.level_after(self.now) < self.was
+    }
+
+    /// An operation has been applied that wrote these.
+    fn lower(&mut self, mesh: &Mesh, plan: &Plan, written: Footprint) {
+        self.now = plan.level_after(self.now);
+        self.written.append(written);
+        if self.written.len() > mesh.capacity(ElementKind::Halfedge) {
+            self.was = self.now;
+            self.written = Footprint::default();
+        }
+    }
+}
+
+impl Machine<'_> {
+    /// Makes sure that the mesh has the level of an operation that is called.
+    pub(super) fn expect_level(&mut self, mesh: &Mesh, plan: &Plan) -> Result<(), Message> {
+        let known = &mut self.known;
+        known.expect(mesh, plan.level).map_err(|below| Message::BelowLevel {
+            op: plan.name.clone(),
+            level: plan.level,
+            why: below.to_string(),
+            after: known.lowered.and_then(|op| {
+                let applied = self.plans.get(usize::from(op))?.as_ref()?;
+                (applied.level_after(plan.level) < plan.level).then(|| applied.name.clone())
+            }),
+        })
+    }
+
+    /// What a call within steps knows of the level, before any of them is taken. What is given
+    /// back is known again when they are undone, or done.
+    pub(super) fn begin_steps(&mut self, mesh: &Mesh, calls: &[(u16, u16)]) -> KnownLevel {
+        let plans = calls.iter().filter_map(|&(op, _)| self.plans.get(usize::from(op))?.as_ref());
+        let wanted = plans.map(|plan| plan.level).max().unwrap_or(Level::Map);
+        if wanted > self.known.now && wanted <= self.known.was {
+            // Asked before, the answer holds for later calls too.
+            let _ = self.known.expect(mesh, wanted);
+        }
+        let inner = KnownLevel { lowered: self.known.lowered, ..KnownLevel::new(self.known.now) };
+        std::mem::replace(&mut self.known, inner)
+    }
+
+    /// Opens a journal for an operation that is about to be called, if what it writes has to be
+    /// known.
+    #[inline]
+    pub(super) fn begin_op(&self, mesh: &mut Mesh, plan: &Plan) -> Option<Bookmark> {
+        self.known.is_lowered_by(plan).then(|| mesh.open_journal())
+    }
+
+    /// Ends it.
+    #[inline]
+    pub(super) fn end_op(
+        &mut self,
+        mesh: &mut Mesh,
+        (op, plan): (u16, &Plan),
+        mark: Option<Bookmark>,
+        applied: bool,
+    ) {
+        if applied && plan.keeps.len() < MOST_KEPT {
+            self.known.lowered = Some(op);
+        }
+        let Some(mark) = mark else {
+            return;
+        };
+        if applied {
+            let written = mesh.written_since(&mark);
+            self.known.lower(mesh, plan, written);
+        }
+        mesh.keep(mark);
+    }
+}

@@ -1,0 +1,182 @@
+//! What the editor shows is what `check` says, and what it offers for a program in order leaves
+//! it so.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use hedgerow::analysis::{Action, Analysis, Nowhere, Purpose, Reader, Snapshot, actions};
+use hedgerow::library;
+use hedgerow::source::Sources;
+
+/// Files in memory.
+#[derive(Clone)]
+struct Pages(Vec<(&'static str, &'static str)>);
+
+impl Reader for Pages {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        let found = self.0.iter().find(|(known, _)| *known == name);
+        found.map(|(_, text)| (*text).to_owned()).ok_or_else(|| "there is no such file".to_owned())
+    }
+
+    fn beside(&mut self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// The programs that are shipped, by name.
+fn shipped() -> Vec<(String, String)> {
+    let library = library::files().map(|file| (file.name.to_owned(), file.text.to_owned()));
+    let paths = fs::read_dir("examples").unwrap().map(|entry| entry.unwrap().path());
+    let paths = paths.filter(|path| path.extension().is_some_and(|end| end == "hedge"));
+    let examples =
+        paths.map(|path| (path.display().to_string(), fs::read_to_string(path).unwrap()));
+    library.chain(examples).collect()
+}
+
+fn applied(text: &str, action: &Action) -> String {
+    let mut edits: Vec<_> = action.edits.iter().collect();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+    let mut text = text.to_owned();
+    for edit in edits {
+        text.replace_range(edit.span.range(), &edit.text);
+    }
+    text
+}
+
+/// Where a cursor may be that is asked about: at the head of each line, and in each name of an
+/// item or a rule. What is offered changes nowhere else, but for what mends a diagnostic.
+fn places(text: &str) -> Vec<usize> {
+    let mut places = vec![0];
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let indent = line.len() - line.trim_start().len();
+        places.push(at + indent);
+        let mut words = line.trim_start().split([' ', '(']);
+        if let (Some("op" | "rule" | "script" | "fn" | "attr" | "use"), Some(_)) =
+            (words.next(), words.next())
+        {
+            places.push(at + indent + line.trim_start().find(' ').unwrap() + 1);
+        }
+        at += line.len();
+    }
+    places
+}
+
+#[test]
+fn what_is_offered_leaves_a_sound_program_sound() {
+    let mut offered: BTreeMap<String, usize> = BTreeMap::new();
+    let mut broken = Vec::new();
+    for (name, text) in shipped() {
+        let snapshot = Snapshot::new(&name, &text, &mut Nowhere);
+        let errors = |snapshot: &Snapshot| -> Vec<String> {
+            let told = snapshot.diagnostics();
+            let errors = told.into_iter().filter(|told| told.is_error());
+            errors.map(|told| format!("{}: {}", told.code, told.message)).collect()
+        };
+        assert_eq!(errors(&snapshot), [""; 0], "{name}");
+        let mut seen = Vec::new();
+        let told = snapshot.diagnostics();
+        let told = told.iter().map(|told| told.span().range());
+        let places = places(&text).into_iter().map(|at| at..at).chain(told).chain([0..text.len()]);
+        for place in places {
+            for action in actions(&snapshot, place) {
+                let now = applied(&text, &action);
+                if seen.contains(&now) {
+                    continue;
+                }
+                let left = errors(&snapshot.next(&now, &mut Nowhere));
+                if !left.is_empty() {
+                    broken.push(format!("{name}: {}: {left:?}", action.title));
+                }
+                let kind = action.title.split('`').next().unwrap_or("").trim().to_owned();
+                *offered.entry(kind).or_default() += 1;
+                seen.push(now);
+            }
+        }
+    }
+    println!("{offered:?}");
+    assert_eq!(broken, Vec::<String>::new());
+    assert!(offered.values().sum::<usize>() > 30, "{offered:?}");
+}
+
+/// The errors of `check`, and those of the editor, by codes.
+fn both(text: &str, pages: &Pages) -> [Vec<&'static str>; 2] {
+    let mut sources = Sources::new();
+    let file = sources.add("root.hedge", text);
+    let analysis = Analysis::with(&mut sources, file, &mut pages.clone());
+    let snapshot = Snapshot::new("root.hedge", text, &mut pages.clone());
+    [analysis.diagnostics, snapshot.diagnostics()]
+        .map(|told| told.iter().filter(|told| told.is_error()).map(|told| told.code).collect())
+}
+
+#[test]
+fn the_editor_hides_no_error() {
+    let pages = Pages(vec![
+        ("bad.hedge", "op b(e: edge) { before { edge e: a | d } }\n"),
+        ("unread.hedge", "fn f( -> real {}\n"),
+        ("through.hedge", "use \"bad.hedge\"\nfn g() -> real { 1.0 }\n"),
+        (
+            "loses.hedge",
+            "op l(f: face) { before { face f: v0 -a-> v1 =P=> v0 } after { erase f } }\n",
+        ),
+    ]);
+    let own = "script s() { print \"\" }\n";
+    for (text, wanted) in [
+        ("use \"std/polygon.hedge\"\nattr tag: vertex real\n", "missing-attribute"),
+        ("use \"std/polygon.hedge\"\nattr tag: vertex real = 0\n", ""),
+        ("use \"bad.hedge\"\n", "broken-file"),
+        ("use \"unread.hedge\"\n", "broken-file"),
+        ("use \"through.hedge\"\n", "broken-file"),
+        ("use \"loses.hedge\"\n", "broken-file"),
+    ] {
+        let [checked, shown] = both(&format!("{text}{own}"), &pages);
+        assert_eq!(checked.is_empty(), shown.is_empty(), "{text}: {checked:?} {shown:?}");
+        let wanted: Vec<_> = Some(wanted).into_iter().filter(|code| !code.is_empty()).collect();
+        assert_eq!(shown, wanted, "{text}");
+    }
+}
+
+/// What is offered as a sure fix at the end of a text.
+fn sure(text: &str) -> Vec<Action> {
+    let snapshot = Snapshot::new("root.hedge", text, &mut Nowhere);
+    let found = actions(&snapshot, 0..text.len()).into_iter();
+    found.filter(|action| action.purpose == Purpose::Fix).collect()
+}
+
+#[test]
+fn a_use_is_a_sure_fix_only_where_it_clashes_with_nothing() {
+    let mut counts = [0; 3];
+    for file in library::files() {
+        for line in file.text.lines() {
+            let Some((name, _)) = line.strip_prefix("op ").and_then(|rest| rest.split_once('('))
+            else {
+                continue;
+            };
+            // A call, beside nothing, beside an op of another name that the file has, beside an
+            // attribute that lacks a default.
+            let call = format!("script s() {{ for e in edges {{ {name}(e) }} }}\n");
+            let other = file.text.lines().filter_map(|line| line.strip_prefix("fn "));
+            let other =
+                other.filter_map(|rest| rest.split_once('(')).find(|(other, _)| *other != name);
+            let clash = other
+                .map_or(String::new(), |(other, _)| format!("fn {other}() -> real {{ 1.0 }}\n"));
+            let beside = ["", "attr tag: vertex real\n", &clash];
+            for (count, beside) in counts.iter_mut().zip(beside) {
+                let text = format!("{beside}{call}");
+                for fix in sure(&text).iter().filter(|fix| fix.title.contains("use \"")) {
+                    *count += 1;
+                    let mut sources = Sources::new();
+                    let root = sources.add("root.hedge", applied(&text, fix));
+                    let analysis = Analysis::with(&mut sources, root, &mut Nowhere);
+                    let codes: Vec<_> = analysis.diagnostics.iter().map(|told| told.code).collect();
+                    for code in
+                        ["duplicate-name", "missing-attribute", "ambiguous-name", "unknown-op"]
+                    {
+                        assert!(!codes.contains(&code), "{text}: {codes:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(counts[0] > 5 && counts[1] == 0, "{counts:?}");
+}

@@ -1,0 +1,76 @@
+//! What is too large is told so at once, with the limit.
+
+use std::time::{Duration, Instant};
+
+use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::source::Sources;
+
+/// What is too large about a program, and nothing else is.
+fn told(text: &str) -> Vec<String> {
+    let started = Instant::now();
+    let mut sources = Sources::new();
+    let file = sources.add("large.hedge", text);
+    let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
+    // Not a matter of seconds, also on a machine that has much else to do.
+    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+    let told = analysis.diagnostics.iter();
+    let told = told.inspect(|told| {
+        assert_eq!(told.code, "too-large", "{}", told.message);
+        assert!(!told.notes.is_empty(), "{}: what is the way out?", told.message);
+    });
+    told.map(|told| told.message.clone()).collect()
+}
+
+fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
+    (0..count).map(one).collect::<Vec<_>>().join(between)
+}
+
+const SMALL: &str = "before { edge e: a | d\n face f: v0 -a-> v1 =P=> v0 }
+    after { edge e: a | d\n face f: v0 -a-> v1 =P=> v0 }";
+
+#[test]
+fn an_item_has_only_so_many_parameters() {
+    let params = |count| listed(count, |at| format!("p{at}: real = 0"), ", ");
+    let op = |count: usize| format!("op f(e: edge, {}) {{ {SMALL} }}", params(count - 1));
+    assert_eq!(told(&op(255)), [""; 0]);
+    assert_eq!(told(&op(256)), ["this has 256 parameters, and there can be 255"]);
+    assert_eq!(told(&op(70_000)), ["this has 70000 parameters, and there can be 255"]);
+    let of_fn =
+        format!("fn f({}) -> real {{ 1.0 }}", listed(70_000, |at| format!("p{at}: real"), ", "));
+    assert_eq!(told(&of_fn).len(), 1);
+    let of_script = format!("script s({}) {{ print \"\" }}", params(70_000));
+    assert_eq!(told(&of_script).len(), 1);
+}
+
+#[test]
+fn a_drawing_has_only_so_many_halfedges() {
+    let op = |count: usize| {
+        let arrows = listed(count, |at| format!("-h{at}-> v{}", (at + 1) % count), " ");
+        let side = format!("face f: v0 {arrows}");
+        format!("op f(h0: halfedge) {{ before {{ {side} }} after {{ {side} }} }}")
+    };
+    assert_eq!(told(&op(256)), [""; 0]);
+    for count in [257, 400, 20_000] {
+        let said = told(&op(count));
+        let wanted =
+            format!("`before` draws {count} halfedges and statements, and there can be 256");
+        assert_eq!(said.first(), Some(&wanted));
+    }
+}
+
+#[test]
+fn an_op_in_steps_has_only_so_many_reasons_to_refuse() {
+    let count = 3000;
+    let ops = listed(
+        count,
+        |at| match at + 1 == count {
+            true => format!("op s{at}(e: edge) {{ {SMALL} }}"),
+            false => format!("op s{at}(e: edge) {{ steps {{ must s{}(e) }} }}", at + 1),
+        },
+        "\n",
+    );
+    let told = told(&ops);
+    assert!(told[0].ends_with("is too large to compile"), "{}", told[0]);
+    // What calls one that has no plan has none, and that is nothing new to tell.
+    assert_eq!(told.len(), 1);
+}

@@ -1,0 +1,228 @@
+//! `can` and `why`, numbers by chance, scripts that call scripts, and levels asked anew.
+
+use super::*;
+use hedgerow::mesh::{identical, shape};
+
+/// Ops with and without a guard.
+const MIXED: &str = r#"
+op flip(e: edge) {
+  before {
+    face f0: v0 -a-> v1 -b-> v2 -c-> v0
+    face f1: v1 -d-> v0 -g-> v3 -h-> v1
+    edge e: a | d
+  }
+  guard simple
+  after {
+    face f0: v3 -a-> v2 -c-> v0 -g-> v3
+    face f1: v2 -d-> v3 -h-> v1 -b-> v2
+    edge e: a | d
+  }
+}
+op turn(e: edge) {
+  before {
+    face f0: v0 -a-> v1 -b-> v2 -c-> v0
+    face f1: v1 -d-> v0 -g-> v3 -h-> v1
+    edge e: a | d
+  }
+  after {
+    face f0: v3 -a-> v2 -c-> v0 -g-> v3
+    face f1: v2 -d-> v3 -h-> v1 -b-> v2
+    edge e: a | d
+  }
+}
+op both(e: edge) {
+  guard simple
+  steps {
+    must flip(e)
+    must flip(e)
+    require random() < 2 else "never"
+  }
+}
+op never(e: edge) {
+  steps {
+    must turn(e)
+    print "turned"
+    require false else "by no means"
+  }
+}
+"#;
+
+fn lines_of(mesh: &mut Mesh, script: &str) -> Vec<String> {
+    run_alone(mesh, &format!("{MIXED}\n{script}"), &[]).unwrap().1
+}
+
+#[test]
+fn what_is_asked_is_what_a_call_does() {
+    let mut mesh = shape::triangle_grid(4, 3);
+    let lines = lines_of(
+        &mut mesh,
+        "script main() {
+           repeat 3 {
+             for e in edges {
+               let can_it = can flip(e)
+               let reason = why flip(e)
+               let twice = can both(e)
+               assert can_it == (reason == \"\")
+               if flip(e) { assert can_it must flip(e) } else { assert not can_it }
+               if both(e) { assert twice } else { assert not twice }
+             }
+             for e in shuffle(edges) where can flip(e) { must flip(e) }
+           }
+         }",
+    );
+    assert!(lines.is_empty());
+}
+
+#[test]
+fn to_ask_writes_and_counts_nothing() {
+    let mut mesh = shape::icosphere(1);
+    let before = mesh.clone();
+    let script = "script main() {
+      for e in edges {
+        print can flip(e), why never(e), can both(e), random(1000)
+        break
+      }
+      print count(can flip(e) for e in edges), random(1000)
+    }";
+    let (report, lines) = run_alone(&mut mesh, &format!("{MIXED}\n{script}"), &[]).unwrap();
+    assert!(identical(&before, &mesh));
+    assert!(report.ops.iter().all(|op| op.applied == 0 && op.refused.is_empty()), "{report:?}");
+    assert!(lines[0].starts_with("true by no means true "), "{lines:?}");
+    assert!(lines[1].starts_with("120 "), "{lines:?}");
+    let drawn = "script main() { print random(1000) print random(1000) }";
+    let without = lines_of(&mut mesh, drawn);
+    let last = |line: &String| line.split(' ').next_back().unwrap().to_owned();
+    assert_eq!(lines.iter().map(last).collect::<Vec<_>>(), without);
+}
+
+#[test]
+fn why_tells_the_reason_of_a_call() {
+    let lines = lines_of(
+        &mut shape::tetrahedron(),
+        "script main() { for e in edges { print why flip(e) break } }",
+    );
+    assert_eq!(lines, ["two edges would join `v2` and `v3`"]);
+}
+
+/// A key that asks is computed anew whenever the answer may have changed.
+#[test]
+fn a_key_that_asks_stays_current() {
+    for mut mesh in [shape::triangle_grid(5, 5), shape::icosphere(1), shape::triangle_torus(4, 3)] {
+        lines_of(
+            &mut mesh,
+            "script main() {
+               var turns = 0
+               drain e in edges by (if can flip(e) { length(e) } else { infinity }) while turns < 60 {
+                 must flip(e)
+                 turns = turns + 1
+               }
+               turns = 0
+               drain e in edges by (if can both(e) { -length(e) } else { infinity }) while turns < 60 {
+                 must both(e)
+                 must flip(e)
+                 turns = turns + 1
+               }
+             }",
+        );
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_numbers() {
+    let program = "script main() {
+      print random(6), random(6), random(1000000), random():full
+    }"
+    .replace("random():full", "\"{random():full}\"");
+    let (_, analysis) = analyse(&program);
+    let with = |seed| {
+        let prepared = prepare(&analysis.program, 0, &analysis.plans).unwrap().with_seed(seed);
+        let mut lines = Lines::default();
+        run(&prepared, &mut shape::cube(), &[], &mut lines).unwrap();
+        lines.0.remove(0)
+    };
+    assert_eq!(with(0), with(0));
+    assert_ne!(with(0), with(1));
+    // On every machine.
+    assert_eq!([with(0), with(7)], EXPECTED);
+}
+
+const EXPECTED: [&str; 2] = ["3 4 103019 0.4165890778296456", "4 1 839627 0.9810977250149351"];
+
+#[test]
+fn a_shuffle_visits_each_once() {
+    let lines = lines_of(
+        &mut shape::cube(),
+        "attr seen: edge int = 0
+         script main() {
+           for e in shuffle(edges) { e.seen = e.seen + 1 print e }
+           assert all(e.seen == 1 for e in edges)
+           for f in faces { for v in shuffle(f.vertices) where boundary(v) { assert false } }
+         }",
+    );
+    let mut sorted = lines.clone();
+    sorted.sort();
+    sorted.dedup();
+    assert_eq!(sorted.len(), 12);
+    let number = |line: &String| line.split(' ').next_back().unwrap().parse::<u32>().unwrap();
+    assert!(!lines.iter().map(number).is_sorted(), "{lines:?}");
+}
+
+#[test]
+fn nothing_is_chosen_of_nothing() {
+    let failure = run_alone(&mut shape::cube(), "script main() { print random(0) }", &[]);
+    assert_eq!(failure.unwrap_err().diagnostic.code, "nothing-to-choose");
+}
+
+#[test]
+fn scripts_call_scripts() {
+    let lines = lines_of(
+        &mut shape::cube(),
+        "fn twice(n: int) { shown(n) shown(n, vec3(1, 2, 3)) }
+         script shown(n: int, at: vec3 = vec3(0, 0, n), m: int = 6 + n) {
+           if n > 100 { return }
+           print n, at, m
+         }
+         script main() {
+           shown(1)
+           twice(2)
+           for f in faces { shown(7, vec3(1), 4) break }
+           shown(101)
+         }",
+    );
+    assert_eq!(lines, ["1 (0, 0, 1) 7", "2 (0, 0, 2) 8", "2 (1, 2, 3) 8", "7 (1, 1, 1) 4"]);
+}
+
+#[test]
+fn a_script_that_calls_itself_is_stopped() {
+    let failure = run_alone(&mut shape::cube(), "script main() { main() }", &[]).unwrap_err();
+    assert_eq!(failure.diagnostic.code, "calls-too-deep");
+}
+
+#[test]
+fn a_guarded_op_may_follow_any_other() {
+    for mut mesh in [shape::triangle_grid(6, 5), shape::icosphere(2)] {
+        // Turned four times, an edge is back.
+        let script = "script main() {
+          for e in edges where not boundary(e) {
+            repeat 4 { must turn(e) }
+            flip(e)
+          }
+          for e in edges { if can flip(e) { must flip(e) must turn(e) } }
+        }";
+        lines_of(&mut mesh, script);
+    }
+}
+
+#[test]
+fn below_the_level_it_is_said_where_and_after_what() {
+    let script = "script main() { for e in edges { turn(e) } for e in edges { flip(e) } }";
+    let mut mesh = shape::tetrahedron();
+    let failure = run_alone(&mut mesh, &format!("{MIXED}\n{script}"), &[]).unwrap_err();
+    let said = failure.diagnostic;
+    assert_eq!(said.code, "below-level");
+    assert_eq!(
+        said.message,
+        "`flip` is for meshes of level simple, and after `turn` this one is not"
+    );
+    assert_eq!(said.notes.len(), 1, "{said:?}");
+}
