@@ -3,15 +3,19 @@
 //!     cargo bench --bench operations
 //!
 //! Both run in turn, round by round, in one process; the best round of each counts, and the
-//! ratio is what to quote: the machine's speed drifts, the ratio hardly does.
+//! ratio is what to quote: the machine's speed drifts, the ratio hardly does. Then the ways to call
+//! an operation of the library beside each other: the machine alone, a session, and an application
+//! that is made ready anew for each call.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use hedgerow::analysis::Analysis;
+use hedgerow::analysis::{Analysis, Nowhere};
 use hedgerow::mesh::{EdgeId, ElementKind, HalfedgeId, Mesh, shape};
-use hedgerow::rewrite::{Machine, Outcome, Plan};
+use hedgerow::rewrite::{Machine, Outcome, Plan, Unwatched};
+use hedgerow::run::{Application, Argument};
 use hedgerow::source::Sources;
+use hedgerow::{Program, Session};
 
 const ROUNDS: usize = 15;
 
@@ -24,6 +28,73 @@ fn main() {
     println!("{:<22}{:>9}{:>9}{:>9}", "", "by hand", "declared", "ratio");
     compare("flip, checked", &mesh, &plan(FLIP, "flip"), flip_by_hand);
     compare("split", &mesh, &plan(SPLIT, "split"), split_by_hand);
+    let mesh = shape::triangle_torus(70, 71);
+    println!("\n{} triangles, nanoseconds per call", mesh.face_count());
+    println!("{:<22}{:>9}{:>9}{:>9}{:>13}", "", "machine", "session", "asked", "application");
+    for op in ["flip", "split", "collapse"] {
+        call("std/triangle.hedge", op, &mesh);
+    }
+    for op in ["flip", "collapse"] {
+        call("std/polygon.hedge", op, &mesh);
+    }
+}
+
+/// Calls an operation at every edge.
+fn call(file: &str, name: &str, mesh: &Mesh) {
+    let mut sources = Sources::new();
+    let text = hedgerow::library::file(file).expect("the library has it").text;
+    let root = sources.add(file, text);
+    let analysis = Analysis::with(&mut sources, root, &mut Nowhere);
+    let index = analysis.op(name).expect("the library has it");
+    let plan = analysis.plans[index].as_ref().expect("it is proved");
+    let program = Program::load(file).expect("the library is sound");
+    let op = program.op(name).expect("the library has it");
+    let edges: Vec<EdgeId> = mesh.edges().collect();
+    // Machine, session, asked.
+    let mut best = [f64::MAX; 3];
+    for _ in 0..5 {
+        let mut copy = mesh.clone();
+        let mut machine = Machine::new(&analysis.plans);
+        let mut slots = vec![0, 0.5_f64.to_bits()];
+        let mut applied = [0; 2];
+        let start = Instant::now();
+        for edge in &edges {
+            if copy.edge_alive(*edge) {
+                machine.trust_level(plan.level);
+                slots[0] = u64::from(edge.0);
+                let outcome = machine.apply(&mut copy, plan, &slots);
+                applied[0] += usize::from(matches!(outcome, Ok(Outcome::Applied { .. })));
+            }
+        }
+        best[0] = best[0].min(start.elapsed().as_nanos() as f64);
+        let mut session = Session::new(&program, mesh.clone());
+        let start = Instant::now();
+        for edge in &edges {
+            if session.is_alive(*edge) {
+                let outcome = session.apply(&op, *edge).expect("it has a value");
+                applied[1] += usize::from(outcome.is_applied());
+            }
+        }
+        best[1] = best[1].min(start.elapsed().as_nanos() as f64);
+        assert_eq!(applied[0], applied[1], "both do the same");
+        let mut session = Session::new(&program, mesh.clone());
+        let start = Instant::now();
+        black_box(session.mask(&op, ()).expect("it has a value"));
+        best[2] = best[2].min(start.elapsed().as_nanos() as f64);
+    }
+    let few = 20;
+    let application = Application::new(&analysis.program, index, &analysis.plans);
+    let application = application.expect("it is proved");
+    let mut copy = mesh.clone();
+    let start = Instant::now();
+    for edge in edges.iter().step_by(edges.len() / few) {
+        let arguments = [("e".to_owned(), Argument::from(*edge))];
+        let _ = black_box(application.apply(&mut copy, &arguments, &mut Unwatched));
+    }
+    let application = start.elapsed().as_nanos() as f64 / few as f64;
+    let [machine, session, asked] = best.map(|all| all / edges.len() as f64);
+    let level = format!("{name}, level {}", plan.level);
+    println!("{level:<22}{machine:>9.1}{session:>9.1}{asked:>9.1}{application:>13.1}");
 }
 
 fn plan(text: &str, op: &str) -> Plan {
@@ -40,7 +111,7 @@ fn compare(name: &str, mesh: &Mesh, plan: &Plan, by_hand: fn(&mut Mesh, EdgeId) 
     let (mut hand, mut declared) = (f64::MAX, f64::MAX);
     for _ in 0..ROUNDS {
         let (by_hand, applied_by_hand) = time(mesh, &edges, by_hand);
-        let mut machine = Machine::new(&[]);
+        let mut machine = Machine::default();
         let (by_plan, applied_by_plan) = time(mesh, &edges, |mesh, edge| {
             let outcome = machine.apply(mesh, plan, &[u64::from(edge.0)]);
             matches!(outcome, Ok(Outcome::Applied { .. }))

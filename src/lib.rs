@@ -5,14 +5,15 @@
 //! checker proves that any valid mesh stays valid; the compiler makes pointer loads, tests and
 //! stores of the proved drawing; a small machine runs them, whole or not at all.
 //!
-//! ```
-//! use hedgerow::analysis::Analysis;
-//! use hedgerow::mesh::{shape, validate};
-//! use hedgerow::rewrite::{Machine, Outcome};
-//! use hedgerow::source::Sources;
+//! As a library: read a program, call its operations and scripts on a mesh, take the arrays.
 //!
-//! let mut sources = Sources::new();
-//! let file = sources.add(
+//! ```
+//! use hedgerow::mesh::{Mesh, validate};
+//! use hedgerow::{Outcome, Program, Session};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // Programs come from files (`Program::load`), from the library, or from a text.
+//! let program = Program::parse(
 //!     "flip.hedge",
 //!     "op flip(e: edge) {
 //!        before {
@@ -20,23 +21,96 @@
 //!          face f1: v1 -d-> v0 -g-> v3 -h-> v1
 //!          edge e: a | d
 //!        }
+//!        require not adjacent(v2, v3)
 //!        after {
 //!          face f0: v3 -a-> v2 -c-> v0 -g-> v3
 //!          face f1: v2 -d-> v3 -h-> v1 -b-> v2
 //!          edge e: a | d
 //!        }
 //!      }",
-//! );
-//! let analysis = Analysis::of(&sources, file);
-//! assert!(analysis.is_sound());
+//! )?;
+//! let flip = program.op("flip")?;
 //!
-//! let flip = analysis.plans[0].as_ref().expect("a sound op has a plan");
-//! let mut mesh = shape::icosahedron();
-//! let edge = mesh.edges().next().expect("an icosahedron has edges");
-//! let outcome = Machine::new(&[]).apply(&mut mesh, flip, &[u64::from(edge.0)]);
-//! assert_eq!(outcome, Ok(Outcome::Applied { result: None }));
-//! assert!(validate(&mesh).is_ok());
+//! // Two triangles with an edge between them.
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+//! let mesh = Mesh::from_triangles(&corners, &[[0, 1, 2], [0, 2, 3]])?;
+//! let mut session = Session::new(&program, mesh);
+//!
+//! let can = session.mask(&flip, ())?;
+//! let edges: Vec<_> = session.mesh().edges().filter(|edge| can[edge.index()]).collect();
+//! assert_eq!(edges.len(), 1);
+//! match session.apply(&flip, edges[0])? {
+//!     Outcome::Applied(_) => {}
+//!     Outcome::Refused(reason) => println!("{reason}"),
+//! }
+//! assert!(validate(session.mesh()).is_ok());
+//!
+//! let (positions, triangles) = session.into_mesh().to_triangles()?;
+//! assert_eq!(positions, corners);
+//! assert_eq!(triangles.len(), 2);
+//! # Ok(())
+//! # }
 //! ```
+//!
+//! Scripts are called alike, with arguments by order or by name, and report what they counted:
+//!
+//! ```
+//! use hedgerow::mesh::shape;
+//! use hedgerow::{Program, Session};
+//!
+//! # fn main() -> Result<(), hedgerow::Error> {
+//! let program = Program::load("std/remesh.hedge")?;
+//! let remesh = program.script("remesh")?;
+//! for parameter in remesh.parameters() {
+//!     println!("{}: {}", parameter.name, parameter.ty);
+//! }
+//! let mut session = Session::new(&program, shape::icosphere(1));
+//! let report = session.run(&remesh, [("target", 0.4)])?;
+//! let applied: u64 = report.ops.iter().map(|op| op.applied).sum();
+//! assert!(applied > 0);
+//! let (positions, polygons) = session.mesh().to_polygons();
+//! assert!(polygons.iter().all(|polygon| polygon.len() == 3));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Attributes are columns of the mesh, read and written as slices by id:
+//!
+//! ```
+//! use hedgerow::mesh::{ElementKind, Value, shape};
+//! use hedgerow::{Program, Session};
+//!
+//! # fn main() -> Result<(), hedgerow::Error> {
+//! let program = Program::parse(
+//!     "heat.hedge",
+//!     "attr heat: vertex real
+//!      script spread() { update v in vertices { v.heat = mean(w.heat for w in v.neighbors) } }",
+//! )?;
+//! let mut mesh = shape::octahedron();
+//! let heat = mesh.add_column(ElementKind::Vertex, "heat", Value::Real(0.0)).expect("it is new");
+//! mesh.values_mut::<f64>(heat).expect("it is of reals")[0] = 1.0;
+//! let mut session = Session::new(&program, mesh);
+//! session.run(&program.script("spread")?, ())?;
+//! let after: &[f64] = session.mesh().values(heat).expect("it is still there");
+//! assert_eq!(after.iter().sum::<f64>(), 1.0);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Bad input is an error with the places in the program, never a panic:
+//!
+//! ```
+//! use hedgerow::Program;
+//!
+//! let error = Program::parse("wrong.hedge", "op flip(e: edge { }").unwrap_err();
+//! assert!(error.to_string().contains("wrong.hedge:1:"));
+//! ```
+//!
+//! # Features
+//!
+//! All are on by default: `cli`, the command line; `lsp`, the language server; `draw`, pictures.
+//! Who calls hedgerow from a program of their own wants none of them:
+//! `hedgerow = { version = "0.1", default-features = false }`.
 //!
 //! # Words
 //!
@@ -53,7 +127,7 @@
 //! Each folder is a layer, and names only layers below it (a test holds this):
 //!
 //! ```text
-//! 5  cli          lsp                    the command line; the language server
+//! 5  cli          lsp       session      the command line; the language server; as a library
 //! 4  analysis                            a text taken all the way; plain data out
 //! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
 //!    emit                               pointer code in other languages
@@ -66,36 +140,46 @@
 //! nothing of the machine it vouches for. Only the checker makes a
 //! [`Proved`](check::Proved), and only that can be compiled, so an unproved op cannot run.
 
-pub mod source;
-
-pub mod mesh;
-
-pub mod library;
-
+#[doc(hidden)]
+pub mod analysis;
+#[doc(hidden)]
+pub mod check;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod cli;
+#[doc(hidden)]
+pub mod compile;
 pub mod diagnostic;
-
+#[doc(hidden)]
 pub mod diagram;
-
+#[cfg(feature = "draw")]
+#[doc(hidden)]
+pub mod draw;
+#[doc(hidden)]
+pub mod emit;
+#[cfg(feature = "lsp")]
+#[doc(hidden)]
+pub mod format;
+#[doc(hidden)]
+pub mod library;
+#[cfg(feature = "lsp")]
+#[doc(hidden)]
+pub mod lsp;
+pub mod mesh;
+#[doc(hidden)]
+pub mod resolve;
+#[doc(hidden)]
 pub mod rewrite;
-
+#[doc(hidden)]
+pub mod run;
+mod session;
+pub mod source;
+#[doc(hidden)]
 pub mod syntax;
 
-pub mod check;
-
-pub mod compile;
-
-pub mod draw;
-
-pub mod emit;
-
-pub mod format;
-
-pub mod resolve;
-
-pub mod run;
-
-pub mod analysis;
-
-pub mod lsp;
-
-pub mod cli;
+pub use rewrite::{Unwatched, Watch};
+pub use run::{Argument, OpReport, Report};
+pub use session::{
+    Arguments, Error, Given, Mark, Op, Outcome, Parameter, Program, Reason, Script, Session,
+    Verdict,
+};

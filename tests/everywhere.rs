@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use hedgerow::analysis::{Analysis, RuleVerdict, verdicts};
+use hedgerow::check::Change;
 use hedgerow::diagram::{Naming, Op, Rule, Type, Unrolled};
 use hedgerow::mesh::{ElementKind, FaceId, Mesh, VertexId, read_obj, shape, validate};
 use hedgerow::rewrite::{Machine, Outcome, Phase, Plan};
@@ -116,7 +117,7 @@ struct Tally {
 /// Compares machine and reference at one place; `mesh` is afterwards as it was.
 struct Comparison<'s> {
     subject: &'s Subject,
-    machine: Machine<'s>,
+    machine: Machine,
     /// How often an applied op is followed by the validator: at every place, or every nth.
     validate_every: usize,
     tally: Tally,
@@ -124,7 +125,7 @@ struct Comparison<'s> {
 
 impl<'s> Comparison<'s> {
     fn new(subject: &'s Subject, validate_every: usize) -> Self {
-        let machine = Machine::new(&[]);
+        let machine = Machine::default();
         Self { subject, machine, validate_every, tally: Tally::default() }
     }
 
@@ -185,8 +186,9 @@ impl<'s> Comparison<'s> {
                     && (!literal.placed || same_positions(mesh, &literal.mesh))
             });
             if agrees {
-                let once = [verdict.vertices, verdict.edges, verdict.faces];
-                let each = verdict.per_index.unwrap_or_default();
+                let loops = |by: Change| by.faces + by.holes + by.loops;
+                let [once, each] = [verdict.change, verdict.per_index.unwrap_or_default()]
+                    .map(|by| [by.vertices, by.edges, loops(by)]);
                 let expected = [0, 1, 2].map(|at| once[at] + each[at] * alternative.size);
                 assert_eq!(changes(original, mesh), expected);
                 break;

@@ -59,7 +59,7 @@ fn written(folder: &Path, found: &mut BTreeSet<String>) {
 fn every_code_is_explained() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut found = BTreeSet::new();
-    for layer in ["syntax", "resolve", "check", "run", "emit", "analysis"] {
+    for layer in ["syntax", "resolve", "check", "run", "emit", "analysis", "session"] {
         written(&source.join(layer), &mut found);
     }
     assert!(found.len() > 70, "only {} codes were found", found.len());

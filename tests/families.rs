@@ -266,7 +266,7 @@ fn guards_refuse_exactly_what_would_be_below_the_level() {
                     continue;
                 }
                 for place in places(&mesh, &op).into_iter().take(400) {
-                    let mut machine = Machine::new(&[]);
+                    let mut machine = Machine::default();
                     let (mut literal, mut careful) = (mesh.clone(), mesh.clone());
                     let matched = machine.apply(&mut literal, &bare, &place).unwrap();
                     let outcome = machine.apply(&mut careful, &guarded, &place).unwrap();
@@ -315,7 +315,7 @@ fn cycles_may_be_long() {
         analysis.plans[op].clone().expect("a proved op")
     };
     let mut mesh = shape::pillow(LONG as u32);
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     let half = 0.5_f64.to_bits();
     let mut apply = |mesh: &mut Mesh, name: &str, place: &[u64]| match machine
         .apply(mesh, &plan(name), place)
@@ -351,7 +351,7 @@ fn values_of_families_are_those_of_their_index() {
         let sum: glam::DVec3 = corners.map(|v| before.position(v)).sum();
         sum / 4.0
     };
-    let outcome = Machine::new(&[]).apply(&mut mesh, &plan, &[0, 0.25_f64.to_bits()]);
+    let outcome = Machine::default().apply(&mut mesh, &plan, &[0, 0.25_f64.to_bits()]);
     assert_eq!(outcome, Ok(Outcome::Applied { result: None }));
     let mut seen = 0;
     for half in mesh.face_halfedges(hedgerow::mesh::FaceId(0)) {

@@ -30,7 +30,7 @@ fn steps() -> Vec<Plan> {
     let file = sources.add("map.hedge", std::fs::read_to_string(path).unwrap());
     let analysis = Analysis::of(&sources, file);
     assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
-    analysis.plans.into_iter().map(Option::unwrap).collect()
+    analysis.plans.iter().cloned().map(Option::unwrap).collect()
 }
 
 fn meshes() -> Vec<Mesh> {
@@ -58,7 +58,7 @@ fn element(mesh: &Mesh, plan: &Plan, dice: &mut Dice) -> u64 {
 
 /// Takes a few random steps; says how many were taken.
 fn wander(mesh: &mut Mesh, plans: &[Plan], dice: &mut Dice) -> usize {
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     let mut taken = 0;
     for _ in 0..1 + dice.below(6) {
         let plan = &plans[dice.below(plans.len())];

@@ -163,9 +163,15 @@ fn lone_edge() -> Mesh {
 fn a_lone_edge_is_only_a_map() {
     let mut mesh = lone_edge();
     let reason = below(&mesh, Level::Surface);
-    assert_eq!(reason, BelowLevel::SmallFace { face: FaceId(0), size: 2 });
+    assert_eq!(reason, BelowLevel::SmallLoop { face: FaceId(0), hole: false, size: 2 });
     assert_eq!(reason.to_string(), "face 0 has only 2 sides");
     mesh.set_hole(FaceId(0), true);
+    let reason = below(&mesh, Level::Surface);
+    assert_eq!(reason, BelowLevel::SmallLoop { face: FaceId(0), hole: true, size: 2 });
+    let mut mesh = shape::pillow(3);
+    for face in [FaceId(0), FaceId(1)] {
+        mesh.set_hole(face, true);
+    }
     let reason = below(&mesh, Level::Surface);
     assert_eq!(reason, BelowLevel::NoFaceAround { vertex: VertexId(0) });
 }
@@ -180,7 +186,7 @@ fn simple_faces_differ_in_their_corners() {
 }
 
 #[test]
-fn holes_of_two_sides_are_surface_but_not_simple() {
+fn holes_of_two_sides_are_only_a_map() {
     // Two triangles glued along two sides of each.
     let mut mesh = shape::pillow(3);
     let (h, t) = (HalfedgeId(0), mesh.twin(HalfedgeId(0)));
@@ -200,9 +206,10 @@ fn holes_of_two_sides_are_surface_but_not_simple() {
     }
     mesh.set_face_halfedge(hole, a);
     mesh.set_hole(hole, true);
-    assert!(validate_level(&mesh, Level::Surface).is_ok());
-    let reason = below(&mesh, Level::Simple);
-    assert!(matches!(reason, BelowLevel::DoubleEdge { .. }), "{reason}");
+    assert!(validate(&mesh).is_ok());
+    let reason = below(&mesh, Level::Surface);
+    assert_eq!(reason, BelowLevel::SmallLoop { face: hole, hole: true, size: 2 });
+    assert_eq!(reason.to_string(), format!("hole {} has only 2 sides", hole.0));
 }
 
 #[test]

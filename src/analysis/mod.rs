@@ -64,5 +64,7 @@ pub use signature::{Call, signature};
 pub use snapshot::Snapshot;
 pub use spans::around;
 pub use tokens::{Class, Coloured, Marks, tokens};
-pub use verdict::{GuardVerdict, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdicts};
+pub use verdict::{
+    GuardVerdict, KeepsOnly, ProvedStatement, RuleVerdict, StepsVerdict, Verdict, verdicts,
+};
 pub use words::{Word, a_type, functions, meaning, word};

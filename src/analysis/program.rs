@@ -8,7 +8,7 @@ use super::shelves::tell_where;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
-use crate::rewrite::Plan;
+use crate::rewrite::Plans;
 use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
 
@@ -24,7 +24,7 @@ pub struct Analysis {
     /// For each op of the program, its proof, if there is one.
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
-    pub plans: Vec<Option<Plan>>,
+    pub plans: Plans,
     /// For each op of the program what it depends on that is broken, if that is why it is not
     /// proved.
     pub lacks: Vec<Option<String>>,
@@ -95,6 +95,7 @@ impl Analysis {
         diagnostics.dedup_by(|next, last| {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
+        let plans = plans.into();
         Self { file, seen, program, proved, plans, lacks, counterexamples, diagnostics }
     }
 

@@ -19,7 +19,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram;
 use crate::library;
 use crate::resolve::{Program, resolve_all};
-use crate::rewrite::Plan;
+use crate::rewrite::Plans;
 use crate::run::{Functions, calls_of_steps, plan_steps};
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
@@ -294,7 +294,7 @@ impl Snapshot {
             plans[op] = self.examined(op).plan.clone();
         }
         let told = plan_steps(&self.program, &self.functions, &mut plans);
-        Planned { plans, told }
+        Planned { plans: plans.into(), told }
     }
 
     fn examine(&self, op: usize) -> Rc<Examined> {
@@ -404,7 +404,7 @@ impl Snapshot {
 /// What came of ops in steps.
 #[derive(Clone, Debug, Default)]
 struct Planned {
-    plans: Vec<Option<Plan>>,
+    plans: Plans,
     told: Vec<Diagnostic>,
 }
 

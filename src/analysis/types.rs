@@ -33,7 +33,7 @@ pub fn type_of(snapshot: &Snapshot, id: SymbolId) -> Option<Type> {
         .filter(|word| *word != ".")
         .find_map(|word| match word {
             "vertices" | "neighbors" => Some(Type::Vertex),
-            "halfedges" => Some(Type::Halfedge),
+            "halfedges" | "ears" | "patch" => Some(Type::Halfedge),
             "edges" => Some(Type::Edge),
             "faces" | "holes" => Some(Type::Face),
             _ => None,

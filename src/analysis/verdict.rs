@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::Analysis;
-use crate::check::{Proof, Proved, SizeChange};
-use crate::diagram::{Level, Rule};
+use crate::check::{Change, Proof, Proved, SizeChange, Turned};
+use crate::diagram::{Level, LoopKind, Property, Rule};
 use crate::resolve::{Program, ResolvedOp};
 use crate::rewrite::Plan;
 
@@ -43,21 +43,24 @@ pub struct RuleVerdict {
     pub rule: Option<String>,
     /// How many ways the mesh around the drawing can lie, all of them looked at.
     pub cases: usize,
-    /// The change of the number of vertices.
-    pub vertices: i64,
-    /// The change of the number of edges.
-    pub edges: i64,
-    /// The change of the number of faces and holes.
-    pub faces: i64,
-    /// What comes for each index, if there are families: vertices, edges, faces.
+    /// The change of the numbers of elements.
+    #[serde(flatten)]
+    pub change: Change,
+    /// What comes for each index, if there are families.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub per_index: Option<[i64; 3]>,
+    pub per_index: Option<Change>,
+    /// Each face that becomes a hole, and each hole that becomes a face, in words.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub turned: Vec<String>,
     /// Whether it takes constant time.
     pub constant_time: bool,
     /// What the time grows with otherwise.
     pub grows_with: Vec<String>,
     /// The properties that are kept, in the words of `keeps`.
     pub keeps: Vec<&'static str>,
+    /// The level that is kept at least, where it is not the highest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub keeps_only: Option<KeepsOnly>,
     /// What its guard asks, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardVerdict>,
@@ -65,6 +68,23 @@ pub struct RuleVerdict {
     pub degrees: BTreeMap<String, String>,
     /// How the numbers of sides change, by face.
     pub sizes: BTreeMap<String, String>,
+}
+
+/// The level that is kept, of the mesh that has a higher one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct KeepsOnly {
+    /// The level.
+    pub level: Level,
+    /// How many things `guard simple` would test.
+    pub untested: usize,
+}
+
+impl KeepsOnly {
+    /// In a line of words.
+    pub fn words(self) -> String {
+        let things = if self.untested == 1 { "thing" } else { "things" };
+        format!("keeps a {}; `guard simple` would test {} {things}", self.level, self.untested)
+    }
 }
 
 /// What a guard asks of the result.
@@ -108,17 +128,52 @@ impl RuleVerdict {
         Self {
             rule: rule.label.clone(),
             cases: facts.cases,
-            vertices: facts.change.vertices,
-            edges: facts.change.edges,
-            faces: facts.change.faces,
-            per_index: facts.per_index.map(|change| [change.vertices, change.edges, change.faces]),
+            change: facts.change,
+            per_index: facts.per_index,
+            turned: facts.turned.iter().map(turned).collect(),
             constant_time: facts.grows_with.is_empty(),
             grows_with: facts.grows_with.clone(),
             keeps: facts.keeps.iter().map(|property| property.word()).collect(),
+            keeps_only: (facts.untested > 0).then(|| KeepsOnly {
+                level: match facts.keeps.contains(&Property::Level(Level::Surface)) {
+                    true => Level::Surface,
+                    false => Level::Map,
+                },
+                untested: facts.untested,
+            }),
             guard: GuardVerdict::new(proof.drawn(rule), proof),
             degrees: changes(&facts.degrees),
             sizes: changes(&facts.sizes),
         }
+    }
+}
+
+/// A loop that becomes another, in words.
+fn turned(turned: &Turned) -> String {
+    let word = |kind: LoopKind| match kind {
+        LoopKind::Face => "face",
+        LoopKind::Hole => "hole",
+        LoopKind::Any => "loop",
+    };
+    format!("the {} `{}` becomes a {}", word(turned.from), turned.face, word(turned.to))
+}
+
+impl RuleVerdict {
+    /// The changes of the numbers of elements, each with what comes for each index: vertices,
+    /// edges and faces, and holes and loops where they change.
+    pub fn counts(&self) -> Vec<(&'static str, i64, i64)> {
+        let per_index = self.per_index.unwrap_or_default();
+        let counts = |of: fn(&Change) -> i64| (of(&self.change), of(&per_index));
+        let all: [(_, fn(&Change) -> i64); 5] = [
+            ("V", |change| change.vertices),
+            ("E", |change| change.edges),
+            ("F", |change| change.faces),
+            ("holes", |change| change.holes),
+            ("loops", |change| change.loops),
+        ];
+        let all = all.into_iter().enumerate().map(|(at, (name, of))| (at, name, counts(of)));
+        let told = all.filter(|(at, _, by)| *at < 3 || *by != (0, 0));
+        told.map(|(_, name, (constant, per_index))| (name, constant, per_index)).collect()
     }
 }
 

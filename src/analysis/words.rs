@@ -115,12 +115,20 @@ const MEANINGS: &[(&str, &str)] = &[
     ("faces", "all faces, of the mesh, around a vertex or beside an edge"),
     ("holes", "all boundary loops of the mesh"),
     ("neighbors", "the other ends of the edges at a vertex"),
+    (
+        "ears",
+        "of a face: halfedges at its corners, in an order in which they can be cut off, the best shaped triangle first, until one is left",
+    ),
+    (
+        "patch",
+        "of a face: as `ears`, such that the triangles bend the least, with each other and with the faces around",
+    ),
     ("map", "every orbit is in order: what is always proved"),
-    ("surface", "a level: no face with two sides, no vertex where the surface is pinched"),
+    ("surface", "a level: no face or hole with two sides, no vertex where the surface is pinched"),
     ("simple", "a level: edges and faces are told apart by their vertices"),
     ("triangles", "every face stays a triangle, if all were"),
     ("quads", "every face stays a quad, if all were"),
-    ("euler", "V - E + F stays what it is"),
+    ("euler", "V - E + F stays what it is, with holes among the faces"),
     (
         "boundary",
         "as a property: the holes keep their number and their vertices; as a function: whether an element lies on a hole",

@@ -5,7 +5,7 @@ use super::families::Sizes;
 use super::guard::Obligation;
 use super::matching::Step;
 use super::properties::{SizeChange, degree_changes, evenly, kept, kept_by_families, size_changes};
-use crate::diagram::{Drawing, Kind, NameId, Property, Rule};
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, Property, Ref, Rule, Side};
 
 /// What was established of a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,21 +20,40 @@ pub struct Facts {
     pub grows_with: Vec<String>,
     /// Everything that is kept besides validity, declared or not.
     pub keeps: Vec<Property>,
+    /// How many tests `guard simple` would make, where that level is not kept.
+    pub untested: usize,
+    /// The faces that become holes, and the holes that become faces.
+    pub turned: Vec<Turned>,
     /// How the degrees of the vertices that live on change.
     pub degrees: Vec<SizeChange>,
     /// How the numbers of sides of the faces that live on change.
     pub sizes: Vec<SizeChange>,
 }
 
-/// How the numbers of elements change. Faces count holes too.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How the numbers of elements change.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Change {
     /// Vertices.
     pub vertices: i64,
     /// Edges.
     pub edges: i64,
-    /// Faces and holes.
+    /// Faces that are no holes.
     pub faces: i64,
+    /// Holes.
+    pub holes: i64,
+    /// Those of which the drawing does not say whether they are faces or holes.
+    pub loops: i64,
+}
+
+/// A loop that is not after what it was before: a face, or a hole.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Turned {
+    /// Its name.
+    pub face: String,
+    /// What it was.
+    pub from: LoopKind,
+    /// What it becomes.
+    pub to: LoopKind,
 }
 
 impl Change {
@@ -43,22 +62,34 @@ impl Change {
             vertices: self.vertices - other.vertices,
             edges: self.edges - other.edges,
             faces: self.faces - other.faces,
+            holes: self.holes - other.holes,
+            loops: self.loops - other.loops,
         }
     }
 
-    /// The change of V - E + F.
+    /// The change of V - E + F, holes counted as faces.
     pub fn euler(self) -> i64 {
-        self.vertices - self.edges + self.faces
+        self.vertices - self.edges + self.faces + self.holes + self.loops
     }
 
     pub(super) fn of(rule: &Rule) -> Self {
         let count = |kind: Kind| {
-            let of = |names: &[crate::diagram::Ref]| {
+            let of = |names: &[Ref]| {
                 names.iter().filter(|mention| rule.kind(mention.name) == kind).count() as i64
             };
             of(&rule.created) - of(&rule.erased)
         };
-        Self { vertices: count(Kind::Vertex), edges: count(Kind::Edge), faces: count(Kind::Face) }
+        let loops = |kind: LoopKind| {
+            let of = |side: &Side| side.loops.iter().filter(|orbit| orbit.kind == kind).count();
+            of(&rule.after) as i64 - of(&rule.before) as i64
+        };
+        Self {
+            vertices: count(Kind::Vertex),
+            edges: count(Kind::Edge),
+            faces: loops(LoopKind::Face),
+            holes: loops(LoopKind::Hole),
+            loops: loops(LoopKind::Any),
+        }
     }
 }
 
@@ -78,6 +109,8 @@ impl Facts {
             per_index: None,
             keeps: kept(drawing, change, &grows_with),
             grows_with,
+            untested: 0,
+            turned: turned(drawing),
             degrees: degree_changes(drawing),
             sizes: size_changes(drawing),
         }
@@ -103,10 +136,23 @@ impl Facts {
             per_index: Some(per_index),
             keeps: kept_by_families(sizes, &grows_with),
             grows_with,
+            untested: 0,
+            turned: turned(&drawing),
             degrees: evenly(sizes, degree_changes),
             sizes: evenly(sizes, size_changes),
         }
     }
+}
+
+/// The faces that become holes, and the holes that become faces; of a family one.
+fn turned(drawing: &Drawing) -> Vec<Turned> {
+    let loops = drawing.rule.after.loops.iter();
+    let turned = loops.filter(|orbit| drawing.rule.is_first(orbit.face.name)).filter_map(|orbit| {
+        let before = drawing.before.loop_of_face(orbit.face.name)?;
+        let face = drawing.rule.name(orbit.face.name).text.clone();
+        (before.kind != orbit.kind).then_some(Turned { face, from: before.kind, to: orbit.kind })
+    });
+    turned.collect()
 }
 
 /// Paths whose loop changes, so that `face` is rewritten along them.

@@ -19,9 +19,9 @@ use super::matching::Step;
 use super::problem::Problem;
 use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, stop_at};
 use super::witness::{self, Outcome};
-use super::{mend, reach, start, voltage};
+use super::{before, mend, reach, start, voltage};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Level, Loop, LoopKind, Naming, Op, Rule, Spoke, Unrolled};
+use crate::diagram::{Drawing, Kind, Level, Loop, Naming, Op, Property, Rule, Spoke, Unrolled};
 
 /// A rule with families, unrolled to the sizes that are looked at.
 pub(super) struct Sizes {
@@ -63,17 +63,16 @@ impl Sizes {
     }
 }
 
-/// Whether the drawing can match in a surface: no face has two sides, no vertex one spoke.
+/// Whether the drawing can match in a surface: no loop has two sides, no vertex one spoke.
 fn is_in_a_surface(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let halfedges = |orbit: &&Loop| {
         let mut items = orbit.items.iter();
-        orbit.kind == LoopKind::Face
-            && items.all(|item| rule.kind(item.item.name) == Kind::Halfedge)
+        items.all(|item| rule.kind(item.item.name) == Kind::Halfedge)
     };
-    let mut faces = rule.before.loops.iter().filter(halfedges);
+    let mut loops = rule.before.loops.iter().filter(halfedges);
     let mut stars = rule.before.stars.iter();
-    faces.all(|orbit| orbit.items.len() > 2)
+    loops.all(|orbit| orbit.items.len() > 2)
         && !stars.any(|star| matches!(star.spokes.as_slice(), [Spoke::Halfedge(_)]))
 }
 
@@ -101,7 +100,11 @@ fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
         Some((level, _)) => sizes.obligations(level),
         None => Vec::new(),
     };
-    let facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
+    let mut facts = Facts::of_families(sizes, &matching, &guard, rings.cases);
+    if !facts.keeps.contains(&Property::Level(Level::Simple)) {
+        let asked = sizes.obligations(Level::Simple);
+        facts.untested = asked.iter().filter(|one| one.is_test()).count();
+    }
     let proof = Proof { matching, guard, facts, rings, unrolled: Some(Box::new(large.clone())) };
     proof.bears_out(op, &drawing)
 }
@@ -137,6 +140,7 @@ const FURTHER: u32 = 3;
 
 /// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
 fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
+    let broken = before::contradictions(&sizes.large.rule).unwrap_or(broken);
     let mut problems = broken.problems;
     let mut outcome = Outcome::NotTried;
     let tested = sizes.small.len() as u32;

@@ -23,6 +23,8 @@
 //! Before all of them `start` asks whether a parameter is drawn. A drawing that would apply
 //! almost nowhere is refused as well (`fans_have_room`).
 //!
+//! Where `before` alone contradicts itself, nothing else is told (`before`).
+//!
 //! What a rejected rule does to a mesh, `witness` finds out by carrying it out, and `mend`
 //! offers what would surely be right: names to keep, list or erase, an edge, a vertex that
 //! takes the spokes of one that is erased (`taken`). Otherwise `reach` finds the order in which
@@ -35,6 +37,7 @@ mod apart;
 mod argument;
 mod around;
 mod arrangement;
+mod before;
 mod case;
 mod chain;
 mod claims;
@@ -72,7 +75,7 @@ mod witness;
 
 pub use alias::{Identification, Verdict, identifications};
 pub use argument::Argument;
-pub use facts::{Change, Facts, moved_fans, moved_paths};
+pub use facts::{Change, Facts, Turned, moved_fans, moved_paths};
 pub use properties::SizeChange;
 pub use proved::{Proof, Proved, Rejection, check, examine};
 pub use witness::{Counterexample, Outcome, try_out};

@@ -150,14 +150,16 @@ pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Pr
         .collect()
 }
 
-/// By how much V - E + F changes, in words.
+/// By how much V - E + F changes, with holes among the faces, in words.
 fn euler_changes(facts: &Facts) -> String {
     let constant = facts.change.euler();
     let per_index = facts.per_index.map_or(0, Change::euler);
     match (constant, per_index) {
-        (_, 0) => format!("V - E + F changes by {constant:+}"),
-        (0, _) => format!("V - E + F changes by {per_index:+} for each index"),
-        _ => format!("V - E + F changes by {constant:+}, and by {per_index:+} for each index"),
+        (_, 0) => format!("V - E + F, with holes, changes by {constant:+}"),
+        (0, _) => format!("V - E + F, with holes, changes by {per_index:+} for each index"),
+        _ => format!(
+            "V - E + F, with holes, changes by {constant:+}, and by {per_index:+} for each index"
+        ),
     }
 }
 

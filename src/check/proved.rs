@@ -9,12 +9,12 @@ use super::problem::Problem;
 use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
-    alias, apart, ends_agree, families, fans_have_room, mend, names_are_accounted_for,
+    alias, apart, before, ends_agree, families, fans_have_room, mend, names_are_accounted_for,
     new_is_placed, next_is_permutation, nothing_dangles, properties, reach, start,
     twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Op, Rule};
+use crate::diagram::{Drawing, Level, Op, Property, Rule};
 
 /// An operation that keeps every valid mesh valid. Only [`check`] makes one.
 #[derive(Clone, Debug)]
@@ -133,7 +133,8 @@ pub(super) struct Rejected {
     pub outcome: Outcome,
 }
 
-fn reject(op: &Op, rule: &Rule, mut broken: Broken) -> Rejected {
+fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
+    let mut broken = before::contradictions(rule).unwrap_or(broken);
     let outcome = witness::find(op, rule, &mut broken);
     let laws = |rule: &Rule| match prove(op, rule) {
         Ok(_) => Vec::new(),
@@ -174,6 +175,10 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     let cases = rings.cases + aliased.cases();
     let mut facts = Facts::of(&drawing, &matching, &guard, cases);
     aliased.keeps_no_more(&mut facts);
+    if !facts.keeps.contains(&Property::Level(Level::Simple)) {
+        let asked = aliased.obligations(obligations(&drawing, Level::Simple), Level::Simple);
+        facts.untested = asked.iter().filter(|one| one.is_test()).count();
+    }
     let proof = Proof { matching, guard, facts, rings, unrolled: None };
     proof.bears_out(op, &drawing)
 }

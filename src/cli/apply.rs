@@ -12,7 +12,9 @@ use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::{Param, Type};
-use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, VertexId, WrittenNumbers};
+use crate::mesh::{
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, Places, VertexId, WrittenNumbers,
+};
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
 
@@ -36,6 +38,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     for (kind, name, default) in &attributes {
         obj.bring((*kind, name, *default));
     }
+    let places = Places::of(&obj.mesh);
     let before = Counts::of(&obj.mesh);
     let applied =
         run::apply(&program.analysis.program, op, &program.analysis.plans, &mut obj.mesh, &values)
@@ -45,7 +48,9 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
             })?;
     match applied {
         Applied::Done { result, created } => {
-            meshes::write(&arguments.output, &mut obj)?;
+            let blame = || program::blame(&program, [plan.name.as_str()]);
+            meshes::write(&arguments.output, &mut obj, blame)?;
+            meshes::tell_displaced(&arguments.output, &places, &obj.mesh);
             let numbers = meshes::numbers(&arguments.output, &obj);
             let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
             let report = Report {

@@ -106,6 +106,10 @@ pub(super) struct RunArguments {
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// How much memory the mesh and lists may take, as 4G; if not
+    /// given, three quarters of the machine's
+    #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
+    pub memory: Option<usize>,
     /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,

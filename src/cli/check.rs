@@ -111,7 +111,10 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
             let mut row = vec!["  proved".into(), name];
             row.extend(show_rule(rule));
             rows.push(row);
-            below.push(if verbose { details(rule) } else { Vec::new() });
+            let turned = rule.turned.iter().map(|turned| format!("      note: {turned}"));
+            let only = rule.keeps_only.iter().map(|only| format!("      {}", only.words()));
+            let more = if verbose { details(rule) } else { Vec::new() };
+            below.push(turned.chain(only).chain(more).collect());
         }
     }
     if rows.is_empty() {
@@ -193,13 +196,9 @@ fn change(rule: &RuleVerdict) -> String {
         }
     };
     // With families `n` stands for the size of the cycle.
-    let per_index = rule.per_index.unwrap_or_default();
-    format!(
-        "V {}  E {}  F {}",
-        signed(rule.vertices, per_index[0]),
-        signed(rule.edges, per_index[1]),
-        signed(rule.faces, per_index[2])
-    )
+    let counts = rule.counts().into_iter();
+    let counts = counts.map(|(name, by, per_index)| format!("{name} {}", signed(by, per_index)));
+    counts.collect::<Vec<_>>().join("  ")
 }
 
 fn cost(rule: &RuleVerdict) -> String {

@@ -94,7 +94,7 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
     };
     let analysis = &program.analysis;
     let ops = analysis.program.ops.iter().zip(verdicts(analysis));
-    let ops = ops.zip(&analysis.plans).enumerate();
+    let ops = ops.zip(analysis.plans.iter()).enumerate();
     let ops = ops.filter(|(at, _)| only.is_none_or(|only| only == *at));
     let sections = ops.map(|(at, ((op, verdict), plan))| {
         let steps = op.steps.as_ref().filter(|_| plan.is_some());

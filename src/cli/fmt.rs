@@ -1,6 +1,5 @@
 //! `hedgerow fmt`
 
-use std::fs;
 use std::io::{Read, Write, stdin, stdout};
 use std::path::Path;
 
@@ -9,6 +8,7 @@ use super::failure::Failure;
 use super::output::{complain, complain_of};
 use crate::analysis::{program_text, read_program};
 use crate::format::{Formatted, format};
+use crate::mesh::{ObjReason, replace_file};
 use crate::source::Sources;
 
 /// What a file is called that comes from standard input.
@@ -94,13 +94,6 @@ fn is_as_it_should(text: &str, formatted: &Formatted, name: &str) -> bool {
 }
 
 /// Puts a text in the place of a file, whole or not at all; its permissions stay.
-fn replace(path: &Path, text: &str) -> std::io::Result<()> {
-    // Behind a link the file is replaced, not the link.
-    let target = fs::canonicalize(path)?;
-    let folder = target.parent().unwrap_or(Path::new("."));
-    let mut file = tempfile::Builder::new().prefix(".hedgerow-").tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().set_permissions(fs::metadata(&target)?.permissions())?;
-    file.persist(&target)?;
-    Ok(())
+fn replace(path: &Path, text: &str) -> Result<(), ObjReason> {
+    replace_file(path, |output| output.write_all(text.as_bytes()).map_err(ObjReason::Io))
 }

@@ -6,8 +6,8 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, is_standard, pour};
 use crate::mesh::{
-    Dump, Level, Mesh, Obj, WrittenNumbers, read_dump, read_obj, validate, validate_level,
-    write_dump, write_obj, write_obj_to,
+    Dump, Level, Mesh, Obj, Places, WrittenNumbers, expect_writable, read_dump, read_obj, validate,
+    validate_level, write_dump, write_obj, write_obj_to,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -59,15 +59,21 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
     }
 }
 
-/// Writes a mesh, and says in a line what the file cannot hold.
-pub(super) fn write(path: &Path, obj: &mut Obj) -> Result<(), Failure> {
+/// Writes a mesh, and says in a line what the file cannot hold. `blame` says what may have made
+/// a mesh that no list of polygons holds.
+pub(super) fn write(
+    path: &Path,
+    obj: &mut Obj,
+    blame: impl FnOnce() -> Option<String>,
+) -> Result<(), Failure> {
     if !is_tables(path) {
         if !obj.mesh.is_polygons() {
             let shown = path.display();
             let other = path.with_extension("halfedges");
             return Err(Failure::usage(format!(
-                "{shown}: no list of polygons holds this mesh{}; write it to `{}`",
+                "{shown}: no list of polygons holds this mesh{}{}; write it to `{}`",
                 below_simple(&obj.mesh),
+                blame().map(|blame| format!("; {blame}")).unwrap_or_default(),
                 other.display()
             )));
         }
@@ -114,14 +120,12 @@ fn tell_unheld(path: &Path, obj: &Obj) {
 /// Says what of the file that was read is not in the one that was written.
 fn tell_bare(path: &Path, obj: &Obj) {
     let shown = path.display();
-    let attributes = ["`uv: halfedge vec2`", "`normal: halfedge vec3`"];
     let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
-    for ((count, kind), attribute) in obj.bare_faces().into_iter().zip(kinds).zip(attributes) {
+    for (count, kind) in obj.bare_faces().into_iter().zip(kinds) {
         if count > 0 {
             let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
             complain(&format!(
-                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more; a \
-                 program can keep them in an attribute {attribute}"
+                "warning: {shown}: {count} {faces} with new corners {have} no {kind} any more"
             ));
         }
     }
@@ -132,6 +136,29 @@ fn tell_bare(path: &Path, obj: &Obj) {
             "warning: {shown}: what the mesh that was read says with {} is not in it: a mesh has \
              vertices and faces",
             words.join(", ")
+        ));
+    }
+}
+
+/// Says which attributes of corners are not those of their corners any more.
+pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
+    for told in places.displaced(mesh) {
+        let (shown, attribute) = (path.display(), &told.attribute);
+        let [some, all] = told.faces;
+        let corners = |count: usize| if count == 1 { "corner has" } else { "corners have" };
+        let mut parts = Vec::new();
+        if told.kept > 0 {
+            let have = corners(told.kept);
+            parts.push(format!("{} {have} kept the value of a place left", told.kept));
+        }
+        if told.defaulted > 0 {
+            let have = corners(told.defaulted);
+            parts.push(format!("{} new {have} the default", told.defaulted));
+        }
+        complain(&format!(
+            "warning: {shown}: `{attribute}` is wrong on {some} of {all} faces: {}; what the ops \
+             do not set does not travel with the corners",
+            parts.join(", and ")
         ));
     }
 }
@@ -169,6 +196,7 @@ pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
         let message = format!("{shown}: the folder `{}` does not exist", folder.display());
         Err(Failure::usage(message))
     } else {
-        Ok(())
+        let writable = expect_writable(path);
+        writable.map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
     }
 }

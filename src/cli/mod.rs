@@ -20,6 +20,7 @@ mod info;
 mod interrupt;
 mod library;
 mod lsp;
+mod memory;
 mod meshes;
 mod output;
 mod place;

@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use serde::Serialize;
 
 use super::failure::Failure;
-use crate::diagnostic::{Diagnostic, Rendering, render};
+use crate::diagnostic::{Diagnostic, Rendering, render, shown};
 use crate::source::Sources;
 
 /// How many diagnostics are printed at most.
@@ -17,8 +17,13 @@ const MOST_DIAGNOSTICS: usize = 50;
 /// Why standard output could not be written, for the first time.
 static LOST: Mutex<Option<io::Error>> = Mutex::new(None);
 
-/// Prints a text to standard output, with a line end.
+/// Prints a text to standard output, with a line end; nothing in it that a terminal would obey.
 pub(super) fn say(text: &str) {
+    say_exactly(&shown(text));
+}
+
+/// The same for data, which is not looked at.
+pub(super) fn say_exactly(text: &str) {
     let written = writeln!(stdout().lock(), "{text}");
     if let Err(error) = written
         && error.kind() != io::ErrorKind::BrokenPipe
@@ -63,13 +68,13 @@ pub(super) fn all_said() -> Result<(), Failure> {
 /// Prints data as JSON to standard output.
 pub(super) fn say_json(data: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
-    say(&text);
+    say_exactly(&text);
     Ok(())
 }
 
-/// Prints a text to standard error, with a line end.
+/// Prints a text to standard error, with a line end; nothing in it that a terminal would obey.
 pub(super) fn complain(text: &str) {
-    let _ = writeln!(stderr().lock(), "{text}");
+    let _ = writeln!(stderr().lock(), "{}", shown(text));
 }
 
 /// Prints diagnostics to standard error.

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::arguments::{PlanArguments, Shown};
 use super::failure::Failure;
 use super::files;
-use super::output::{complain, complain_of, say, table};
+use super::output::{complain, complain_of, say, say_exactly, table};
 use super::program::{self, Program};
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
 use crate::mesh::Level;
@@ -70,7 +70,10 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     match &arguments.output {
         Some(output) => files::write(output, text.as_bytes()),
         None => {
-            say(text.trim_end());
+            match arguments.shown {
+                Shown::Json => say_exactly(text.trim_end()),
+                Shown::Table | Shown::Cpp | Shown::Rust => say(text.trim_end()),
+            }
             Ok(())
         }
     }

@@ -8,6 +8,8 @@ use super::failure::Failure;
 use super::output::{complain, complain_of};
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
+use crate::mesh::Level;
+use crate::rewrite::Plan;
 use crate::source::{Sources, Span};
 
 /// A program as read from a file.
@@ -58,6 +60,31 @@ impl Program {
         let analysis = Analysis::with(&mut sources, file, &mut Disk);
         Self { sources, analysis }
     }
+}
+
+/// Which of the ops that were applied may have left a mesh that is not simple, and what would
+/// refuse where they do.
+pub(super) fn blame<'n>(
+    program: &Program,
+    applied: impl IntoIterator<Item = &'n str>,
+) -> Option<String> {
+    let plans = || program.analysis.plans.iter().flatten();
+    let keeps = |plan: &Plan| plan.keeps.contains(&Level::Simple);
+    let mut names: Vec<_> = applied
+        .into_iter()
+        .filter(|name| plans().any(|plan| plan.name == *name && !keeps(plan)))
+        .map(|name| format!("`{name}`"))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    let last = names.pop()?;
+    Some(match names.as_slice() {
+        [] => format!("{last} may do that, and `guard simple` in it refuses where it would"),
+        names => format!(
+            "{} and {last} may do that, and `guard simple` in them refuses where they would",
+            names.join(", ")
+        ),
+    })
 }
 
 /// Whether a file is a mesh, by its name: where program and mesh have changed places.

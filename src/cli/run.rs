@@ -9,12 +9,14 @@ use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
 use super::interrupt;
+use super::memory;
 use super::meshes;
 use super::output::{complain, complain_json, complain_of, is_standard, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
 use crate::draw::{View, draw_mesh};
+use crate::mesh::Places;
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
@@ -27,9 +29,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         complain_of(diagnostics, &program.sources);
         Failure::Silent(code.into())
     };
-    let prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
+    let mut prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
         .map_err(|errors| failed(&errors, 1))?
         .with_seed(arguments.seed);
+    prepared.limit_memory(arguments.memory.unwrap_or_else(memory::usual));
     let values =
         prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;
     let compile = started.elapsed().as_secs_f64();
@@ -46,6 +49,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     for attribute in prepared.attributes() {
         obj.bring(attribute);
     }
+    let places = Places::of(&obj.mesh);
     let before = Counts::of(&obj.mesh);
 
     let started = Instant::now();
@@ -70,7 +74,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let shown = shown.map(|name| attribute(&obj.mesh, name)).transpose()?;
     let started = Instant::now();
     if let Some(output) = &arguments.output {
-        meshes::write(output, &mut obj)?;
+        let blame = || {
+            let applied = report.ops.iter().filter(|op| op.applied > 0);
+            program::blame(&program, applied.map(|op| op.name.as_str()))
+        };
+        meshes::write(output, &mut obj, blame)?;
+        meshes::tell_displaced(output, &places, &obj.mesh);
     }
     if let Some(picture) = &arguments.picture {
         let view = View { attribute: shown, ..View::default() };

@@ -7,7 +7,9 @@
 mod data;
 mod explain;
 mod render;
+mod shown;
 
 pub use data::{Diagnostic, Edit, Fix, Label, Severity};
 pub use explain::{explain, explained};
 pub use render::{Rendering, render};
+pub use shown::shown;

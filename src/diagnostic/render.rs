@@ -4,6 +4,7 @@
 //! and to whole characters, and places in files that are not there are left out.
 
 use super::data as diagnostic;
+use super::shown::{showable, shown};
 use super::{Diagnostic, Fix, Severity};
 use crate::source::{FileId, Source, Sources, Span};
 use ariadne::{Cache, Color, Config, Fmt, IndexType, Label, Report, ReportKind};
@@ -75,7 +76,7 @@ impl Page<'_> {
         };
         let head = format!("{word}[{}]", diagnostic.code);
         let head = self.painted(&head, colour);
-        self.line(&format!("{head}: {}", diagnostic.message));
+        self.line(&format!("{head}: {}", shown(&diagnostic.message)));
         match self.drawn(&diagnostic.labels, colour) {
             Some(drawn) => self.out.push_str(&drawn),
             None => self.listed(&diagnostic.labels),
@@ -96,7 +97,7 @@ impl Page<'_> {
             let place = place_in_words(label.span, self.texts.sources);
             let colon = if label.text.is_empty() { "" } else { ": " };
             if let Some(place) = place {
-                self.line(&format!("  at {place}{colon}{}", label.text));
+                self.line(&format!("  at {place}{colon}{}", shown(&label.text)));
             }
         }
     }
@@ -125,7 +126,7 @@ impl Page<'_> {
             };
             let is_primary = std::ptr::eq(label, primary);
             let (colour, priority) = if is_primary { (colour, 1) } else { (Color::Blue, 0) };
-            let text = if label.text.is_empty() { "here" } else { &label.text };
+            let text = if label.text.is_empty() { "here" } else { &*shown(&label.text) };
             let order = i32::try_from(at).unwrap_or(i32::MAX);
             let label = Label::new(place).with_message(text).with_color(colour);
             report = report.with_label(label.with_priority(priority).with_order(order));
@@ -140,7 +141,7 @@ impl Page<'_> {
 
     fn remark(&mut self, word: &str, text: &str) {
         let word = self.painted(word, Color::Cyan);
-        self.line(&format!("  {word}: {text}"));
+        self.line(&format!("  {word}: {}", shown(text)));
     }
 
     fn painted(&self, text: &str, colour: Color) -> String {
@@ -178,7 +179,7 @@ fn fix_place(fix: &Fix, sources: &Sources) -> String {
 fn place_in_words(span: Span, sources: &Sources) -> Option<String> {
     let source = source_of(sources, span.file)?;
     let (line, column) = source.line_column(span.start as usize);
-    Some(format!("{}:{line}:{column}", source.name()))
+    Some(format!("{}:{line}:{column}", shown(source.name())))
 }
 
 fn source_of(sources: &Sources, file: FileId) -> Option<&Source> {
@@ -218,16 +219,6 @@ impl Texts<'_> {
     }
 }
 
-/// A character as it may be shown: none that moves the cursor or ends a line but `\n`.
-fn showable(character: char) -> char {
-    match character {
-        '\n' | '\t' => character,
-        '\r' | '\u{2028}' | '\u{2029}' | '\u{FEFF}' => ' ',
-        control if control.is_control() => '\u{FFFD}',
-        shown => shown,
-    }
-}
-
 impl Cache<FileId> for &mut Texts<'_> {
     type Storage = String;
 
@@ -239,7 +230,7 @@ impl Cache<FileId> for &mut Texts<'_> {
     }
 
     fn display<'a>(&self, file: &'a FileId) -> Option<impl fmt::Display + 'a> {
-        source_of(self.sources, *file).map(|source| source.name().to_owned())
+        source_of(self.sources, *file).map(|source| shown(source.name()).into_owned())
     }
 }
 

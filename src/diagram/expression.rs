@@ -410,6 +410,10 @@ pub enum Collection {
     FaceVertices(Expr),
     /// `f.edges`
     FaceEdges(Expr),
+    /// `f.ears`, the order in which corners are cut off, the best shaped first
+    FaceEars(Expr),
+    /// `f.patch`, the same with the least bend
+    FacePatch(Expr),
     /// `e.vertices`
     EdgeVertices(Expr),
     /// `e.faces`, without holes
@@ -429,6 +433,8 @@ impl Collection {
             | FaceHalfedges(base)
             | FaceVertices(base)
             | FaceEdges(base)
+            | FaceEars(base)
+            | FacePatch(base)
             | EdgeVertices(base)
             | EdgeFaces(base) => Some(base),
         }
@@ -439,7 +445,9 @@ impl Collection {
         use Collection::*;
         match self {
             Vertices | VertexNeighbors(_) | FaceVertices(_) | EdgeVertices(_) => Type::Vertex,
-            Halfedges | VertexHalfedges(_) | FaceHalfedges(_) => Type::Halfedge,
+            Halfedges | VertexHalfedges(_) | FaceHalfedges(_) | FaceEars(_) | FacePatch(_) => {
+                Type::Halfedge
+            }
             Edges | VertexEdges(_) | FaceEdges(_) => Type::Edge,
             Faces | Holes | VertexFaces(_) | EdgeFaces(_) => Type::Face,
         }

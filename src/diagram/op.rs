@@ -143,7 +143,7 @@ pub enum Property {
     Triangles,
     /// Every face stays a quad, if all were.
     Quads,
-    /// V - E + F stays what it is.
+    /// V - E + F stays what it is, with holes among the faces.
     Euler,
     /// The holes keep their number, and each its vertices.
     Boundary,

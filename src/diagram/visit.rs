@@ -70,6 +70,8 @@ fn base(collection: &mut Collection) -> Option<&mut Expr> {
         | Collection::FaceHalfedges(of)
         | Collection::FaceVertices(of)
         | Collection::FaceEdges(of)
+        | Collection::FaceEars(of)
+        | Collection::FacePatch(of)
         | Collection::EdgeVertices(of)
         | Collection::EdgeFaces(of) => Some(of),
     }

@@ -93,13 +93,17 @@ fn alternative(
         .filter(|(_, step)| is_tried(step))
         .map(|(at, _)| at)
         .collect();
+    let walked_first = proof.matching().iter().find_map(|step| match step {
+        Step::Walk { orbit, .. } => Some(*orbit),
+        _ => None,
+    });
     let mut matching = Matching { drawing: &drawing, conventions, names };
     let mut end = proof.matching().len();
     for &at in attempts.iter().rev() {
         let Step::Attempt { element, halfedge, .. } = proof.matching()[at] else {
             continue;
         };
-        let mut body = matching.steps(&proof.matching()[at + 1..end]);
+        let mut body = matching.steps(&proof.matching()[at + 1..end], walked_first);
         body.extend(rest);
         rest = vec![Statement::Attempt {
             kind: rule.kind(element),
@@ -109,7 +113,7 @@ fn alternative(
         }];
         end = at;
     }
-    let mut body = matching.steps(&proof.matching()[..end]);
+    let mut body = matching.steps(&proof.matching()[..end], walked_first);
     body.extend(rest);
     Ok(body)
 }

@@ -108,7 +108,7 @@ impl Expressions<'_> {
             }
             ExprKind::Fold(fold) => {
                 let (around, element) = around(&fold.collection)
-                    .ok_or_else(|| NotEmitted::new("a sequence of the whole mesh", expr.span))?;
+                    .ok_or_else(|| NotEmitted::new(unsaid(&fold.collection), expr.span))?;
                 let element = self.term(element)?;
                 let ty = fold.collection.element();
                 let name = self.names.declare(fold.variable, ty);
@@ -144,8 +144,19 @@ pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
         | Collection::Halfedges
         | Collection::Edges
         | Collection::Faces
-        | Collection::Holes => return None,
+        | Collection::Holes
+        | Collection::FaceEars(_)
+        | Collection::FacePatch(_) => return None,
     })
+}
+
+/// What a collection is that lies around no element, in words.
+pub(super) fn unsaid(collection: &Collection) -> &'static str {
+    match collection {
+        Collection::FaceEars(_) => "`ears` of a face",
+        Collection::FacePatch(_) => "the `patch` of a face",
+        _ => "a sequence of the whole mesh",
+    }
 }
 
 /// Whether a value is finite for all finite positions of ordinary size: sums, differences,

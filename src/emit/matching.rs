@@ -17,13 +17,15 @@ pub(super) struct Matching<'d, 'n> {
 
 impl Matching<'_, '_> {
     /// Binds names, in order. The tests come when all are bound, but for those that tell how
-    /// long families are.
-    pub fn steps(&mut self, steps: &[Step]) -> Vec<Statement> {
+    /// long families are: as long as the orbit that is walked first, maybe in earlier steps.
+    pub fn steps(&mut self, steps: &[Step], walked_first: Option<NameId>) -> Vec<Statement> {
         let mut body = Vec::new();
         for step in steps {
             match step {
                 Step::Bind { name, source } => body.push(self.bind(*name, *source)),
-                Step::Walk { orbit, halfedges } => self.walk(*orbit, halfedges, &mut body),
+                Step::Walk { orbit, halfedges } => {
+                    self.walk(*orbit, halfedges, walked_first == Some(*orbit), &mut body);
+                }
                 Step::Attempt { element, halfedge, tries: Some(1) } => {
                     self.begin(*element, *halfedge, &mut body)
                 }
@@ -79,7 +81,13 @@ impl Matching<'_, '_> {
     }
 
     /// Walks an orbit once around and deals its halfedges out to the families of a period.
-    fn walk(&mut self, orbit: NameId, halfedges: &[NameId], body: &mut Vec<Statement>) {
+    fn walk(
+        &mut self,
+        orbit: NameId,
+        halfedges: &[NameId],
+        is_first: bool,
+        body: &mut Vec<Statement>,
+    ) {
         let rule = self.drawing.rule;
         let ty = Type::Halfedge;
         let (function, what) = match rule.kind(orbit) {
@@ -119,7 +127,7 @@ impl Matching<'_, '_> {
             if place > 0 {
                 continue;
             }
-            if body.iter().any(|known| matches!(known, Statement::Size { .. })) {
+            if !is_first {
                 let length = Term::Call(Function::Length, vec![Term::name(name)]);
                 body.push(Statement::Refuse {
                     when: length.equals(Term::name(size)).not(),

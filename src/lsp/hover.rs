@@ -101,11 +101,11 @@ fn rule_text(rule: &RuleVerdict) -> String {
         }
         .as_str(),
     );
-    let change = |name: &str, by: i64| match by {
+    let change = |(name, by, _)| match by {
         0 => format!("{name} ±0"),
         by => format!("{name} {by:+}"),
     };
-    let changes = [change("V", rule.vertices), change("E", rule.edges), change("F", rule.faces)];
+    let changes: Vec<_> = rule.counts().into_iter().map(change).collect();
     text.push_str(&format!(" · {}", changes.join(" ")));
     if rule.constant_time {
         text.push_str(" · constant time");
@@ -121,6 +121,12 @@ fn rule_text(rule: &RuleVerdict) -> String {
             let changes = changes.collect::<Vec<_>>().join(", ");
             text.push_str(&format!(" · {what}: {changes}"));
         }
+    }
+    for turned in &rule.turned {
+        text.push_str(&format!(" · {turned}"));
+    }
+    if let Some(only) = rule.keeps_only {
+        text.push_str(&format!(" · {}", only.words()));
     }
     text
 }

@@ -74,6 +74,27 @@ macro_rules! attribute_types {
                 }
             }
 
+            fn fill(&mut self, value: Value) {
+                match (self, value) {
+                    $((Self::$variant(xs), Value::$variant(x)) => xs.fill(x),)*
+                    _ => {}
+                }
+            }
+
+            /// Makes room for so many more values; whether it could.
+            fn reserve(&mut self, more: usize) -> bool {
+                match self { $(Self::$variant(xs) => xs.try_reserve_exact(more).is_ok()),* }
+            }
+
+            /// The memory that one value takes, and all of them, in bytes.
+            fn bytes(&self) -> [usize; 2] {
+                match self {
+                    $(Self::$variant(xs) => {
+                        [size_of::<$type>(), size_of::<$type>() * xs.capacity()]
+                    })*
+                }
+            }
+
             fn shrink(&mut self, len: usize) {
                 match self { $(Self::$variant(xs) => xs.truncate(len)),* }
             }
@@ -245,6 +266,26 @@ impl Columns {
         }
     }
 
+    /// The memory that they take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.0.iter().map(|column| column.data.bytes()[1]).sum()
+    }
+
+    /// The memory that the values of one element take.
+    pub(super) fn bytes_of_one(&self) -> usize {
+        self.0.iter().map(|column| column.data.bytes()[0]).sum()
+    }
+
+    /// Makes room for so many more values in each; whether it could.
+    pub(super) fn reserve(&mut self, more: usize) -> bool {
+        self.0.iter_mut().all(|column| column.data.reserve(more))
+    }
+
+    /// Takes the column away that was added last.
+    pub(super) fn drop_last(&mut self) {
+        self.0.pop();
+    }
+
     pub(super) fn shrink(&mut self, len: usize) {
         for column in &mut self.0 {
             column.data.shrink(len);
@@ -276,16 +317,21 @@ impl Mesh {
                 false => Err(ColumnConflict { kind, name: name.to_owned(), has, wanted }),
             };
         }
-        let data = default.column(self.capacity(kind));
+        let mut data = default.column(self.capacity(kind));
+        // It grows with the tables.
+        data.reserve(self.reserved(kind));
         let columns = &mut self.columns[kind as usize].0;
         columns.push(Column { name: name.to_owned(), default, data });
-        Ok(ColumnId { kind, place: columns.len() as u32 - 1 })
+        let place = columns.len() as u32 - 1;
+        self.note_added(kind);
+        Ok(ColumnId { kind, place })
     }
 
     /// Says what new elements get from now on. False, and nothing changed, when the type is
     /// not the column's.
     #[must_use]
     pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
+        self.note_default(id);
         let columns = &mut self.columns[id.kind as usize].0;
         match columns.get_mut(id.place as usize) {
             Some(column) if column.attribute_type() == default.attribute_type() => {
@@ -296,11 +342,19 @@ impl Mesh {
         }
     }
 
+    /// Puts the default into every slot. No journal notes it: it is for scratch.
+    pub(crate) fn clear_column(&mut self, id: ColumnId) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data.fill(column.default);
+        }
+    }
+
     /// Takes a column away. Ids of other columns of its kind mean nothing any more.
     pub fn remove_column(&mut self, id: ColumnId) {
         let columns = &mut self.columns[id.kind as usize].0;
         if columns.len() > id.place as usize {
-            columns.remove(id.place as usize);
+            let column = columns.remove(id.place as usize);
+            self.note_removed(id, column);
         }
     }
 
@@ -359,6 +413,26 @@ impl Mesh {
         }
     }
 
+    /// Puts the values of a column back.
+    pub(super) fn put_values(&mut self, id: ColumnId, data: ColumnData) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data = data;
+        }
+    }
+
+    /// Puts the default of a column back.
+    pub(super) fn put_default(&mut self, id: ColumnId, default: Value) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.default = default;
+        }
+    }
+
+    /// Puts a column back where it was.
+    pub(super) fn put_column(&mut self, id: ColumnId, column: Column) {
+        let columns = &mut self.columns[id.kind as usize].0;
+        columns.insert(columns.len().min(id.place as usize), column);
+    }
+
     /// All values of a column by slot, dead slots included; `None` when the type is
     /// another.
     #[inline]
@@ -366,7 +440,9 @@ impl Mesh {
         T::slice(&self.column(id)?.data)
     }
 
-    /// As [`Column::data`]; `None` for the column of another mesh.
+    /// As [`Column::data`], for who has called [`Mesh::note_value`]; `None` for the column of
+    /// another mesh.
+    #[doc(hidden)]
     #[inline]
     pub fn column_data_mut(&mut self, id: ColumnId) -> Option<&mut ColumnData> {
         let columns = &mut self.columns[id.kind as usize].0;
@@ -375,6 +451,7 @@ impl Mesh {
 
     #[inline]
     pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
+        self.note_values(id);
         let column = self.columns[id.kind as usize].0.get_mut(id.place as usize)?;
         T::slice_mut(&mut column.data)
     }

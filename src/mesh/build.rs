@@ -44,17 +44,7 @@ impl Mesh {
         if validate_level(self, Level::Simple).is_ok() {
             return true;
         }
-        let mut numbers = vec![0; self.capacity(ElementKind::Vertex)];
-        let mut positions = Vec::new();
-        for vertex in self.vertices() {
-            numbers[vertex.index()] = positions.len() as u32;
-            positions.push(self.position(vertex));
-        }
-        let mut polygons = Polygons::new();
-        for face in self.faces().filter(|&face| !self.is_hole(face)) {
-            let corners = self.face_vertices(face).map(|v| numbers[v.index()]);
-            polygons.push(&corners.collect::<Vec<_>>());
-        }
+        let (positions, polygons) = self.to_polygons();
         // The list has an edge for each pair of corners in a row. Where the mesh has no more,
         // each of its edges is one of these, and all else follows.
         let rebuilt = Self::from_owned_polygons(positions, &polygons);

@@ -14,7 +14,7 @@
 
 use glam::DVec3;
 
-use super::attribute::{ColumnId, Value};
+use super::attribute::{Column, ColumnData, ColumnId, Value};
 use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::level_near::Footprint;
@@ -33,6 +33,14 @@ enum Note {
     Face(FaceId, FaceRecord),
     Position(VertexId, DVec3),
     Value(ColumnId, u32, Value),
+    /// All values of a column.
+    Values(ColumnId, Box<ColumnData>),
+    /// What new elements have in a column.
+    Default(ColumnId, Value),
+    /// A column has been added, behind all others of its kind.
+    Added(ElementKind),
+    /// A column has been taken away.
+    Removed(ColumnId, Box<Column>),
     /// A slot has been added at the end of its table.
     Grown(ElementKind),
     /// A free slot has been taken; its record has been noted before.
@@ -49,6 +57,11 @@ pub(super) struct Journal {
 }
 
 impl Journal {
+    /// The memory that the notes take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.notes.capacity() * size_of::<Note>()
+    }
+
     #[inline]
     pub(super) fn is_open(&self) -> bool {
         self.open > 0
@@ -82,17 +95,29 @@ impl Mesh {
         self.journal.open = self.journal.open.saturating_sub(1);
     }
 
+    /// Ends all journals: what was written stays.
+    pub(crate) fn keep_all(&mut self) {
+        self.journal = Journal::default();
+    }
+
     /// What was written since the journal was opened.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
         let mut footprint = Footprint::default();
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
         for note in notes {
-            match *note {
-                Note::Vertex(v, _) | Note::Position(v, _) => footprint.vertices.push(v),
-                Note::Halfedge(h, _) => footprint.halfedges.push(h),
-                Note::Edge(e, _) => footprint.edges.push(e),
-                Note::Face(f, _) => footprint.faces.push(f),
-                Note::Value(..) | Note::Grown(_) | Note::Taken(..) | Note::Erased(_) => {}
+            match note {
+                Note::Vertex(v, _) | Note::Position(v, _) => footprint.vertices.push(*v),
+                Note::Halfedge(h, _) => footprint.halfedges.push(*h),
+                Note::Edge(e, _) => footprint.edges.push(*e),
+                Note::Face(f, _) => footprint.faces.push(*f),
+                Note::Value(..)
+                | Note::Values(..)
+                | Note::Default(..)
+                | Note::Added(_)
+                | Note::Removed(..)
+                | Note::Grown(_)
+                | Note::Taken(..)
+                | Note::Erased(_) => {}
             }
         }
         footprint
@@ -110,6 +135,10 @@ impl Mesh {
             }
             Note::Position(v, position) => self.positions[v.index()] = position,
             Note::Value(column, index, value) => self.put_value(column, index, value),
+            Note::Values(column, values) => self.put_values(column, *values),
+            Note::Default(column, value) => self.put_default(column, value),
+            Note::Added(kind) => self.columns[kind as usize].drop_last(),
+            Note::Removed(column, values) => self.put_column(column, *values),
             Note::Grown(kind) => self.drop_last(kind),
             Note::Taken(kind, slot) => self.slots[kind as usize].free.push(slot),
             Note::Erased(kind) => {
@@ -176,6 +205,39 @@ impl Mesh {
             && let Some(value) = self.value_at(column, index)
         {
             self.journal.notes.push(Note::Value(column, index, value));
+        }
+    }
+
+    /// All values of a column may be written.
+    pub(super) fn note_values(&mut self, column: ColumnId) {
+        if self.journal.is_open()
+            && let Some(data) = self.column(column).map(Column::data)
+        {
+            let data = Box::new(data.clone());
+            self.journal.notes.push(Note::Values(column, data));
+        }
+    }
+
+    /// The default of a column is another from now on.
+    pub(super) fn note_default(&mut self, column: ColumnId) {
+        if self.journal.is_open()
+            && let Some(default) = self.column(column).map(Column::default_value)
+        {
+            self.journal.notes.push(Note::Default(column, default));
+        }
+    }
+
+    /// A column has been added.
+    pub(super) fn note_added(&mut self, kind: ElementKind) {
+        if self.journal.is_open() {
+            self.journal.notes.push(Note::Added(kind));
+        }
+    }
+
+    /// A column has been taken away.
+    pub(super) fn note_removed(&mut self, id: ColumnId, column: Column) {
+        if self.journal.is_open() {
+            self.journal.notes.push(Note::Removed(id, Box::new(column)));
         }
     }
 

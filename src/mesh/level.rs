@@ -19,7 +19,7 @@ pub enum Level {
     /// Every orbit is in order, but a face may have two sides and an edge end where it
     /// begins.
     Map,
-    /// Faces have 3 halfedges or more. Vertices have 2 spokes or more, a face around
+    /// Faces and holes have 3 halfedges or more. Vertices have 2 spokes or more, a face around
     /// them and at most one corner in a hole. Edges have a face on one side at least.
     /// No face or hole meets a vertex twice.
     Surface,
@@ -50,7 +50,7 @@ impl fmt::Display for Level {
 #[derive(Clone, Debug, PartialEq)]
 pub enum BelowLevel {
     Invalid(Invalid),
-    SmallFace { face: FaceId, size: usize },
+    SmallLoop { face: FaceId, hole: bool, size: usize },
     MeetsTwice { face: FaceId, hole: bool, vertex: VertexId },
     SingleSpoke { vertex: VertexId },
     NoFaceAround { vertex: VertexId },
@@ -65,8 +65,16 @@ impl fmt::Display for BelowLevel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Invalid(invalid) => invalid.fmt(f),
-            Self::SmallFace { face, size: 1 } => write!(f, "{face} has only 1 side"),
-            Self::SmallFace { face, size } => write!(f, "{face} has only {size} sides"),
+            Self::SmallLoop { face, hole, size } => {
+                match hole {
+                    true => write!(f, "hole {}", face.0)?,
+                    false => write!(f, "{face}")?,
+                }
+                match size {
+                    1 => f.write_str(" has only 1 side"),
+                    size => write!(f, " has only {size} sides"),
+                }
+            }
             Self::MeetsTwice { face, hole: false, vertex } => {
                 write!(f, "{face} meets {vertex} twice")
             }
@@ -103,7 +111,7 @@ impl std::error::Error for BelowLevel {}
 pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     validate(mesh).map_err(BelowLevel::Invalid)?;
     if level >= Level::Surface {
-        faces_have_three_sides(mesh)?;
+        loops_have_three_sides(mesh)?;
         loops_meet_vertices_once(mesh)?;
         vertices_have_one_fan_of_faces(mesh)?;
         edges_have_a_face(mesh)?;
@@ -131,11 +139,11 @@ pub fn highest_level(mesh: &Mesh) -> Result<Level, Invalid> {
 
 // The checks below are asked of valid meshes only.
 
-fn faces_have_three_sides(mesh: &Mesh) -> Result<(), BelowLevel> {
-    for face in mesh.faces().filter(|&f| !mesh.is_hole(f)) {
+fn loops_have_three_sides(mesh: &Mesh) -> Result<(), BelowLevel> {
+    for face in mesh.faces() {
         let size = mesh.face_halfedges(face).take(3).count();
         if size < 3 {
-            return Err(BelowLevel::SmallFace { face, size });
+            return Err(BelowLevel::SmallLoop { face, hole: mesh.is_hole(face), size });
         }
     }
     Ok(())

@@ -104,7 +104,7 @@ fn orbits(mesh: &Mesh, written: &Footprint) -> Footprint {
     near
 }
 
-/// A face has three sides, and no loop meets a vertex twice.
+/// A loop has three sides, and meets no vertex twice.
 fn loop_is_sound(mesh: &Mesh, face: FaceId) -> Result<(), BelowLevel> {
     let corners = sorted_corners(mesh, face);
     let hole = mesh.is_hole(face);
@@ -113,8 +113,8 @@ fn loop_is_sound(mesh: &Mesh, face: FaceId) -> Result<(), BelowLevel> {
         return Err(BelowLevel::MeetsTwice { face, hole, vertex });
     }
     let size = corners.len();
-    match size < 3 && !hole {
-        true => Err(BelowLevel::SmallFace { face, size }),
+    match size < 3 {
+        true => Err(BelowLevel::SmallLoop { face, hole, size }),
         false => Ok(()),
     }
 }

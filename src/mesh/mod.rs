@@ -13,12 +13,15 @@ mod attribute;
 mod connectivity;
 mod id;
 mod journal;
+mod memory;
 mod pointers;
 mod slots;
 
 // What can be asked of them.
 mod component;
 mod difference;
+mod displaced;
+mod ears;
 mod equality;
 mod geometry;
 mod identical;
@@ -32,6 +35,7 @@ pub mod validate;
 mod walk;
 
 // Where meshes come from and where they go.
+mod arrays;
 mod build;
 mod build_error;
 mod dump;
@@ -39,12 +43,17 @@ mod obj;
 mod polygons;
 pub mod shape;
 
+/// The vectors and matrices of positions and attributes.
+pub use glam;
+
+pub use arrays::NotATriangle;
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
 };
 pub use build_error::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
 pub use difference::{Difference, difference};
+pub use displaced::{Displaced, Places};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
@@ -54,8 +63,8 @@ pub use journal::Bookmark;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
 pub use obj::{
-    Indexed, Obj, ObjError, ObjReason, WantedAttribute, WrittenNumbers, read_obj, read_obj_from,
-    replace_file, write_obj, write_obj_to,
+    Indexed, Obj, ObjError, ObjReason, WantedAttribute, WrittenNumbers, expect_writable, read_obj,
+    read_obj_from, replace_file, write_obj, write_obj_to,
 };
 pub use polygons::Polygons;
 pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};

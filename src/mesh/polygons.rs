@@ -16,6 +16,19 @@ impl Polygons {
         Self { corners: Vec::with_capacity(corners), ends: Vec::with_capacity(polygons) }
     }
 
+    /// Polygons from all their corners, one polygon after the other, and for each the place where
+    /// its corners end; `None` if the ends are not in order, or the last is not the end of all.
+    pub fn from_parts(corners: Vec<u32>, ends: Vec<usize>) -> Option<Self> {
+        let in_order = ends.is_sorted() && ends.last().copied().unwrap_or(0) == corners.len();
+        in_order.then_some(Self { corners, ends })
+    }
+
+    /// Triangles.
+    pub fn from_triangles(triangles: &[[u32; 3]]) -> Self {
+        let corners = triangles.as_flattened().to_vec();
+        Self { corners, ends: (1..=triangles.len()).map(|count| 3 * count).collect() }
+    }
+
     pub fn push(&mut self, corners: &[u32]) {
         self.corners.extend_from_slice(corners);
         self.ends.push(self.corners.len());
@@ -33,6 +46,11 @@ impl Polygons {
     /// The corners of all polygons, one after the other.
     pub fn corners(&self) -> &[u32] {
         &self.corners
+    }
+
+    /// Where in [`Polygons::corners`] each polygon ends.
+    pub fn ends(&self) -> &[usize] {
+        &self.ends
     }
 
     pub fn into_corners(self) -> Vec<u32> {

@@ -114,6 +114,11 @@ impl Mesh {
         }
     }
 
+    /// What has been erased and not recycled, in the order in which it was.
+    pub fn erased(&self, kind: ElementKind) -> &[u32] {
+        &self.slots[kind as usize].pending
+    }
+
     /// Whether that many elements can still be added before ids run out.
     pub fn can_add(&self, vertices: usize, halfedges: usize, edges: usize, faces: usize) -> bool {
         ElementKind::ALL.into_iter().zip([vertices, halfedges, edges, faces]).all(

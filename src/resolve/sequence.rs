@@ -40,7 +40,7 @@ pub(super) fn fold_names() -> impl Iterator<Item = &'static str> {
 pub(super) fn sequences_of(ty: Type) -> &'static [&'static str] {
     match ty {
         Type::Vertex => &["halfedges", "edges", "faces", "neighbors"],
-        Type::Face => &["halfedges", "vertices", "edges"],
+        Type::Face => &["halfedges", "vertices", "edges", "ears", "patch"],
         Type::Edge => &["vertices", "faces"],
         _ => &[],
     }
@@ -56,6 +56,8 @@ fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
         (Type::Face, "halfedges") => Collection::FaceHalfedges,
         (Type::Face, "vertices") => Collection::FaceVertices,
         (Type::Face, "edges") => Collection::FaceEdges,
+        (Type::Face, "ears") => Collection::FaceEars,
+        (Type::Face, "patch") => Collection::FacePatch,
         (Type::Edge, "vertices") => Collection::EdgeVertices,
         (Type::Edge, "faces") => Collection::EdgeFaces,
         _ => return Err(base),

@@ -7,7 +7,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Call, Inst, Machine, Message, Outcome, Trap, Watch};
+use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
 /// The numbers of texts that are made while code runs begin here.
@@ -62,7 +62,7 @@ impl Inst {
     }
 }
 
-impl Machine<'_> {
+impl Machine {
     /// Asks an operation whether it would apply; if not, the number of its reason.
     #[cold]
     pub(super) fn attempt(
@@ -73,6 +73,17 @@ impl Machine<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         let (plan, call) = self.begin_call(mesh, caller, call)?;
+        self.consider(mesh, plan, call, watch)
+    }
+
+    /// The same for a call that is ready.
+    pub(super) fn consider(
+        &mut self,
+        mesh: &mut Mesh,
+        plan: &Plan,
+        call: Call<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
         let Some(steps) = &plan.steps else {
             self.is_dry = true;
             let outcome = self.execute::<true>(mesh, call, watch);

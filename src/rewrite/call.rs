@@ -24,15 +24,17 @@ pub(super) const MOST_CALLS: usize = 1000;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Call<'c> {
     pub(super) code: &'c Code,
-    refusals: &'c [Refusal],
+    pub(super) refusals: &'c [Refusal],
     pub(super) functions: &'c [Function],
     pub(super) texts: &'c [String],
+    /// The operations that it may call, by number.
+    pub(super) plans: &'c [Option<Plan>],
     /// The number of the operation.
     pub(super) op: Option<u16>,
     /// If it is one in steps, what it has besides.
     pub(super) steps: Option<&'c Steps>,
     /// The number of the function.
-    function: Option<u16>,
+    pub(super) function: Option<u16>,
     /// Where its window begins, and its buffers.
     pub(super) base: usize,
     pub(super) buffers: usize,
@@ -41,21 +43,27 @@ pub(super) struct Call<'c> {
 
 impl<'c> Call<'c> {
     /// The code of a script.
-    pub(super) fn top(code: &'c Code) -> Self {
-        Self::first(code, &[], None)
+    pub(super) fn top(code: &'c Code, plans: &'c [Option<Plan>]) -> Self {
+        Self::first(code, plans, &[], None)
     }
 
     /// An operation that nobody calls.
-    pub(super) fn of(plan: &'c Plan) -> Self {
-        Self::first(&plan.code, &plan.refusals, plan.steps.as_ref())
+    pub(super) fn of(plan: &'c Plan, plans: &'c [Option<Plan>]) -> Self {
+        Self::first(&plan.code, plans, &plan.refusals, plan.steps.as_ref())
     }
 
-    fn first(code: &'c Code, refusals: &'c [Refusal], steps: Option<&'c Steps>) -> Self {
+    fn first(
+        code: &'c Code,
+        plans: &'c [Option<Plan>],
+        refusals: &'c [Refusal],
+        steps: Option<&'c Steps>,
+    ) -> Self {
         Self {
             code,
             refusals,
             functions: &code.functions,
             texts: &code.texts,
+            plans,
             op: None,
             steps,
             function: None,
@@ -67,12 +75,13 @@ impl<'c> Call<'c> {
 
     /// The call of an operation from this one: everything it uses lies behind.
     #[inline]
-    pub(super) fn calling<'p>(&self, op: u16, plan: &'p Plan) -> Call<'p> {
+    pub(super) fn calling(&self, op: u16, plan: &'c Plan) -> Self {
         Call {
             code: &plan.code,
             refusals: &plan.refusals,
             functions: &plan.code.functions,
             texts: &plan.code.texts,
+            plans: self.plans,
             op: Some(op),
             steps: plan.steps.as_ref(),
             function: None,

@@ -9,16 +9,20 @@ use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::around;
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
+use super::memory;
 use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::wide;
 use super::window::{Window, reserve};
-use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Watch};
+use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Triangles, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// How far apart the coordinates of meshes may lie that count as the same.
 const NEAR: f64 = 1e-9;
+
+/// The most slots that a write takes that is kept back.
+const HELD: usize = 18;
 
 /// The value, or out of the loop with the message.
 macro_rules! or_trap {
@@ -30,7 +34,7 @@ macro_rules! or_trap {
     };
 }
 
-impl Machine<'_> {
+impl Machine {
     /// Runs code from a call on. Only if it is `OBSERVED`, drains may run in it.
     pub(super) fn execute<const OBSERVED: bool>(
         &mut self,
@@ -54,6 +58,13 @@ impl Machine<'_> {
                     None => break Message::Malformed,
                 }
             };
+        }
+        macro_rules! make_room {
+            ($buffer:expr, $more:expr) => {{
+                let at = call.buffers + usize::from($buffer);
+                let limit = (&*mesh, self.memory);
+                or_trap!(memory::for_list(&mut self.buffers, at, $more, limit));
+            }};
         }
         macro_rules! create {
             ($kind:expr, $to:expr) => {{
@@ -278,13 +289,24 @@ impl Machine<'_> {
                     let [v, h, e, f] = [vertices, halfedges, edges, faces].map(usize::from);
                     if !mesh.can_add(v, h, e, f) {
                         refuse!(refusal, otherwise);
+                        continue;
                     }
+                    let more = [v, h, e, f];
+                    or_trap!(memory::for_elements(mesh, more, &self.buffers, self.memory));
                 }
                 Collect { walk, buffer, from, until, whole } => {
                     let ends = [w.id(from), w.id(until)];
                     if whole || ends[0] != ends[1] {
                         or_trap!(access::collect(mesh, walk, ends, buffer!(buffer)));
                     }
+                }
+                CollectEars { triangles, buffer, face } => {
+                    let face = or_trap!(access::face(mesh, w.id(face)));
+                    let order = match triangles {
+                        Triangles::BestShape => mesh.ears(face),
+                        Triangles::LeastBend => mesh.patch(face),
+                    };
+                    buffer!(buffer).extend(order.into_iter().map(|h| u64::from(h.0)));
                 }
                 Meets { walk, to, from, goal, stop } => {
                     let ends = [w.id(goal), w.id(stop)];
@@ -315,6 +337,8 @@ impl Machine<'_> {
                     }
                 }
                 BufferAppend { from, to } => {
+                    let more = buffer!(from).len();
+                    make_room!(to, more);
                     let slots = std::mem::take(buffer!(from));
                     buffer!(to).extend_from_slice(&slots);
                     *buffer!(from) = slots;
@@ -333,7 +357,10 @@ impl Machine<'_> {
                     let count = usize::try_from(w.int(count)).unwrap_or(usize::MAX);
                     if !access::has_room(mesh, kind, count) {
                         refuse!(refusal, otherwise);
+                        continue;
                     }
+                    let more = (kind, count);
+                    or_trap!(memory::for_kind(mesh, more, &self.buffers, self.memory));
                 }
                 MeetsAll { walk, to, buffer } => {
                     let met = or_trap!(around::meets_all(mesh, walk, buffer!(buffer)));
@@ -383,7 +410,10 @@ impl Machine<'_> {
 
                 // Buffers.
                 BufferClear { buffer } => buffer!(buffer).clear(),
-                BufferPush { buffer, from } => buffer!(buffer).push(w.bits(from)),
+                BufferPush { buffer, from } => {
+                    make_room!(buffer, 1);
+                    buffer!(buffer).push(w.bits(from));
+                }
                 BufferLength { buffer, to } => w.set_int(to, buffer!(buffer).len() as i64),
                 BufferGet { buffer, to, index } => {
                     let index = usize::try_from(w.int(index)).unwrap_or(usize::MAX);
@@ -403,6 +433,7 @@ impl Machine<'_> {
                     }
                 }
                 BufferLiving { of, buffer } => {
+                    make_room!(buffer, mesh.count(of.kind()));
                     access::collect_living(mesh, of, buffer!(buffer));
                 }
 
@@ -429,6 +460,7 @@ impl Machine<'_> {
                 HoldPosition { buffer, vertex, value } => {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
+                    make_room!(buffer, HELD);
                     attribute::hold_position(v, position, buffer!(buffer));
                 }
                 StoreAttribute { attribute, element, value } => {
@@ -438,6 +470,7 @@ impl Machine<'_> {
                 HoldAttribute { buffer, attribute, element, value } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     let target = (attribute, w.id(element));
+                    make_room!(buffer, HELD);
                     or_trap!(attribute::hold(mesh, column, target, &w, value, buffer!(buffer)));
                 }
                 ReleaseHeld { buffer } => {
@@ -572,6 +605,11 @@ impl Machine<'_> {
                     let (done, total) = (w.int(done), w.int(total));
                     if self.progress.turn(watch, depth, done, total).is_break() {
                         break Message::Interrupted;
+                    }
+                    if self.progress.has_looked()
+                        && mesh.bytes().saturating_add(memory::bytes(&self.buffers)) > self.memory
+                    {
+                        break Message::NoMemory(self.memory);
                     }
                 }
                 Tick => {

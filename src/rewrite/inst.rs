@@ -3,7 +3,8 @@
 use super::print::RealDigits;
 use super::wide::{Lanes, Matrix};
 use super::{
-    ElementField, Elements, Foreseen, HalfedgeField, Label, Math, Question, Reg, Room, Span, Walk,
+    ElementField, Elements, Foreseen, HalfedgeField, Label, Math, Question, Reg, Room, Span,
+    Triangles, Walk,
 };
 use crate::mesh::ElementKind;
 
@@ -128,6 +129,9 @@ pub enum Inst {
     /// Appends the halfedges from `from` up to, but without, `until` to a buffer; the
     /// whole cycle if both are the same and `whole`, else nothing.
     Collect { walk: Walk, buffer: u16, from: Reg, until: Reg, whole: bool },
+    /// Appends the corners of a face to a buffer, as halfedges, in an order in which they can
+    /// be cut off.
+    CollectEars { triangles: Triangles, buffer: u16, face: Reg },
     /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts;
     /// where it is also the `stop`, the walk goes once around. It ends when it is back.
     Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },

@@ -31,6 +31,11 @@ impl KnownLevel {
         Self { now, was: now, written: Footprint::default(), lowered: None }
     }
 
+    /// The level that the mesh surely has.
+    pub(super) fn now(&self) -> Level {
+        self.now
+    }
+
     /// Makes sure that the mesh has a level.
     pub(super) fn expect(&mut self, mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
         if self.now >= level {
@@ -69,7 +74,7 @@ impl KnownLevel {
     }
 }
 
-impl Machine<'_> {
+impl Machine {
     /// Makes sure that the mesh has the level of an operation that is called.
     pub(super) fn expect_level(&mut self, mesh: &Mesh, plan: &Plan) -> Result<(), Message> {
         let known = &mut self.known;

@@ -13,7 +13,7 @@ use super::known::KnownLevel;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
-use super::{Call, Code, Message, Outcome, Plan, Trap, Unwatched, Watch};
+use super::{Call, Code, Message, Outcome, Plan, Plans, Trap, Unwatched, Watch};
 use crate::mesh::{ColumnId, ElementKind, Level, Mesh};
 
 /// How deep calls may be nested.
@@ -21,8 +21,8 @@ const DEPTH: usize = 16;
 
 /// Runs code on meshes.
 #[derive(Debug)]
-pub struct Machine<'p> {
-    pub(super) plans: &'p [Option<Plan>],
+pub struct Machine {
+    pub(super) plans: Plans,
     /// Where the attributes of the program lie in the mesh, by number.
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
@@ -50,6 +50,8 @@ pub struct Machine<'p> {
     pub(super) meshes: Vec<Mesh>,
     /// What was created, if anybody wants to know.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
+    /// How many bytes mesh and lists may take.
+    pub(super) memory: usize,
 }
 
 /// What became of the calls of an operation.
@@ -61,14 +63,21 @@ pub struct Count {
     pub refused: Vec<u64>,
 }
 
-impl<'p> Machine<'p> {
+impl Default for Machine {
+    /// A machine for code that calls no operation.
+    fn default() -> Self {
+        Self::new(&Plans::default())
+    }
+}
+
+impl Machine {
     /// A machine for code that calls these operations. `None` stands for one that has
     /// not been proved; calling it traps.
-    pub fn new(plans: &'p [Option<Plan>]) -> Self {
+    pub fn new(plans: &Plans) -> Self {
         let refusals = |plan: &Option<Plan>| plan.as_ref().map_or(0, |plan| plan.refusals.len());
         let count = |plan| Count { applied: 0, refused: vec![0; refusals(plan)] };
         Self {
-            plans,
+            plans: Plans::clone(plans),
             columns: Vec::new(),
             stack: Vec::new(),
             buffers: Vec::new(),
@@ -85,6 +94,7 @@ impl<'p> Machine<'p> {
             holding: 0,
             meshes: Vec::new(),
             created: None,
+            memory: usize::MAX,
         }
     }
 
@@ -113,7 +123,12 @@ impl<'p> Machine<'p> {
 
     /// From now on remembers what each run creates.
     pub fn remember_created(&mut self) {
-        self.created = Some(Vec::new());
+        self.created.get_or_insert_default();
+    }
+
+    /// From now on remembers that no more.
+    pub fn forget_created(&mut self) {
+        self.created = None;
     }
 
     /// What the last run created, in that order, if that is remembered. Some of it may
@@ -125,6 +140,19 @@ impl<'p> Machine<'p> {
     /// The window of the last run: what its registers hold.
     pub fn window(&self) -> &[u64] {
         &self.stack
+    }
+
+    /// The level that the mesh of the last run surely has now.
+    pub fn level(&self) -> Level {
+        self.known.now()
+    }
+
+    /// Counts anew from here on.
+    pub fn clear_counts(&mut self) {
+        for count in &mut self.counts {
+            count.applied = 0;
+            count.refused.fill(0);
+        }
     }
 
     /// For each operation what became of the calls so far.
@@ -141,9 +169,10 @@ impl<'p> Machine<'p> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(args);
+        let plans = Plans::clone(&self.plans);
         match code.drains() {
-            true => self.execute::<true>(mesh, Call::top(code), watch),
-            false => self.execute::<false>(mesh, Call::top(code), watch),
+            true => self.execute::<true>(mesh, Call::top(code, &plans), watch),
+            false => self.execute::<false>(mesh, Call::top(code, &plans), watch),
         }
     }
 
@@ -161,7 +190,22 @@ impl<'p> Machine<'p> {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(args);
-        self.carry_out::<false>(mesh, plan, Call::of(plan), watch)
+        let plans = Plans::clone(&self.plans);
+        self.carry_out::<false>(mesh, plan, Call::of(plan, &plans), watch)
+    }
+
+    /// Whether an operation would be applied with the arguments in slots, and if not, why. The
+    /// mesh is as it was, nothing is printed or counted, and there is no result.
+    pub fn ask(
+        &mut self,
+        mesh: &mut Mesh,
+        plan: &Plan,
+        args: &[u64],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        self.start(args);
+        let plans = Plans::clone(&self.plans);
+        self.consider(mesh, plan, Call::of(plan, &plans), watch)
     }
 
     fn start(&mut self, args: &[u64]) {
@@ -182,13 +226,13 @@ impl<'p> Machine<'p> {
     /// What is the same for an operation that is called and for one that is asked: its plan, and
     /// the call with the arguments at their place.
     #[inline]
-    pub(super) fn begin_call(
+    pub(super) fn begin_call<'c>(
         &mut self,
         mesh: &Mesh,
-        caller: &Call<'_>,
+        caller: &Call<'c>,
         [op, args]: [u16; 2],
-    ) -> Result<(&'p Plan, Call<'p>), Trap> {
-        let Some(plan) = self.plans.get(usize::from(op)).and_then(Option::as_ref) else {
+    ) -> Result<(&'c Plan, Call<'c>), Trap> {
+        let Some(plan) = caller.plans.get(usize::from(op)).and_then(Option::as_ref) else {
             return Err(Trap::new(Message::Unproved));
         };
         if caller.depth >= DEPTH {

@@ -29,6 +29,7 @@ mod attribute;
 mod chance;
 mod drain;
 mod known;
+mod memory;
 mod notes;
 mod observe;
 mod preview;
@@ -46,8 +47,10 @@ pub use code::{Code, Label, Reg, Traps};
 pub use function::Function;
 pub use inst::Inst;
 pub use machine::{Count, Machine};
-pub use operand::{ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Walk};
-pub use plan::{Cell, Phase, Plan, Refusal, Row, Stage};
+pub use operand::{
+    ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
+};
+pub use plan::{Cell, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};

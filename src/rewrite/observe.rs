@@ -214,7 +214,9 @@ impl Drains {
                 self.read_living(mesh, of.kind(), w.id(element));
             }
             Inst::Alive { kind, element, .. } => self.read_living(mesh, kind, w.id(element)),
-            Inst::Capacity { .. }
+            // Which vertices are joined counts as well.
+            Inst::CollectEars { .. }
+            | Inst::Capacity { .. }
             | Inst::NextLiving { .. }
             | Inst::BufferLiving { .. }
             | Inst::Count { .. }

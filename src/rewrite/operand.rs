@@ -77,11 +77,20 @@ impl Elements {
     }
 }
 
+/// Which triangles a face is cut into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Triangles {
+    /// The best shaped ear first.
+    BestShape,
+    /// Those that bend the least, if the face has few sides.
+    LeastBend,
+}
+
 /// What can be asked of the result before it is written: the conditions of the levels,
 /// for one orbit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Foreseen {
-    /// A face has three sides or more; a hole may have fewer.
+    /// A loop has three sides or more.
     ThreeSides,
     /// A loop meets no vertex twice.
     MeetsOnce,

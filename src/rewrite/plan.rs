@@ -1,8 +1,13 @@
 //! A compiled operation: its code, and the same as a table to read.
 
+use std::sync::Arc;
+
 use super::{Code, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
+
+/// The plans of the operations of a program, by number; `None` stands for one that is not proved.
+pub type Plans = Arc<[Option<Plan>]>;
 
 /// A compiled operation.
 #[derive(Clone, Debug, PartialEq)]

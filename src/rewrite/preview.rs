@@ -63,9 +63,12 @@ impl Preview {
     pub fn clear(&mut self, mesh: &Mesh) {
         self.stamp = self.stamp.wrapping_add(1);
         let capacity = mesh.capacity(ElementKind::Halfedge);
-        if self.stamp == 0 || self.noted.len() < capacity {
+        if self.stamp == 0 {
             self.stamp = 1;
             self.noted.clear();
+        }
+        // What is there stays: only what a mesh has grown by costs something.
+        if self.noted.len() < capacity {
             self.noted.resize(capacity, (0, 0));
         }
         self.records.clear();
@@ -292,7 +295,7 @@ impl Preview {
 
     fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
         self.corners.clear();
-        Ok(self.is_hole(mesh, face)? || self.walk_loop(mesh, face, 3)? == 3)
+        Ok(self.walk_loop(mesh, face, 3)? == 3)
     }
 
     fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Message> {

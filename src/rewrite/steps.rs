@@ -20,7 +20,7 @@ pub struct Steps {
 /// Why a mesh is not of its level any more.
 pub const BELOW: [&str; 10] = [
     "the mesh would be broken",
-    "a face would have fewer than three sides",
+    "a face or hole would have fewer than three sides",
     "a face would meet a vertex twice",
     "a vertex would keep a single edge",
     "a vertex would have holes only around it",
@@ -35,7 +35,7 @@ pub const BELOW: [&str; 10] = [
 fn place(below: &BelowLevel) -> u16 {
     match below {
         BelowLevel::Invalid(_) => 0,
-        BelowLevel::SmallFace { .. } => 1,
+        BelowLevel::SmallLoop { .. } => 1,
         BelowLevel::MeetsTwice { .. } => 2,
         BelowLevel::SingleSpoke { .. } => 3,
         BelowLevel::NoFaceAround { .. } => 4,
@@ -55,7 +55,7 @@ impl Steps {
     }
 }
 
-impl Machine<'_> {
+impl Machine {
     /// Runs the code of an operation; if it is one in steps, all of it or nothing.
     pub(super) fn carry_out<const OBSERVED: bool>(
         &mut self,

@@ -48,6 +48,8 @@ pub enum Message {
     KeyNotANumber,
     /// All ids of a kind are in use.
     NoRoom(ElementKind),
+    /// The mesh and the lists would take more memory than so many bytes.
+    NoMemory(usize),
     /// A pointer would be set to what is no element.
     WildPointer(ElementKind),
     /// A list has no such entry.
@@ -103,6 +105,11 @@ impl fmt::Display for Message {
             Message::NotFinite => f.write_str("the new position is not finite"),
             Message::KeyNotANumber => f.write_str("the key of an element is not a number"),
             Message::NoRoom(kind) => write!(f, "there is no room for another {kind}"),
+            Message::NoMemory(usize::MAX) => f.write_str("there is no memory for more"),
+            Message::NoMemory(limit) => {
+                let limit = *limit as f64 / (1_u64 << 20) as f64;
+                write!(f, "there is no room for more in {limit:.0} MiB of memory")
+            }
             Message::WildPointer(kind) => write!(f, "a pointer would lead to no {kind}"),
             Message::OutOfRange => f.write_str("the index is out of range"),
             Message::Endless => f.write_str("the mesh is broken: a walk does not end"),

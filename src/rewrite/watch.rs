@@ -58,6 +58,12 @@ impl Progress {
         }
     }
 
+    /// Whether the last turn was one to look at.
+    #[inline]
+    pub(super) fn has_looked(&self) -> bool {
+        self.turns.is_multiple_of(TURNS_PER_LOOK)
+    }
+
     #[inline]
     pub(super) fn tick(&mut self, watch: &mut dyn Watch) -> ControlFlow<()> {
         self.turns = self.turns.wrapping_add(1);

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::columns::Columns;
-use super::report::{Failure, diagnostic, expect_level, level_for_steps};
+use super::report::{Failure, diagnostic, expect_level, highest_between, level_of_steps};
 use super::steps::with_steps;
-use super::{Argument, Report, prepare};
+use super::{Argument, Prepared, Report, prepare};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{ElementKind, Mesh, Value, validate_level};
+use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
 use crate::resolve::{Program, Script, Variable};
-use crate::rewrite::{Machine, Message, Outcome, Plan, Trap, Unwatched, Watch};
+use crate::rewrite::{Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch};
 use crate::source::Span;
 
 /// What became of a call.
@@ -35,7 +35,7 @@ pub fn arguments(
     op: usize,
     texts: &[(String, String)],
 ) -> Result<Vec<(String, Argument)>, Vec<Diagnostic>> {
-    prepare(&parameters_alone(program, op), 0, &[])?.arguments(texts)
+    prepare(&parameters_alone(program, op), 0, &Plans::default())?.arguments(texts)
 }
 
 /// The attributes that an operation uses and that are not scratch: what it would take from a
@@ -43,7 +43,7 @@ pub fn arguments(
 pub fn attributes(
     program: &Program,
     op: usize,
-    plans: &[Option<Plan>],
+    plans: &Plans,
 ) -> Vec<(ElementKind, String, Value)> {
     let plan = plans.get(op).and_then(Option::as_ref);
     let columns = plan.map(|plan| columns(program, plan, plans));
@@ -68,7 +68,7 @@ fn columns(program: &Program, plan: &Plan, plans: &[Option<Plan>]) -> Result<Col
 pub fn apply(
     program: &Program,
     op: usize,
-    plans: &[Option<Plan>],
+    plans: &Plans,
     mesh: &mut Mesh,
     arguments: &[(String, Argument)],
 ) -> Result<Applied, Box<Failure>> {
@@ -78,25 +78,23 @@ pub fn apply(
 
 /// An operation of a program, to be applied to any number of meshes.
 #[derive(Clone, Debug)]
-pub struct Application<'p> {
+pub struct Application {
     op: usize,
-    plans: &'p [Option<Plan>],
-    plan: &'p Plan,
-    parameters: Program,
+    plans: Plans,
+    /// Its parameters, as those of a script that does nothing: see [`parameters_alone`].
+    parameters: Prepared,
     columns: Columns,
+    /// The level that a mesh should have for all that its steps call.
+    wanted: Level,
     place: Span,
 }
 
-impl<'p> Application<'p> {
+impl Application {
     /// The operation of this number, with the plans of all.
     ///
     /// # Errors
     /// It is not proved, or the default of an attribute has no value.
-    pub fn new(
-        program: &Program,
-        op: usize,
-        plans: &'p [Option<Plan>],
-    ) -> Result<Self, Diagnostic> {
+    pub fn new(program: &Program, op: usize, plans: &Plans) -> Result<Self, Diagnostic> {
         let place = program.ops.get(op).map(|op| match &op.diagram {
             Some(diagram) => diagram.name_span,
             None => op.span,
@@ -106,14 +104,40 @@ impl<'p> Application<'p> {
             let message = "this operation is not proved, so it cannot run";
             return Err(Diagnostic::error("unproved-op", message, place));
         };
+        let parameters = prepare(&parameters_alone(program, op), 0, &Plans::default());
         Ok(Self {
             op,
-            plans,
-            plan,
-            parameters: parameters_alone(program, op),
+            plans: Plans::clone(plans),
+            parameters: parameters.map_err(|mut errors| errors.remove(0))?,
             columns: columns(program, plan, plans)?,
+            wanted: level_of_steps(plans, &[op], plan.level),
             place,
         })
+    }
+
+    /// Its parameters, as those of a script that does nothing.
+    pub(crate) fn parameters(&self) -> &Prepared {
+        &self.parameters
+    }
+
+    /// The columns that it needs.
+    pub(crate) fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    /// The level that a mesh should have for all that its steps call.
+    pub(crate) fn wanted(&self) -> Level {
+        self.wanted
+    }
+
+    /// Why a mesh is not of its level, if it is not.
+    pub(crate) fn expect_level(&self, mesh: &Mesh) -> Result<(), Diagnostic> {
+        expect_level(self.plan(), mesh, self.place)
+    }
+
+    /// Its plan.
+    pub fn plan(&self) -> &Plan {
+        self.plans[self.op].as_ref().expect("only a proved operation is applied")
     }
 
     /// Applies it, while somebody looks on. Parameters that are not given take their defaults.
@@ -126,36 +150,76 @@ impl<'p> Application<'p> {
         arguments: &[(String, Argument)],
         watch: &mut dyn Watch,
     ) -> Result<Applied, Box<Failure>> {
-        let Self { plans, plan, .. } = *self;
+        let plan = self.plan();
         expect_level(plan, mesh, self.place).map_err(failure)?;
-        let prepared = prepare(&self.parameters, 0, &[]);
-        let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
-        let mut code = prepared.code().clone();
-        let slots = prepared.slots(mesh, arguments, &mut code.texts).map_err(failure)?;
-        let mut machine = Machine::new(plans);
-        machine.trust_level(level_for_steps(plans, &[self.op], plan.level, mesh));
+        let mut code = self.parameters.code().clone();
+        let slots = self.parameters.slots(mesh, arguments, &mut code.texts).map_err(failure)?;
+        let mut machine = Machine::new(&self.plans);
+        machine.trust_level(highest_between(mesh, plan.level, self.wanted));
         machine.use_columns(self.columns.bind(mesh).map_err(failure)?);
         machine.remember_created();
-        let trapped = |trap: Trap| failure(diagnostic(&prepared, trap));
+        let trapped = |trap| failure(self.told_of_parameters(trap));
         machine.run(mesh, &code, &slots, watch).map_err(trapped)?;
         let slots = machine.window().to_vec();
-        let outcome = machine
-            .apply_watched(mesh, plan, &slots, watch)
-            .map_err(|trap| failure(in_plan(plan, trap, &prepared, mesh)));
+        let outcome = machine.apply_watched(mesh, plan, &slots, watch);
         self.columns.release(mesh);
-        Ok(match outcome? {
+        Ok(match outcome.map_err(|trap| failure(self.told(trap, mesh)))? {
             Outcome::Applied { result } => {
                 let created = machine.created().to_vec();
                 Applied::Done { result: plan.result.zip(result), created }
             }
             Outcome::Refused { reason } => {
                 let known = reason.and_then(|reason| plan.refusals.get(usize::from(reason)));
-                let reason = known.map_or("the diagram does not match here", |known| &known.reason);
+                let reason = known.map_or(UNKNOWN_REASON, |known| &known.reason);
                 Applied::Refused(reason.to_owned())
             }
         })
     }
+
+    /// A trap in the code of its parameters.
+    pub(crate) fn told_of_parameters(&self, trap: Trap) -> Diagnostic {
+        diagnostic(&self.parameters, trap)
+    }
+
+    /// A trap in its own code or in what that calls, at its place there. The mesh is as it was.
+    pub(crate) fn told(&self, trap: Trap, mesh: &Mesh) -> Diagnostic {
+        let Some(span) = trap.trace.iter().find_map(|site| self.span(site)) else {
+            return diagnostic(&self.parameters, trap);
+        };
+        let message = trap.message.to_string();
+        match &trap.message {
+            Message::Interrupted | Message::NoRoom(_) | Message::NoMemory(_) => {
+                diagnostic(&self.parameters, trap)
+            }
+            Message::BelowLevel { op, level, why, .. } => match validate_level(mesh, *level) {
+                Err(below) => {
+                    let name = &self.plan().name;
+                    let message = format!(
+                        "`{op}`, a step of `{name}`, is for meshes of level {level}, and this one is not"
+                    );
+                    Diagnostic::error("below-level", message, span).note(below.to_string())
+                }
+                Ok(()) => Diagnostic::error("below-level", message, span).note(why.clone()),
+            },
+            _ => Diagnostic::error("run-time-error", message, span),
+        }
+    }
+
+    fn span(&self, site: &Site) -> Option<Span> {
+        let plan = match site.op {
+            Some(op) => self.plans.get(usize::from(op))?.as_ref()?,
+            None => self.plan(),
+        };
+        let places = match site.function {
+            Some(function) => &plan.code.functions.get(usize::from(function))?.places,
+            None => &plan.places,
+        };
+        places.get(site.place? as usize).copied()
+    }
 }
+
+/// Why an operation refuses that notes no reason.
+pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
 
 fn failure(diagnostic: Diagnostic) -> Box<Failure> {
     Box::new(Failure { diagnostic, report: Report::default() })
@@ -181,29 +245,5 @@ fn parameters_alone(program: &Program, op: usize) -> Program {
         functions: program.functions.clone(),
         scripts: scripts.into_iter().collect(),
         ..Program::default()
-    }
-}
-
-/// A trap in the code of the operation itself, at its place there. The mesh is as it was.
-fn in_plan(plan: &Plan, trap: Trap, prepared: &super::Prepared, mesh: &Mesh) -> Diagnostic {
-    let place = trap.trace.first().and_then(|site| plan.places.get(site.place? as usize)).copied();
-    if let (Message::BelowLevel { op, level, why, .. }, Some(place)) = (&trap.message, place) {
-        let name = &plan.name;
-        return match validate_level(mesh, *level) {
-            Err(below) => {
-                let message = format!(
-                    "`{op}`, a step of `{name}`, is for meshes of level {level}, and this one is not"
-                );
-                Diagnostic::error("below-level", message, place).note(below.to_string())
-            }
-            Ok(()) => {
-                Diagnostic::error("below-level", trap.message.to_string(), place).note(why.clone())
-            }
-        };
-    }
-    let message = trap.message.to_string();
-    match place {
-        Some(span) => Diagnostic::error("run-time-error", message, span),
-        None => diagnostic(prepared, trap),
     }
 }

@@ -1,8 +1,10 @@
 //! Values for the parameters of a script, from outside.
 
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
+
 use crate::compile::width;
 use crate::diagram::Type;
-use crate::mesh::{ElementKind, Mesh};
+use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
 /// A value for a parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,13 +64,25 @@ impl Argument {
         }
     }
 
-    /// The slots of the value; a text goes to the texts of the code.
-    pub(super) fn slots(&self, texts: &mut Vec<String>) -> Vec<u64> {
+    /// Whether its numbers are finite.
+    pub(super) fn is_finite(&self) -> bool {
         match self {
-            Self::Bool(value) => vec![u64::from(*value)],
-            Self::Int(value) => vec![*value as u64],
-            Self::Real(value) => vec![value.to_bits()],
-            Self::Reals(_, parts) => parts.iter().map(|part| part.to_bits()).collect(),
+            Self::Real(value) => value.is_finite(),
+            Self::Reals(_, parts) => parts.iter().all(|part| part.is_finite()),
+            _ => true,
+        }
+    }
+
+    /// Appends the slots of the value; a text goes to the texts of the code.
+    pub(super) fn fill(&self, texts: &mut Vec<String>, slots: &mut Vec<u64>) {
+        match self {
+            Self::Bool(value) => slots.push(u64::from(*value)),
+            Self::Int(value) => slots.push(*value as u64),
+            Self::Real(value) => slots.push(value.to_bits()),
+            Self::Reals(ty, parts) => {
+                let parts = parts.iter().copied().chain(std::iter::repeat(0.0));
+                slots.extend(parts.take(usize::from(width(*ty))).map(f64::to_bits));
+            }
             Self::Text(text) => {
                 // Equal texts have equal numbers.
                 let known = texts.iter().position(|known| known == text);
@@ -76,11 +90,46 @@ impl Argument {
                     texts.push(text.clone());
                     texts.len() - 1
                 });
-                vec![number as u64]
+                slots.push(number as u64);
             }
-            Self::Element(_, id) => vec![u64::from(*id)],
+            Self::Element(_, id) => slots.push(u64::from(*id)),
         }
     }
+}
+
+/// Ways to values of parameters: `edge.into()`, `0.5.into()`.
+macro_rules! from {
+    ($($type:ty: $from:expr;)*) => {
+        $(impl From<$type> for Argument {
+            fn from(value: $type) -> Self {
+                let from: fn($type) -> Self = $from;
+                from(value)
+            }
+        })*
+    };
+}
+
+from! {
+    bool: Self::Bool;
+    i64: Self::Int;
+    i32: |value| Self::Int(value.into());
+    u32: |value| Self::Int(value.into());
+    f64: Self::Real;
+    String: Self::Text;
+    &str: |value| Self::Text(value.to_owned());
+    [f64; 2]: |value| Self::Reals(Type::Vec2, value.into());
+    [f64; 3]: |value| Self::Reals(Type::Vec3, value.into());
+    [f64; 4]: |value| Self::Reals(Type::Vec4, value.into());
+    DVec2: |value| Self::Reals(Type::Vec2, value.to_array().into());
+    DVec3: |value| Self::Reals(Type::Vec3, value.to_array().into());
+    DVec4: |value| Self::Reals(Type::Vec4, value.to_array().into());
+    DMat3: |value| Self::Reals(Type::Mat3, value.to_cols_array().into());
+    DMat4: |value| Self::Reals(Type::Mat4, value.to_cols_array().into());
+    Element: |value| Self::Element(value.kind, value.index);
+    VertexId: |value| Element::from(value).into();
+    HalfedgeId: |value| Element::from(value).into();
+    EdgeId: |value| Element::from(value).into();
+    FaceId: |value| Element::from(value).into();
 }
 
 /// What a value of a type looks like, for whoever got it wrong.

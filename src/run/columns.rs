@@ -14,7 +14,7 @@ use crate::source::Span;
 
 /// The columns that a run needs, by the numbers of the attributes.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Columns(Vec<Option<Needed>>);
+pub(crate) struct Columns(Vec<Option<Needed>>);
 
 /// A column that is needed.
 #[derive(Clone, Debug)]
@@ -24,6 +24,8 @@ struct Needed {
     /// What a new element has.
     default: Value,
     private: bool,
+    /// Whether the code may write to it.
+    written: bool,
     span: Span,
 }
 
@@ -36,19 +38,24 @@ impl Columns {
         attributes: &[Attribute],
         code: impl IntoIterator<Item = &'c Code>,
     ) -> Result<Self, Diagnostic> {
-        let mut used = vec![false; attributes.len()];
+        let (mut used, mut written) =
+            (vec![false; attributes.len()], vec![false; attributes.len()]);
         let all = code.into_iter().flat_map(Code::with_called);
         for inst in all.flat_map(|code| &code.insts) {
-            if let Inst::LoadAttribute { attribute, .. }
-            | Inst::StoreAttribute { attribute, .. }
-            | Inst::HoldAttribute { attribute, .. } = inst
-                && let Some(used) = used.get_mut(usize::from(*attribute))
-            {
+            let (attribute, writes) = match inst {
+                Inst::LoadAttribute { attribute, .. } => (*attribute, false),
+                Inst::StoreAttribute { attribute, .. } | Inst::HoldAttribute { attribute, .. } => {
+                    (*attribute, true)
+                }
+                _ => continue,
+            };
+            if let Some(used) = used.get_mut(usize::from(attribute)) {
                 *used = true;
+                written[usize::from(attribute)] |= writes;
             }
         }
-        let needed = (0..).zip(attributes.iter().zip(used));
-        let needed = needed.map(|(number, (attribute, used)): (u32, _)| {
+        let needed = (0..).zip(attributes.iter().zip(used.into_iter().zip(written)));
+        let needed = needed.map(|(number, (attribute, (used, written))): (u32, _)| {
             let kind = element_kind(attribute.element).filter(|_| used);
             let needed = kind.map(|kind| {
                 let name = &attribute.name;
@@ -60,6 +67,7 @@ impl Columns {
                     },
                     default: default(attribute)?,
                     private: attribute.private,
+                    written,
                     span: attribute.span,
                 })
             });
@@ -78,7 +86,7 @@ impl Columns {
     ///
     /// # Errors
     /// The mesh has one of that name with values of another type.
-    pub(super) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
+    pub(crate) fn bind(&self, mesh: &mut Mesh) -> Result<Vec<Option<ColumnId>>, Diagnostic> {
         let bind = |needed: &Needed| {
             let (kind, name, default) = (needed.kind, &needed.name, needed.default);
             let column = mesh.add_column(kind, name, default).map_err(|conflict| {
@@ -94,8 +102,17 @@ impl Columns {
         columns.map(Option::transpose).collect()
     }
 
+    /// Puts the scratch attributes that the code may have written back to their defaults.
+    pub(crate) fn clear(&self, mesh: &mut Mesh) {
+        for needed in self.0.iter().flatten().filter(|needed| needed.private && needed.written) {
+            if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
+                mesh.clear_column(column);
+            }
+        }
+    }
+
     /// Takes the scratch attributes off a mesh.
-    pub(super) fn release(&self, mesh: &mut Mesh) {
+    pub(crate) fn release(&self, mesh: &mut Mesh) {
         for needed in self.0.iter().flatten().filter(|needed| needed.private) {
             if let Some(column) = mesh.find_column(needed.kind, &needed.name) {
                 mesh.remove_column(column);
@@ -106,7 +123,7 @@ impl Columns {
 
 /// What an element has that was given no value: the default, or zero.
 fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     let Some(default) = &attribute.default else {
         return Ok(value(attribute.ty, &[]));
     };

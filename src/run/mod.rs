@@ -30,10 +30,13 @@ mod argument;
 mod report;
 mod testing;
 
+pub(crate) use apply::UNKNOWN_REASON;
 pub use apply::{Application, Applied, apply, arguments, attributes};
 pub use argument::Argument;
+pub(crate) use columns::Columns;
 pub use function::Functions;
 pub use prepare::{Prepared, prepare};
 pub use report::{Failure, OpReport, Report, run};
+pub(crate) use report::{diagnostic, highest_between, report};
 pub use steps::{calls_of_steps, plan_steps};
 pub use testing::{Load, test};

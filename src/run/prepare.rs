@@ -6,18 +6,25 @@ use super::columns::Columns;
 use super::function::{Functions, routine, with_functions};
 use super::lower::Lowering;
 use super::steps::with_steps;
+use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
-use crate::rewrite::{Code, Plan, TooLarge};
+use crate::rewrite::{Code, Plans, TooLarge};
 use crate::source::Span;
+
+/// What may be wrong with how often a parameter is given: the code and the words.
+const MISSING: (&str, &str) = ("missing-argument", "has no value");
+const TWICE: (&str, &str) = ("repeated-argument", "is given more than once");
 
 /// A script, ready to run.
 #[derive(Clone, Debug)]
-pub struct Prepared<'p> {
-    pub(super) script: &'p Script,
-    pub(super) plans: &'p [Option<Plan>],
+pub struct Prepared {
+    pub(super) name: String,
+    pub(super) span: Span,
+    pub(super) params: Vec<Param>,
+    pub(super) plans: Plans,
     pub(super) code: Code,
     pub(super) functions: Functions,
     pub(super) columns: Columns,
@@ -29,6 +36,8 @@ pub struct Prepared<'p> {
     pub(super) assertions: Vec<u32>,
     /// The operations it may call, in the order of the program.
     pub(super) called: Vec<usize>,
+    /// How many bytes mesh and lists may take.
+    pub(super) memory: usize,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -36,11 +45,11 @@ pub struct Prepared<'p> {
 ///
 /// # Errors
 /// The script calls an operation that is not proved, or it is too large.
-pub fn prepare<'p>(
-    program: &'p Program,
+pub fn prepare(
+    program: &Program,
     script: usize,
-    plans: &'p [Option<Plan>],
-) -> Result<Prepared<'p>, Vec<Diagnostic>> {
+    plans: &Plans,
+) -> Result<Prepared, Vec<Diagnostic>> {
     let Some(script) = program.scripts.get(script) else {
         let message = "there is no such script";
         return Err(vec![Diagnostic::error("unknown-script", message, Span::default())]);
@@ -53,12 +62,12 @@ pub fn prepare<'p>(
 }
 
 /// The same for a script that need not stand among those of the program.
-pub(super) fn prepare_script<'p>(
-    program: &'p Program,
-    script: &'p Script,
-    plans: &'p [Option<Plan>],
+pub(super) fn prepare_script(
+    program: &Program,
+    script: &Script,
+    plans: &Plans,
     functions: Functions,
-) -> Result<Prepared<'p>, Vec<Diagnostic>> {
+) -> Result<Prepared, Vec<Diagnostic>> {
     let mut lowering = Lowering::of_script(routine(script), functions.texts());
     lowering.body(routine(script));
     let reached = functions.reached(&lowering.functions);
@@ -88,14 +97,17 @@ pub(super) fn prepare_script<'p>(
     let all_code = called_plans.iter().map(|plan| &plan.code).chain([&code]);
     let columns = Columns::of(&program.attributes, all_code).map_err(|error| vec![error])?;
     Ok(Prepared {
-        script,
-        plans,
+        name: script.name.clone(),
+        span: script.span,
+        params: script.params.clone(),
+        plans: Plans::clone(plans),
         columns,
         code,
         functions,
         seed: 0,
         places: lowering.names.places,
         assertions: lowering.assertions,
+        memory: usize::MAX,
         called: called.into_iter().map(|(op, _)| op).collect(),
     })
 }
@@ -127,10 +139,26 @@ fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {
     Diagnostic::error("script-too-large", message, script.span)
 }
 
-impl Prepared<'_> {
+impl Prepared {
     /// The code of the script, to look at.
     pub fn code(&self) -> &Code {
         &self.code
+    }
+
+    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: a run that needs more
+    /// fails with `no-room`.
+    pub fn limit_memory(&mut self, bytes: usize) {
+        self.memory = bytes;
+    }
+
+    /// Its parameters, in order.
+    pub(crate) fn params(&self) -> &[Param] {
+        &self.params
+    }
+
+    /// The columns that it needs.
+    pub(crate) fn columns(&self) -> &Columns {
+        &self.columns
     }
 
     /// The same with a seed for the numbers that it gets by chance; without it, that is 0. The same
@@ -180,64 +208,115 @@ impl Prepared<'_> {
         arguments: &[(String, Argument)],
         texts: &mut Vec<String>,
     ) -> Result<Vec<u64>, Diagnostic> {
+        let mut values = vec![None; self.params.len()];
         for (name, value) in arguments {
-            let Some(param) = self.param(name) else {
-                return Err(self.no_such_parameter(name));
-            };
-            if param.ty != value.ty() {
-                return Err(wrong_type(param, value.ty()));
-            }
-            if !value.exists_in(mesh) {
-                let message = format!("`{name}` is no {} of the mesh", param.ty.word());
-                return Err(Diagnostic::error("wrong-argument", message, param.span));
-            }
-        }
-        let names = arguments.iter().map(|(name, _)| name.as_str());
-        if let Some(error) = self.badly_given(names).into_iter().next() {
-            return Err(error);
+            self.give(name, value.clone(), &mut values)?;
         }
         let mut slots = Vec::new();
-        let mut given = Vec::new();
-        for param in &self.script.params {
-            let argument = arguments.iter().find(|(name, _)| *name == param.name);
-            given.push(u64::from(argument.is_some()));
-            let nothing = vec![0; usize::from(crate::compile::width(param.ty))];
-            slots.extend(argument.map_or(nothing, |(_, value)| value.slots(texts)));
-        }
-        slots.extend(given);
+        self.fill(mesh, &values, texts, &mut slots)?;
         Ok(slots)
     }
 
+    /// Puts the value of a parameter to its place.
+    pub(crate) fn give(
+        &self,
+        name: &str,
+        value: Argument,
+        values: &mut [Option<Argument>],
+    ) -> Result<(), Diagnostic> {
+        let at = self.params.iter().position(|param| param.name == name);
+        let Some(at) = at else {
+            return Err(self.no_such_parameter(name));
+        };
+        match values.get_mut(at) {
+            Some(free @ None) => *free = Some(value),
+            _ => return Err(self.wrongly_given(&self.params[at], TWICE)),
+        }
+        Ok(())
+    }
+
+    /// Fills slots with the values of the parameters, which are looked at, and after them for
+    /// each whether it is given. Says whether all are.
+    pub(crate) fn fill(
+        &self,
+        mesh: &Mesh,
+        values: &[Option<Argument>],
+        texts: &mut Vec<String>,
+        slots: &mut Vec<u64>,
+    ) -> Result<bool, Diagnostic> {
+        slots.clear();
+        for (param, value) in self.params.iter().zip(values) {
+            match value {
+                Some(Argument::Int(value)) if param.ty == Type::Real => {
+                    slots.push((*value as f64).to_bits());
+                }
+                Some(value) => {
+                    if param.ty != value.ty() {
+                        return Err(wrong_type(param, value.ty()));
+                    }
+                    if !value.is_finite() {
+                        let message = format!("`{}` is not finite", param.name);
+                        return Err(Diagnostic::error("wrong-argument", message, param.span));
+                    }
+                    if !value.exists_in(mesh) {
+                        let message =
+                            format!("`{}` is no {} of the mesh", param.name, param.ty.word());
+                        return Err(Diagnostic::error("wrong-argument", message, param.span));
+                    }
+                    value.fill(texts, slots);
+                }
+                None if param.default.is_none() => {
+                    return Err(self.wrongly_given(param, MISSING));
+                }
+                None => slots.extend(std::iter::repeat_n(0, usize::from(width(param.ty)))),
+            }
+        }
+        slots.extend(values.iter().map(|value| u64::from(value.is_some())));
+        Ok(values.iter().all(Option::is_some))
+    }
+
+    /// The error of one value too many.
+    pub(crate) fn too_many(&self) -> Diagnostic {
+        let message = match self.params.len() {
+            0 => format!("`{}` has no parameters", self.name),
+            1 => format!("`{}` has only one parameter", self.name),
+            count => format!("`{}` has only {count} parameters", self.name),
+        };
+        Diagnostic::error("wrong-argument", message, self.span)
+    }
+
     fn param(&self, name: &str) -> Option<&Param> {
-        self.script.params.iter().find(|param| param.name == name)
+        self.params.iter().find(|param| param.name == name)
     }
 
     /// Parameters given twice, or not at all though they have no default.
     fn badly_given<'n>(&self, names: impl Iterator<Item = &'n str> + Clone) -> Vec<Diagnostic> {
         let mut errors = Vec::new();
-        for param in &self.script.params {
+        for param in &self.params {
             let times = names.clone().filter(|name| *name == param.name).count();
-            let problem = match times {
-                0 if param.default.is_none() => ("missing-argument", "has no value"),
-                0 | 1 => continue,
-                _ => ("repeated-argument", "is given more than once"),
-            };
-            let message = format!("`{}` of `{}` {}", param.name, self.script.name, problem.1);
-            let error = Diagnostic::error(problem.0, message, param.span);
-            errors.push(error.note(format!("it wants {}", example(param.ty))));
+            match times {
+                0 if param.default.is_none() => errors.push(self.wrongly_given(param, MISSING)),
+                0 | 1 => {}
+                _ => errors.push(self.wrongly_given(param, TWICE)),
+            }
         }
         errors
     }
 
+    fn wrongly_given(&self, param: &Param, (code, how): (&'static str, &str)) -> Diagnostic {
+        let message = format!("`{}` of `{}` {how}", param.name, self.name);
+        Diagnostic::error(code, message, param.span).note(format!("it wants {}", example(param.ty)))
+    }
+
     fn no_such_parameter(&self, name: &str) -> Diagnostic {
-        let params = self.script.params.iter();
+        let params = self.params.iter();
         let known: Vec<_> = params.map(|param| format!("`{}`", param.name)).collect();
-        let message = format!("`{}` has no parameter `{name}`", self.script.name);
+        let message = format!("`{}` has no parameter `{name}`", self.name);
         let note = match known.is_empty() {
             true => "it has no parameters".to_owned(),
             false => format!("it has {}", known.join(", ")),
         };
-        Diagnostic::error("unknown-argument", message, self.script.span).note(note)
+        Diagnostic::error("unknown-argument", message, self.span).note(note)
     }
 }
 

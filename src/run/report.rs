@@ -64,7 +64,8 @@ pub(super) fn run_with(
         .columns
         .bind(mesh)
         .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
-    let mut machine = Machine::new(prepared.plans);
+    let mut machine = Machine::new(&prepared.plans);
+    machine.limit_memory(prepared.memory);
     machine.seed(prepared.seed);
     machine.use_columns(columns);
     machine.use_meshes(meshes);
@@ -77,13 +78,8 @@ pub(super) fn run_with(
     }
 }
 
-/// The level of a mesh that has one, or what it has of what some operations call in steps.
-pub(super) fn level_for_steps(
-    plans: &[Option<Plan>],
-    called: &[usize],
-    level: Level,
-    mesh: &Mesh,
-) -> Level {
+/// The highest level of some operations and of all that their steps lead to, at least `level`.
+pub(super) fn level_of_steps(plans: &[Option<Plan>], called: &[usize], level: Level) -> Level {
     let mut is_seen = vec![false; plans.len()];
     let mut open = called.to_vec();
     let mut wanted = level;
@@ -97,6 +93,11 @@ pub(super) fn level_for_steps(
             open.extend(calls.map(|&(op, _)| usize::from(op)));
         }
     }
+    wanted
+}
+
+/// The highest level that a mesh has, from one that it surely has up to one that is wanted.
+pub(crate) fn highest_between(mesh: &Mesh, level: Level, wanted: Level) -> Level {
     let mut levels = Level::ALL.into_iter().rev();
     let has = |&of: &Level| level < of && of <= wanted && validate_level(mesh, of).is_ok();
     levels.find(has).unwrap_or(level)
@@ -114,7 +115,8 @@ pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), 
     })
 }
 
-fn report(prepared: &Prepared, counts: &[Count]) -> Report {
+/// What became of the calls of the operations that a script calls.
+pub(crate) fn report(prepared: &Prepared, counts: &[Count]) -> Report {
     let called = prepared.called.iter();
     let ops = called.filter_map(|&op| {
         let plan = prepared.plans.get(op)?.as_ref()?;
@@ -139,12 +141,12 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
 const MOST_CALLERS: usize = 8;
 
 /// The diagnostic of a trap: it points at the innermost place that is known.
-pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
+pub(crate) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     let known: Vec<(&Site, Span)> =
         trap.trace.iter().filter_map(|site| Some((site, span(prepared, site)?))).collect();
     let (first, calls) = match known.split_first() {
         Some(((_, span), calls)) => (*span, calls),
-        None => (prepared.script.span, known.as_slice()),
+        None => (prepared.span, known.as_slice()),
     };
     let mut diagnostic = Diagnostic::error(code(prepared, &trap), trap.to_string(), first);
     match &trap.message {
@@ -171,11 +173,11 @@ pub(super) fn diagnostic(prepared: &Prepared, trap: Trap) -> Diagnostic {
     }
 }
 
-fn plan<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p Plan> {
+fn plan<'p>(prepared: &'p Prepared, site: &Site) -> Option<&'p Plan> {
     prepared.plans.get(usize::from(site.op?))?.as_ref()
 }
 
-fn name<'p>(prepared: &Prepared<'p>, site: &Site) -> Option<&'p str> {
+fn name<'p>(prepared: &'p Prepared, site: &Site) -> Option<&'p str> {
     plan(prepared, site).map(|plan| plan.name.as_str())
 }
 
@@ -201,7 +203,7 @@ pub(super) fn code(prepared: &Prepared, trap: &Trap) -> &'static str {
         Message::IntOverflow | Message::RoundsNaN => "int-overflow",
         Message::NotFinite => "not-finite",
         Message::KeyNotANumber => "key-not-a-number",
-        Message::NoRoom(_) => "no-room",
+        Message::NoRoom(_) | Message::NoMemory(_) => "no-room",
         Message::Endless => "broken-mesh",
         Message::Said(_) | Message::Asserted { .. } => match asserted(prepared, trap) {
             true => "assertion-failed",

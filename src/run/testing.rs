@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
 use crate::mesh::{Mesh, Obj, shape};
 use crate::resolve::{Digits, Program, TestMesh};
-use crate::rewrite::{Inst, Plan, Watch};
+use crate::rewrite::{Inst, Plans, Watch};
 use crate::source::Span;
 
 /// Gives the file of a mesh that a test loads, by its path as it is written.
@@ -23,7 +23,7 @@ pub type Load<'l> = dyn FnMut(&str, Span) -> Result<Obj, String> + 'l;
 pub fn test(
     program: &Program,
     test: usize,
-    plans: &[Option<Plan>],
+    plans: &Plans,
     seed: u64,
     load: &mut Load,
     watch: &mut dyn Watch,

@@ -123,7 +123,7 @@ fn apply(op: &Op, plan: &Plan, mesh: &Mesh, place: &[u32], level: Level) -> Foun
         .collect();
     let mut result = mesh.clone();
     let slots: Vec<_> = place.iter().map(|&element| u64::from(element)).collect();
-    let outcome = Machine::new(&[]).apply(&mut result, plan, &slots);
+    let outcome = Machine::default().apply(&mut result, plan, &slots);
     let told = || {
         let aliases = rule.aliases.iter().map(|alias| {
             let names = alias.names.iter().map(|name| name.name);

@@ -58,7 +58,7 @@ pub fn do_what_the_machine_does(texts: &[&str], pool: &Pool, seed: u64) {
             for place in places.into_iter().take(12) {
                 let slots: Vec<_> = place.iter().map(|&element| u64::from(element)).collect();
                 let mut result = mesh.clone();
-                let outcome = Machine::new(&[]).apply(&mut result, &plan, &slots);
+                let outcome = Machine::default().apply(&mut result, &plan, &slots);
                 let applied = matches!(outcome, Ok(Outcome::Applied { .. }));
                 let expected = applied.then_some(result);
                 calls.push(Call { op: at, place, mesh: mesh.clone(), expected });
@@ -133,9 +133,18 @@ fn run(text: &str, proved: &[Option<Proved>], calls: &[Call]) -> String {
     let mut stdin = driver.stdin.take().expect("it reads");
     let feed = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
     let output = driver.wait_with_output().expect("it ends");
-    assert!(output.status.success(), "the driver ends with {}", output.status);
-    feed.join().expect("it was fed").expect("all of it");
-    String::from_utf8(output.stdout).expect("text")
+    let fed = feed.join().expect("it was fed");
+    let text = String::from_utf8(output.stdout).expect("text");
+    if !output.status.success() || fed.is_err() {
+        // Each call that came to an end has a line that says what became of it.
+        let is_answer = |line: &&str| line.starts_with("applied") || *line == "refused";
+        let done = text.lines().filter(is_answer).count();
+        let op = calls.get(done).and_then(|call| proved[call.op].as_ref());
+        let place = calls.get(done).map(|call| (&call.place, mesh_text(&call.mesh)));
+        let name = op.map(|proved| &proved.op().name);
+        panic!("the driver ends with {} in {name:?} at {place:?}", output.status);
+    }
+    text
 }
 
 /// What calls an op by its number.

@@ -49,7 +49,7 @@ pub fn experience(
     trials: impl Iterator<Item = Trial>,
 ) -> Experience {
     let mut experience = Experience::default();
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     for Trial { mesh, places } in trials {
         for place in places {
             let mut most = 0;

@@ -37,7 +37,7 @@ fn plan(text: &str) -> Plan {
 
 fn applies(plan: &Plan, mesh: &Mesh, given: &[u32]) -> bool {
     let slots: Vec<_> = given.iter().map(|&element| u64::from(element)).collect();
-    let outcome = Machine::new(&[]).apply(&mut mesh.clone(), plan, &slots);
+    let outcome = Machine::default().apply(&mut mesh.clone(), plan, &slots);
     matches!(outcome.expect("nothing traps"), Outcome::Applied { .. })
 }
 

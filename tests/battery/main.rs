@@ -49,8 +49,9 @@ fn the_prover_tells_the_truth() {
     let [of_aliases, unfounded] = unfounded(&judged);
     // A drawing may imply more than the checker sees, but next to none does.
     assert!(unfounded * 5000 <= judged.len(), "{unfounded} rejections that no mesh bears out");
-    // Random meshes seldom have names that are one just so.
-    assert!(of_aliases * 100 <= judged.len(), "{of_aliases} of an `alias` that none bears out");
+    // What holds only where names are one is not drawn with two, and random meshes seldom have
+    // names that are one just so.
+    assert!(of_aliases * 50 <= judged.len(), "{of_aliases} with an `alias` that none bears out");
     assert!(without_witness(&judged) * 20 <= judged.len());
 }
 
@@ -204,15 +205,14 @@ fn without_witness(judged: &[Judged]) -> usize {
     without.len()
 }
 
-/// How many ops were rejected for breaking meshes that break none, those with an `alias` that
-/// breaks first; tells each.
+/// How many ops were rejected for breaking meshes that break none, those with an `alias` first;
+/// tells each.
 fn unfounded(judged: &[Judged]) -> [usize; 2] {
     let unfounded = judged.iter().filter(|judged| judged.is_unfounded());
     let unfounded = unfounded.inspect(|judged| {
         println!("{:?}, but no mesh breaks:\n{}", judged.verdict, judged.text);
     });
-    let of_alias =
-        |judged: &&Judged| matches!(judged.verdict, Verdict::Rejected("alias-breaks", _));
+    let of_alias = |judged: &&Judged| judged.text.contains("  alias ");
     let (aliases, others): (Vec<_>, Vec<_>) = unfounded.partition(of_alias);
     [aliases.len(), others.len()]
 }

@@ -140,8 +140,8 @@ fn what_of_a_file_is_lost_is_told() {
     let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
     assert_eq!(said.code, 0, "{said:?}");
     for words in [
-        "2 faces with new corners have no texture coordinates (`vt`)",
-        "2 faces with new corners have no normals (`vn`)",
+        "2 faces with new corners have no texture coordinates (`vt`) any more\n",
+        "2 faces with new corners have no normals (`vn`) any more\n",
         "`l`, `p`",
     ] {
         assert!(said.err.contains(words), "{}", said.err);
@@ -151,4 +151,40 @@ fn what_of_a_file_is_lost_is_told() {
     bench.write("m.obj", SQUARE);
     let said = bench.run(&[flip.as_slice(), &["-o", "n.obj"]].concat());
     assert_eq!((said.code, said.err.contains("warning")), (0, false), "{said:?}");
+}
+
+#[test]
+fn values_that_are_not_those_of_their_corners_are_counted() {
+    let bench = Bench::new();
+    bench.write("m.obj", TWO);
+    // A halfedge takes its value along to its new corner, and a new one has the default.
+    let named = "print sum(dot(h.uv, h.uv) for h in halfedges) \
+        + sum(dot(v.normal, v.normal) for v in vertices)";
+    let flip = format!("for e in edges where not boundary(e) {{ must flip(e) }} {named}");
+    let (_, err) = run(&bench, &flip, "m.obj", "n.obj");
+    let told = "warning: n.obj: `uv` is wrong on 2 of 2 faces: 2 corners have kept the value of a \
+        place left; what the ops do not set does not travel with the corners\n";
+    assert_eq!(err, told);
+    let split = format!("for e in edges where not boundary(e) {{ must split(e) }} {named}");
+    let (_, err) = run(&bench, &split, "m.obj", "n.obj");
+    assert!(err.contains("`uv` is wrong on 4 of 4 faces: 6 new corners have the default"), "{err}");
+    assert!(err.contains("`normal` is wrong on 4 of 4 faces: 4 new corners have the"), "{err}");
+    // What is set is right.
+    let set = format!("{flip} for h in halfedges {{ h.uv = vec2(1, 2) }}");
+    let (_, err) = run(&bench, &set, "m.obj", "n.obj");
+    assert_eq!(err, "");
+    // A file without texture coordinates has none to spoil.
+    bench.write("m.obj", SQUARE);
+    let (_, err) = run(&bench, "for f in faces { inset_vertex(f) }", "m.obj", "n.obj");
+    assert_eq!(err, "");
+    bench.write("m.obj", TWO);
+    let op = "op turn(e: edge) {\n  before {\n    face f0: v0 -a-> v1 -b-> v2 -c-> v0\n    \
+        face f1: v1 -d-> v0 -g-> v3 -h-> v1\n    edge e: a | d\n  }\n  after {\n    \
+        face f0: v3 -a-> v2 -c-> v0 -g-> v3\n    face f1: v2 -d-> v3 -h-> v1 -b-> v2\n    \
+        edge e: a | d\n    a.uv = h.uv\n    d.uv = c.uv\n  }\n}\n";
+    bench.write("turn.hedge", format!("attr uv: halfedge vec2\n{op}"));
+    let turn = ["apply", "turn.hedge::turn", "m.obj", "--at", "edge:1-3", "-o", "n.obj"];
+    let said = bench.run(&turn);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert!(!said.err.contains("`uv`"), "{}", said.err);
 }

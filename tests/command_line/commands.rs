@@ -17,9 +17,58 @@ fn check_tells_what_was_proved() {
     let told = bench.json(&["check", &example("split.hedge")]);
     assert_eq!(told["proved"], true);
     let rule = &told["files"][0]["ops"][0]["rules"][1];
+    assert_eq!((&rule["holes"], &rule["loops"]), (&0.into(), &0.into()));
     assert_eq!(rule["rule"], "border");
     assert_eq!(rule["edges"], 2);
     assert_eq!(rule["constant_time"], true);
+}
+
+/// The flip of the first page, without its guard.
+const BARE_FLIP: &str = "op flip(e: edge) {\n  before {\n    \
+    face f0: v0 -a-> v1 -b-> v2 -c-> v0\n    face f1: v1 -d-> v0 -g-> v3 -h-> v1\n    \
+    edge e: a | d\n  }\n  after {\n    face f0: v3 -a-> v2 -c-> v0 -g-> v3\n    \
+    face f1: v2 -d-> v3 -h-> v1 -b-> v2\n    edge e: a | d\n  }\n}\n";
+
+#[test]
+fn check_tells_what_is_not_kept() {
+    let bench = Bench::new();
+    bench.write("flip.hedge", BARE_FLIP);
+    let told = bench.succeeds(&["check", "flip.hedge"]);
+    let line = "\n      keeps a surface; `guard simple` would test ";
+    assert!(told.contains(line), "{told}");
+    let json = bench.json(&["check", "flip.hedge"]);
+    let only = &json["files"][0]["ops"][0]["rules"][0]["keeps_only"];
+    assert_eq!(only["level"], "surface");
+    let count = only["untested"].as_u64().unwrap();
+    assert!(told.contains(&format!("{line}{count} thing\n")), "{told}");
+    // As many tests as the guard makes.
+    bench.write("flip.hedge", BARE_FLIP.replace("  after {", "  guard simple\n  after {"));
+    let told = bench.succeeds(&["check", "-v", "flip.hedge"]);
+    assert_eq!(told.matches("tested: ").count() as u64, count, "{told}");
+    assert!(!told.contains("keeps a "), "{told}");
+}
+
+#[test]
+fn holes_are_counted_apart_and_what_turns_is_told() {
+    let bench = Bench::new();
+    bench.write(
+        "holes.hedge",
+        "op close(f: face) {\n  before { hole f: v0 -a-> v1 =P=> v0 }\n  \
+         after { face f: v0 -a-> v1 =P=> v0 }\n}\n\
+         op grow(f: face) {\n  before { loop f: each i { v[i] -h[i]-> } }\n  after {\n    \
+         new w a[i] b[i] e[i] g[i]\n    hole g[i]: v[i] -h[i]-> v[i+1] -a[i]-> w -b[i]-> v[i]\n    \
+         edge e[i]: a[i] | b[i+1]\n    erase f\n    w.position = centroid(f)\n  }\n}\n",
+    );
+    let told = bench.succeeds(&["check", "holes.hedge"]);
+    assert!(told.contains("V ±0  E ±0  F +1  holes -1"), "{told}");
+    assert!(told.contains("\n      note: the hole `f` becomes a face\n"), "{told}");
+    assert!(told.contains("V +1  E +n  F ±0  holes +n  loops -1"), "{told}");
+    let json = bench.json(&["check", "holes.hedge"]);
+    let rule = &json["files"][0]["ops"][0]["rules"][0];
+    assert_eq!((&rule["faces"], &rule["holes"]), (&1.into(), &(-1).into()));
+    assert_eq!(rule["turned"][0], "the hole `f` becomes a face");
+    let rule = &json["files"][0]["ops"][1]["rules"][0];
+    assert_eq!(rule["per_index"]["holes"], 1);
 }
 
 #[test]
@@ -268,6 +317,17 @@ fn what_no_obj_file_can_hold_stays_unwritten() {
     let into = |file| [&collapse[..], &[file]].concat();
     let said = bench.fails(2, &into("solid.obj"), "no list of polygons holds this mesh");
     assert!(said.err.contains("solid.halfedges"), "{}", said.err);
+    let why = "; `collapse` may do that, and `guard simple` in it refuses where it would; write it";
+    assert!(said.err.contains(why), "{}", said.err);
+    bench.write(
+        "s.hedge",
+        "use \"std/polygon.hedge\"\nscript s() {\n  \
+        for e in edges where all(degree(v) == 3 or degree(v) == 4 for v in e.vertices) {\n    \
+        collapse(e) break\n  }\n}\n",
+    );
+    let run = ["run", "s.hedge", "solid.obj", "-o", "solid.obj"];
+    let said = bench.run(&run);
+    assert!(said.code == 0 || said.err.contains(why), "{said:?}");
     assert_eq!(bench.read("solid.obj"), solid);
     bench.succeeds(&into("solid.halfedges"));
     bench.succeeds(&["info", "solid.halfedges"]);

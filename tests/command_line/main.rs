@@ -6,6 +6,7 @@ mod bench;
 mod commands;
 mod emitted;
 mod formatting;
+mod hostile;
 mod interrupted;
 mod library;
 mod meshes;

@@ -73,6 +73,66 @@ fn a_folder_that_is_closed() {
     fs::set_permissions(&folder, fs::Permissions::from_mode(0o755)).unwrap();
 }
 
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_protected_stays_as_it_is() {
+    use std::os::unix::fs::PermissionsExt;
+    let bench = Bench::with_square();
+    bench.write("kept.obj", "# mine\n");
+    let kept = bench.path("kept.obj");
+    std::os::unix::fs::symlink("kept.obj", bench.path("link.obj")).unwrap();
+    bench.write("kept.hedge", "script   s() { }\n");
+    for name in ["kept.obj", "kept.hedge"] {
+        fs::set_permissions(bench.path(name), fs::Permissions::from_mode(0o444)).unwrap();
+    }
+    fail(&bench, "kept.obj", "the file is read-only");
+    fail(&bench, "link.obj", "the file is read-only");
+    bench.fails(2, &["fmt", "kept.hedge"], "the file is read-only");
+    assert_eq!(bench.read("kept.obj"), "# mine\n");
+    assert_eq!(bench.read("kept.hedge"), "script   s() { }\n");
+    assert_eq!(fs::metadata(kept).unwrap().permissions().mode() & 0o777, 0o444);
+}
+
+/// `fsync` is asked for before the new file takes the name of the old one.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_written_is_on_the_disk_before_it_has_its_name() {
+    let bench = Bench::with_square();
+    bench.write(
+        "watch.c",
+        "#define _GNU_SOURCE\n#include <dlfcn.h>\n#include <stdio.h>\n#include <sys/stat.h>\n\
+         int fsync(int file) {\n\
+         struct stat new, old; FILE *told = fopen(\"synced\", \"a\"); fstat(file, &new);\n\
+         fprintf(told, \"%ld %d\\n\", (long)new.st_size, stat(\"out.obj\", &old));\n\
+         fclose(told); return 0; }\n",
+    );
+    let built = std::process::Command::new("cc")
+        .args(["-shared", "-fPIC", "-o", "watch.so", "watch.c"])
+        .current_dir(bench.path(""))
+        .status();
+    assert!(built.is_ok_and(|built| built.success()), "a C compiler is there, as for emitted code");
+    let arguments = runs("out.obj").remove(1);
+    let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+    let mut command = bench.command(&arguments);
+    let output = command.env("LD_PRELOAD", bench.path("watch.so")).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let size = bench.read("out.obj").len();
+    assert_eq!(bench.read("synced"), format!("{size} -1\n"), "all of it, when no name was there");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_output_may_be_a_pipe() {
+    let bench = Bench::with_square();
+    for arguments in runs("/dev/stdout") {
+        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+        let said = bench.run(&arguments);
+        assert_eq!(said.code, 0, "{said:?}");
+        assert!(said.out.lines().filter(|line| line.starts_with("f ")).count() >= 2, "{said:?}");
+    }
+    assert_eq!(bench.files(), ["square.obj"]);
+}
+
 #[test]
 fn the_mesh_itself_may_be_written_over() {
     let bench = Bench::with_square();

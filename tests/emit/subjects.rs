@@ -2,13 +2,12 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
 
 use hedgerow::analysis::{Analysis, Nowhere, Proved};
 use hedgerow::diagram::{Attribute, Param, Type};
 use hedgerow::emit::{Selection, Style, cpp};
 use hedgerow::resolve::Program;
-use hedgerow::rewrite::Plan;
+use hedgerow::rewrite::{Plan, Plans};
 use hedgerow::source::Sources;
 
 use crate::examples::examples;
@@ -26,7 +25,7 @@ pub struct Subject {
     pub attributes: Vec<Attribute>,
     pub plan: Plan,
     /// The plans of its program, which steps call.
-    pub plans: Rc<Vec<Option<Plan>>>,
+    pub plans: Plans,
 }
 
 /// Operations that are emitted together.
@@ -143,7 +142,7 @@ fn in_steps(path: &str) -> Emission {
     let file = sources.add("test.hedge", text);
     let analysis = Analysis::with(&mut sources, file, &mut Nowhere);
     assert!(analysis.is_sound(), "{:?}", analysis.diagnostics);
-    let plans = Rc::new(analysis.plans.clone());
+    let plans = Plans::clone(&analysis.plans);
     let (mut ops, mut subjects) = (Vec::new(), Vec::new());
     for (at, op) in analysis.program.ops.iter().enumerate() {
         if op.span.file != file || op.steps.is_none() {
@@ -156,7 +155,7 @@ fn in_steps(path: &str) -> Emission {
             result: op.result,
             attributes: analysis.program.attributes.to_vec(),
             plan: plans[at].clone().expect("a sound op has a plan"),
-            plans: Rc::clone(&plans),
+            plans: Plans::clone(&plans),
         });
     }
     assert!(!ops.is_empty(), "{path} has no steps");
@@ -200,7 +199,7 @@ fn subject(text: &str, name: &str) -> Option<(Subject, Proved, Program, Sources)
         result: op.result,
         attributes: attributes.unwrap_or_default(),
         plan: analysis.plans[at].clone()?,
-        plans: Rc::new(Vec::new()),
+        plans: Plans::default(),
     };
     Some((subject, proved, analysis.program, sources))
 }

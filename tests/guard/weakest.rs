@@ -32,7 +32,7 @@ impl<'o> Pair<'o> {
 
     /// One place; the result, if the guard lets it pass.
     fn compare(&self, mesh: &Mesh, args: &[u64], tally: &mut Tally) -> Option<Mesh> {
-        let mut machine = Machine::new(&[]);
+        let mut machine = Machine::default();
         let (mut literal, mut careful) = (mesh.clone(), mesh.clone());
         let matched = machine.apply(&mut literal, &self.bare, args).unwrap();
         let outcome = machine.apply(&mut careful, &self.guarded, args).unwrap();

@@ -187,7 +187,7 @@ fn take_through(text: &str, count: &mut Count) {
     let own = |at: &usize| program.tests[*at].script.span.file == file;
     for number in (0..program.tests.len()).filter(own) {
         let load: &mut run::Load = &mut |_, _| Err("nothing is loaded here".to_owned());
-        let _ = test(program, number, &analysis.plans, load, &mut Hasty::new());
+        let _ = test(program, number, &analysis.plans, 0, load, &mut Hasty::new());
         count.ran += 1;
     }
 }

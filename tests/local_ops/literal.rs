@@ -225,6 +225,9 @@ fn open_face(mut mesh: Loops, h: u32) -> Done {
     }
     mesh.loops[of].0 = true;
     let around = mesh.loops[of].1.clone();
+    if around.iter().all(|h| mesh.is_hole(mesh.twin[h])) {
+        return Err(());
+    }
     let go = around.iter().filter(|h| mesh.is_hole(mesh.twin[h]));
     let both: BTreeSet<u32> = go.flat_map(|&h| [h, mesh.twin[&h]]).collect();
     // Several loops may be left here: the face lay at several holes, or parts the mesh.

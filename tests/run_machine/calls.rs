@@ -27,7 +27,7 @@ fn apply_to_all() -> Code {
 
 /// Why applying a plan to every edge of a cube traps, and where.
 fn trap_in(plan: Option<Plan>) -> Trap {
-    let plans = [plan];
+    let plans = Plans::from([plan]);
     let mut machine = Machine::new(&plans);
     let run = machine.run(&mut shape::cube(), &apply_to_all(), &[], &mut Unwatched);
     run.unwrap_err()
@@ -35,7 +35,7 @@ fn trap_in(plan: Option<Plan>) -> Trap {
 
 #[test]
 fn calls_are_counted() {
-    let plans = [Some(flip())];
+    let plans = Plans::from([Some(flip())]);
     let mut machine = Machine::new(&plans);
     let mut mesh = shape::triangle_grid(5, 5);
     machine.run(&mut mesh, &apply_to_all(), &[], &mut Unwatched).unwrap();
@@ -72,7 +72,7 @@ fn calls_without_end_trap() {
 
 #[test]
 fn an_op_that_must_not_refuse_traps_with_its_reason() {
-    let plans = [Some(flip())];
+    let plans = Plans::from([Some(flip())]);
     let code = code(1, |asm| {
         let (args, applied, result) = (Reg(0), asm.reg(), asm.reg());
         asm.emit(Inst::Apply { op: 0, args, applied, result });
@@ -112,7 +112,7 @@ fn the_watcher_sees_all_loops_and_interrupts() {
         asm.emit(Inst::AddInt { to: done, left: done, right: one });
         asm.emit(Inst::Jump { to: head });
     });
-    let run = Machine::new(&[]).run(&mut Mesh::default(), &code, &[], &mut watch);
+    let run = Machine::default().run(&mut Mesh::default(), &code, &[], &mut watch);
     assert_eq!(run.unwrap_err().message, Message::Interrupted);
     let inner = (1, 1, Some(1));
     assert_eq!(watch.0, [(0, 127, None), inner, (0, 255, None), inner]);
@@ -123,7 +123,7 @@ fn the_watcher_sees_all_loops_and_interrupts() {
         asm.emit(Inst::Tick);
         asm.emit(Inst::Jump { to });
     });
-    let run = Machine::new(&[]).run(&mut Mesh::default(), &code, &[], &mut watch);
+    let run = Machine::default().run(&mut Mesh::default(), &code, &[], &mut watch);
     assert_eq!(run.unwrap_err().message, Message::Interrupted);
 }
 
@@ -190,7 +190,7 @@ fn malformed_code_does_not_panic() {
     let run = |inst| {
         let insts = vec![inst];
         let code = Code { insts, ..Code::default() };
-        Machine::new(&[]).run(&mut Mesh::default(), &code, &[1; 70_000], &mut Unwatched)
+        Machine::default().run(&mut Mesh::default(), &code, &[1; 70_000], &mut Unwatched)
     };
     for inst in insts {
         assert!(run(inst).is_err(), "{inst:?}");
@@ -221,12 +221,12 @@ fn time_per_instruction() {
         asm.emit(Inst::JumpIf { condition, to: head });
     });
     let start = std::time::Instant::now();
-    let run = Machine::new(&[]).run(&mut Mesh::default(), &code, &[], &mut Unwatched);
+    let run = Machine::default().run(&mut Mesh::default(), &code, &[], &mut Unwatched);
     run.unwrap();
     let each = start.elapsed().as_nanos() as f64 / (6 * TURNS) as f64;
     println!("{each:.2} ns an instruction");
 
-    let plans = [Some(flip())];
+    let plans = Plans::from([Some(flip())]);
     let mut mesh = shape::triangle_torus(300, 300);
     let mut machine = Machine::new(&plans);
     let code = apply_to_all();

@@ -46,7 +46,7 @@ impl Watch for Lines {
 fn printed(mesh: &mut Mesh, write: impl FnOnce(&mut Assembler)) -> Vec<String> {
     let mut lines = Lines::default();
     let code = code(0, write);
-    Machine::new(&[]).run(mesh, &code, &[], &mut lines).unwrap();
+    Machine::default().run(mesh, &code, &[], &mut lines).unwrap();
     lines.0
 }
 
@@ -75,7 +75,7 @@ fn vector(from: Reg) -> Inst {
 /// Why some code traps.
 fn trap(mesh: &mut Mesh, write: impl FnOnce(&mut Assembler)) -> Message {
     let code = code(0, write);
-    let run = Machine::new(&[]).run(mesh, &code, &[], &mut Unwatched);
+    let run = Machine::default().run(mesh, &code, &[], &mut Unwatched);
     run.unwrap_err().message
 }
 

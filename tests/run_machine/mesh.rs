@@ -246,7 +246,7 @@ fn what_is_created_is_remembered_and_what_is_erased_recycled() {
         asm.emit(Inst::NewVertex { to });
     });
     let mut mesh = Mesh::default();
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     machine.remember_created();
     machine.run(&mut mesh, &code, &[], &mut Unwatched).unwrap();
     use ElementKind::*;

@@ -81,7 +81,7 @@ fn write_flip(asm: &mut Assembler, otherwise: Label) {
 fn a_flip_applies_inside_a_grid_and_is_refused_elsewhere() {
     let flip = flip();
     let mut mesh = shape::triangle_grid(4, 3);
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     let mut applied = 0;
     for edge in 0..mesh.capacity(ElementKind::Edge) as u32 {
         let before = format!("{mesh:?}");
@@ -112,7 +112,7 @@ fn dead_and_wild_arguments_trap() {
     let flip = flip();
     let mut mesh = shape::octahedron();
     let before = format!("{mesh:?}");
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     for (id, message) in [
         (99, "the edge no longer exists"),
         (u64::from(u32::MAX), "there is no edge here"),
@@ -140,7 +140,7 @@ fn the_refusal_of_the_furthest_attempt_counts_and_of_equals_the_first() {
         asm.emit(Inst::Refuse);
     });
     let plan = plan("never", &[], &refusals, code);
-    let outcome = Machine::new(&[]).apply(&mut Mesh::default(), &plan, &[]);
+    let outcome = Machine::default().apply(&mut Mesh::default(), &plan, &[]);
     assert_eq!(outcome, Ok(Outcome::Refused { reason: Some(1) }));
 }
 
@@ -159,7 +159,7 @@ fn room_finite_positions_and_distinct_elements_are_expected() {
         asm.emit(Inst::Refuse);
     });
     let plan = plan("place", &[3], &refusals, code);
-    let mut machine = Machine::new(&[]);
+    let mut machine = Machine::default();
     let mut at = |position: [f64; 3]| {
         let args = position.map(f64::to_bits);
         machine.apply(&mut Mesh::default(), &plan, &args).unwrap()

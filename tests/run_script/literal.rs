@@ -83,7 +83,7 @@ pub struct Literal<'a> {
     /// Whether an edit used the slot of something erased.
     pub reused: bool,
     analysis: &'a Analysis,
-    machine: Machine<'a>,
+    machine: Machine,
 }
 
 impl<'a> Literal<'a> {

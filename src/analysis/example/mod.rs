@@ -19,7 +19,7 @@ use trial::{Trial, Trials};
 
 use crate::diagram;
 use crate::resolve::Program;
-use crate::rewrite::Plan;
+use crate::rewrite::Plans;
 use crate::source::Span;
 
 /// Why nothing shows what an op does.
@@ -52,11 +52,7 @@ impl fmt::Display for NoExample {
 ///
 /// # Errors
 /// It is not proved, or none was found.
-pub fn example(
-    program: &Program,
-    op: usize,
-    plans: &[Option<Plan>],
-) -> Result<diagram::Op, NoExample> {
+pub fn example(program: &Program, op: usize, plans: &Plans) -> Result<diagram::Op, NoExample> {
     let resolved = &program.ops[op];
     let none = |tries, because| NoExample { op: resolved.name.clone(), tries, because };
     let trials = Trials::new(program, op, plans);

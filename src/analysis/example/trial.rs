@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId, identical};
 use crate::resolve::Program;
-use crate::rewrite::{Plan, Watch};
+use crate::rewrite::{Plans, Watch};
 use crate::run::{Application, Applied, Argument};
 
 /// How often an op is tried on one mesh.
@@ -37,7 +37,7 @@ pub(super) struct Trial {
 
 /// All tries of one op.
 pub(super) struct Trials<'p> {
-    application: Application<'p>,
+    application: Application,
     params: &'p [Param],
     tries: usize,
     left: u32,
@@ -47,11 +47,7 @@ pub(super) struct Trials<'p> {
 
 impl<'p> Trials<'p> {
     /// None yet.
-    pub(super) fn new(
-        program: &'p Program,
-        op: usize,
-        plans: &'p [Option<Plan>],
-    ) -> Result<Self, Diagnostic> {
+    pub(super) fn new(program: &'p Program, op: usize, plans: &Plans) -> Result<Self, Diagnostic> {
         Ok(Self {
             application: Application::new(program, op, plans)?,
             params: &program.ops[op].params,

@@ -5,7 +5,7 @@ use crate::diagram::{NameId, Rule};
 /// What must hold of an orbit of `after`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Statement {
-    /// A face has three sides or more.
+    /// A loop has three sides or more.
     ThreeSides(NameId),
     /// A loop meets no vertex twice.
     MeetsOnce(NameId),

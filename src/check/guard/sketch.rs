@@ -1,7 +1,7 @@
 //! What a drawing says about the orbits of `after`, given that the mesh is a surface before.
 //!
-//! A loop of it then has three sides, or two if it is a hole, and meets a vertex once; a
-//! vertex has two spokes and one corner in a hole at most.
+//! A loop of it then has three sides, and meets a vertex once; a vertex has two spokes and
+//! one corner in a hole at most.
 
 use super::super::chain::{Corner, corners};
 use super::super::port::Links;
@@ -158,7 +158,7 @@ impl<'a> Sketch<'a> {
         left != right && between && same_kind(left) && same_kind(right)
     }
 
-    /// The fewest halfedges that a loop of `after` can have, if it is a face.
+    /// The fewest halfedges that a loop of `after` can have.
     pub fn fewest(&self, orbit: &Loop) -> usize {
         let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
         let drawn = items.iter().filter(|&&item| !self.is_path(item)).count();
@@ -167,10 +167,8 @@ impl<'a> Sketch<'a> {
             let paths: Vec<_> = self.paths(before).collect();
             let here = paths.iter().filter(|path| items.contains(path));
             let own = here.clone().filter(|&&path| self.is_surely_there(path)).count();
-            // All that is not drawn of a loop of known size has come along.
-            let same = before.kind == orbit.kind && before.face.name == orbit.face.name;
-            let known = before.kind == LoopKind::Face || same;
-            let rest = match known && here.count() == paths.len() && !paths.is_empty() {
+            // All that is not drawn of the loop has come along.
+            let rest = match here.count() == paths.len() && !paths.is_empty() {
                 true => 3usize.saturating_sub(before.items.len() - paths.len()),
                 false => 0,
             };

@@ -1,4 +1,4 @@
-//! What `surface` asks: faces of three sides, vertices of two spokes with one hole at most,
+//! What `surface` asks: loops of three sides, vertices of two spokes with one hole at most,
 //! loops that meet a vertex once.
 
 use super::evidence;
@@ -9,9 +9,7 @@ use crate::diagram::{Kind, Loop, LoopKind, NameId};
 /// All of them.
 pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
     let mut obligations = Vec::new();
-    for orbit in sketch.loops() {
-        obligations.extend(three_sides(sketch, orbit));
-    }
+    obligations.extend(sketch.loops().iter().map(|orbit| three_sides(sketch, orbit)));
     for vertex in sketch.vertices() {
         obligations.extend(two_spokes(sketch, vertex));
     }
@@ -32,14 +30,11 @@ pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
 }
 
 /// A loop of `after` has its drawn halfedges and those of its paths.
-fn three_sides(sketch: &Sketch, orbit: &Loop) -> Option<Obligation> {
+fn three_sides(sketch: &Sketch, orbit: &Loop) -> Obligation {
     let statement = Statement::ThreeSides(orbit.face.name);
-    if orbit.kind == LoopKind::Hole {
-        return None;
-    }
     let proved = sketch.fewest(orbit) >= 3;
     let because = "its drawn sides, and the fewest that its paths can have, make three";
-    Some(Obligation::new(statement, proved.then_some(because)))
+    Obligation::new(statement, proved.then_some(because))
 }
 
 /// A vertex that loses a spoke must have two left.

@@ -118,7 +118,7 @@ pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
             outcome(&op.name, &drawing, found, diagnostic.code)
         }
     };
-    diagnostic.notes.extend(note(&outcome));
+    diagnostic.notes.extend(note(&outcome).filter(|note| !diagnostic.notes.contains(note)));
     let breaks = matches!(outcome, Outcome::Breaks(_));
     if breaks && !rule.requires.is_empty() {
         let note = "whether this mesh passes each `require` is not looked at: the proof does not rely on them";

@@ -7,7 +7,7 @@
 //! A shape may also say that things which the drawing leaves apart are one: two halfedges
 //! without a drawn twin are each other's, or an outer halfedge lies on a path.
 
-use crate::diagram::{Drawing, Kind, NameId, Spoke};
+use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
 
 /// What a drawing leaves open about its own halfedges.
 #[derive(Clone, Debug, Default)]
@@ -93,7 +93,8 @@ impl Sketch {
             late: shape.late,
         };
         sketch.loops(drawing, shape)?;
-        for &(outer, path, place) in &shape.on_path {
+        let implied = implied_on_paths(drawing, shape);
+        for &(outer, path, place) in shape.on_path.iter().chain(&implied) {
             let half = *sketch.runs[path.index()].get(place)?;
             sketch.half_of[outer.index()] = Some(half);
             sketch.halves[half].role = HalfedgeRole::Named(outer);
@@ -296,6 +297,28 @@ impl Sketch {
                 }
             }
         }
+        drawing.rule.before.stars.iter().try_for_each(|star| self.follow_each_other(star))
+    }
+
+    /// The spoke behind another, counterclockwise, is the twin of what precedes that one.
+    fn follow_each_other(&mut self, star: &Star) -> Option<()> {
+        let half = |sketch: &Self, spoke: &Spoke| match spoke {
+            Spoke::Halfedge(half) => sketch.half_of[half.name.index()],
+            Spoke::Fan(_) | Spoke::Rest(_) => None,
+        };
+        for (at, spoke) in star.spokes.iter().enumerate() {
+            let next = &star.spokes[(at + 1) % star.spokes.len()];
+            let (Some(spoke), Some(next)) = (half(self, spoke), half(self, next)) else {
+                continue;
+            };
+            let Some(prev) = self.halves[spoke].prev else {
+                continue;
+            };
+            let free = |half: usize| self.halves[half].twin.is_none();
+            if prev != next && free(prev) && free(next) {
+                self.pair(prev, next)?;
+            }
+        }
         Some(())
     }
 
@@ -313,4 +336,37 @@ impl Sketch {
             self.halves[twin].twin = Some(half);
         }
     }
+}
+
+/// Outer halfedges that are the first or last of a path, since the spokes of a vertex follow each
+/// other: the one behind a spoke is the twin of what precedes it.
+fn implied_on_paths(drawing: &Drawing, shape: &Shape) -> Vec<(NameId, NameId, usize)> {
+    let view = &drawing.before;
+    let length = |item: NameId| match drawing.rule.kind(item) {
+        Kind::Path => shape.lengths[item.index()],
+        _ => 0,
+    };
+    let mut implied: Vec<(NameId, NameId, usize)> = Vec::new();
+    for star in &drawing.rule.before.stars {
+        for (at, spoke) in star.spokes.iter().enumerate() {
+            let next = &star.spokes[(at + 1) % star.spokes.len()];
+            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (spoke, next) else {
+                continue;
+            };
+            let Some(twin) = view.twin(next.name) else {
+                continue;
+            };
+            let before = view.item_before(spoke.name).filter(|&path| length(path) > 0);
+            let after = view.item_after(twin).filter(|&path| length(path) > 0);
+            let last = before.map(|path| (twin, path, length(path) - 1));
+            let first = after.map(|path| (spoke.name, path, 0));
+            for found in last.into_iter().chain(first) {
+                let known = shape.on_path.iter().chain(&implied).any(|other| other.0 == found.0);
+                if drawing.is_outer(found.0) && !known {
+                    implied.push(found);
+                }
+            }
+        }
+    }
+    implied
 }

@@ -9,7 +9,9 @@ use super::Scope;
 use super::pointer::{first, load};
 use super::value::lower;
 use crate::diagram::{Collection, Expr};
-use crate::rewrite::{Assembler, ElementField, Elements, HalfedgeField, Inst, Label, Reg, Walk};
+use crate::rewrite::{
+    Assembler, ElementField, Elements, HalfedgeField, Inst, Label, Reg, Triangles, Walk,
+};
 use crate::source::Span;
 
 /// What is lowered for the element in the register; jumping to the label goes on with
@@ -109,6 +111,17 @@ fn collect(
     buffer: u16,
 ) -> Option<Wanted> {
     use ElementField::{Edge, Face, Vertex};
+    if let Collection::FaceEars(f) | Collection::FacePatch(f) = collection {
+        let triangles = match collection {
+            Collection::FacePatch(_) => Triangles::LeastBend,
+            _ => Triangles::BestShape,
+        };
+        let mark = asm.mark();
+        let face = lower(asm, scope, f);
+        asm.trap_at(place, Inst::CollectEars { triangles, buffer, face });
+        asm.release(mark);
+        return Some(Wanted::Itself);
+    }
     let (of, base, wanted): (_, &Expr, _) = match collection {
         Collection::VertexHalfedges(v) => (Vertex, v, Wanted::Itself),
         Collection::VertexEdges(v) => (Vertex, v, Wanted::Pointer(HalfedgeField::Edge)),

@@ -167,7 +167,6 @@ impl Tests<'_, '_> {
         let Some(orbit) = self.orbit(face) else {
             return Term::Bool(false);
         };
-        let kind = orbit.kind;
         let mut sides = 0;
         let mut sizes: Option<Vec<(NameId, i64)>> = Some(Vec::new());
         let mut paths = Vec::new();
@@ -190,7 +189,7 @@ impl Tests<'_, '_> {
                 _ => sizes = None,
             }
         }
-        let few = match sizes {
+        match sizes {
             Some(sizes) => {
                 let drawn: i64 = sizes.iter().map(|(_, drawn)| drawn).sum();
                 let size = |(face, _): &(NameId, i64)| {
@@ -213,11 +212,6 @@ impl Tests<'_, '_> {
                 }
                 Self::fewer(Term::name(count), 3)
             }
-        };
-        match kind {
-            LoopKind::Hole => Term::Bool(false),
-            LoopKind::Face => few,
-            LoopKind::Any => self.term(face).hole().not().and(few),
         }
     }
 

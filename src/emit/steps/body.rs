@@ -384,7 +384,7 @@ impl<'s> Writer<'s> {
         span: Span,
     ) -> Result<Action, NotEmitted> {
         let (around, element) = around(collection)
-            .ok_or_else(|| NotEmitted::new("a sequence of the whole mesh", span))?;
+            .ok_or_else(|| NotEmitted::new(super::super::expression::unsaid(collection), span))?;
         let element = self.term(element)?;
         let outer = self.names.mark();
         let may_go = self.known.deeds.erases(body, collection.element());

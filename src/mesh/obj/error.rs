@@ -19,6 +19,8 @@ pub enum ObjReason {
     Io(io::Error),
     /// The folder to write to does not exist.
     NoFolder(String),
+    /// The file to write is protected.
+    ReadOnly,
     /// A statement with a word where a number should be, or too few of them.
     NotNumbers {
         statement: &'static str,
@@ -94,6 +96,7 @@ impl fmt::Display for ObjReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io(error) => write!(f, "{error}"),
+            Self::ReadOnly => f.write_str("the file is read-only"),
             Self::NoFolder(folder) => write!(f, "the folder `{folder}` does not exist"),
             Self::NotNumbers { statement, needs } => write!(f, "`{statement}` needs {needs}"),
             Self::NotAnIndex { text } => write!(f, "`{text}` is not a corner of a face"),

@@ -22,4 +22,4 @@ pub use attributes::WantedAttribute;
 pub use error::{Indexed, ObjError, ObjReason};
 pub use numbers::{Obj, WrittenNumbers};
 pub use read::{read_obj, read_obj_from};
-pub use write::{replace_file, write_obj, write_obj_to};
+pub use write::{expect_writable, replace_file, write_obj, write_obj_to};

@@ -37,21 +37,23 @@ pub fn write_obj_to(output: &mut impl Write, obj: &Obj) -> Result<(), ObjReason>
 /// Writes a file: all of it, or not at all. What is to stand in it is written by `write`.
 ///
 /// # Errors
-/// [`ObjReason::NoFolder`] and [`ObjReason::Io`], and what `write` fails with; the old file, if
+/// [`ObjReason::NoFolder`], [`ObjReason::ReadOnly`] and [`ObjReason::Io`], and what `write` fails with; the old file, if
 /// there was one, is as it was.
 pub fn replace_file(
     path: &Path,
     write: impl Fn(&mut dyn Write) -> Result<(), ObjReason>,
 ) -> Result<(), ObjReason> {
-    let target = followed(path).map_err(ObjReason::Io)?;
-    let old = fs::metadata(&target).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        // A device or a pipe cannot be replaced, only written to.
-        let file = fs::OpenOptions::new().write(true).open(&target).map_err(ObjReason::Io)?;
+    // A device or a pipe cannot be replaced, only written to. What leads to a pipe need not be a
+    // path: `/dev/stdout`.
+    if fs::metadata(path).is_ok_and(|old| !old.is_file()) {
+        let file = fs::OpenOptions::new().write(true).open(path).map_err(ObjReason::Io)?;
         let mut output = BufWriter::new(file);
         write(&mut output)?;
         return output.flush().map_err(ObjReason::Io);
     }
+    let target = followed(path).map_err(ObjReason::Io)?;
+    let old = fs::metadata(&target).ok();
+    expect_writable(path)?;
     let folder = match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -65,11 +67,32 @@ pub fn replace_file(
         write(&mut output)?;
         output.flush().map_err(ObjReason::Io)?;
     }
+    // The name is to lead to the whole text even if the power fails right behind.
+    file.as_file().sync_all().map_err(ObjReason::Io)?;
     if let Some(old) = old {
         file.as_file().set_permissions(old.permissions()).map_err(ObjReason::Io)?;
     }
     file.persist(&target).map_err(|failed| ObjReason::Io(failed.error))?;
     Ok(())
+}
+
+/// Whether a file may be written, if it is there. It could be replaced even so, which is not what
+/// who protected it has meant.
+///
+/// # Errors
+/// [`ObjReason::ReadOnly`] and [`ObjReason::Io`].
+pub fn expect_writable(path: &Path) -> Result<(), ObjReason> {
+    let Some(old) = fs::metadata(path).ok().filter(fs::Metadata::is_file) else {
+        return Ok(());
+    };
+    if old.permissions().readonly() {
+        return Err(ObjReason::ReadOnly);
+    }
+    match fs::OpenOptions::new().write(true).open(path) {
+        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(ObjReason::ReadOnly),
+        Err(error) => Err(ObjReason::Io(error)),
+        Ok(_) => Ok(()),
+    }
 }
 
 /// Where the links from `path` lead, whether something is there or not.

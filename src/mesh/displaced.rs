@@ -1,0 +1,179 @@
+//! Values that were left behind: attributes of corners that have moved since they were read.
+//!
+//! A texture coordinate belongs to a corner: a vertex in a face. Its halfedge keeps it when an
+//! operation moves the halfedge to another corner, and a new halfedge has the default. Neither
+//! is what the corner should have, unless the operation has set it, or the vertex had that value
+//! in another face as well. So the places and values of a mesh are noted when it is read, and
+//! looked at when it is written. Meshes without such attributes have nothing to note.
+
+use super::attribute::{ColumnId, Value};
+use super::connectivity::Mesh;
+use super::id::{ElementKind, FaceId, HalfedgeId, VertexId};
+
+/// The attributes of vertices that belong to a surface, as those of corners do.
+const OF_SURFACE: [&str; 3] = ["uv", "normal", "color"];
+
+/// Where the attributes of corners were when a mesh was read, and their values.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    columns: Vec<(ColumnId, String, Vec<Option<Value>>)>,
+    /// The vertex and the face of each halfedge that lies in no hole.
+    corners: Vec<Option<(VertexId, FaceId)>>,
+}
+
+/// How many corners of the faces of a mesh have a value of an attribute that is not theirs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Displaced {
+    /// The name of the attribute.
+    pub attribute: String,
+    /// The corners that have kept the value of a place that they have left.
+    pub kept: usize,
+    /// The corners that are new and have the default.
+    pub defaulted: usize,
+    /// How many faces have such corners, of how many.
+    pub faces: [usize; 2],
+}
+
+impl Places {
+    /// Notes the attributes of corners that a mesh has, and those of vertices that are written
+    /// for corners.
+    pub fn of(mesh: &Mesh) -> Self {
+        let noted = mesh.sayable_columns().filter(|(id, column)| match id.kind {
+            ElementKind::Halfedge => true,
+            ElementKind::Vertex => OF_SURFACE.contains(&column.name()),
+            _ => false,
+        });
+        let values = |id: ColumnId| {
+            let all = 0..mesh.capacity(id.kind) as u32;
+            all.map(|index| mesh.value(id, index)).collect()
+        };
+        let columns: Vec<_> =
+            noted.map(|(id, column)| (id, column.name().to_owned(), values(id))).collect();
+        let of_corners = columns.iter().any(|(id, ..)| id.kind == ElementKind::Halfedge);
+        let count = if of_corners { mesh.capacity(ElementKind::Halfedge) as u32 } else { 0 };
+        let corners = (0..count).map(|h| corner(mesh, HalfedgeId(h))).collect();
+        Self { columns, corners }
+    }
+
+    /// The attributes that some corners have a value of that is not theirs, now that the mesh has
+    /// changed. A value that has been set since counts as theirs.
+    pub fn displaced(&self, mesh: &Mesh) -> Vec<Displaced> {
+        let columns = self.columns.iter();
+        let told = columns.map(|(id, name, values)| self.of_column(mesh, *id, name, values));
+        told.filter(|told| told.kept + told.defaulted > 0).collect()
+    }
+
+    /// The corners that there were, each with the number of its halfedge, in the order of their
+    /// vertices.
+    fn by_vertex(&self) -> Vec<(VertexId, usize)> {
+        let corners = self.corners.iter().enumerate();
+        let corners = corners.filter_map(|(index, corner)| Some(((*corner)?.0, index)));
+        let mut corners: Vec<_> = corners.collect();
+        corners.sort_unstable();
+        corners
+    }
+
+    fn of_column(
+        &self,
+        mesh: &Mesh,
+        id: ColumnId,
+        name: &str,
+        values: &[Option<Value>],
+    ) -> Displaced {
+        let mut told = Displaced {
+            attribute: name.to_owned(),
+            kept: 0,
+            defaulted: 0,
+            faces: [0, mesh.face_count()],
+        };
+        let Some(column) = mesh.column(id).filter(|column| column.name() == name) else {
+            return told;
+        };
+        let default = Some(column.default_value());
+        let known = match id.kind {
+            ElementKind::Halfedge => self.by_vertex(),
+            _ => Vec::new(),
+        };
+        let had = |vertex: VertexId, value: Option<Value>| {
+            let first = known.partition_point(|&(of, _)| of < vertex);
+            let mut here = known[first..].iter().take_while(|&&(of, _)| of == vertex);
+            here.any(|&(_, index)| values.get(index).copied().flatten() == value)
+        };
+        for face in mesh.faces().filter(|&f| !mesh.is_hole(f)) {
+            let before = told.kept + told.defaulted;
+            for h in mesh.face_halfedges(face) {
+                let vertex = mesh.vertex(h);
+                let (index, place) = match id.kind {
+                    ElementKind::Halfedge => (h.0, self.corners.get(h.index()).copied().flatten()),
+                    _ => (vertex.0, None),
+                };
+                let was = values.get(index as usize).copied().flatten();
+                let is = mesh.value(id, index);
+                // A vertex has no other place than its own.
+                let is_its_own = match id.kind {
+                    ElementKind::Halfedge => place == corner(mesh, h) || had(vertex, is),
+                    _ => was == is,
+                };
+                if is_its_own {
+                    continue;
+                } else if was == is {
+                    told.kept += 1;
+                } else if is == default {
+                    told.defaulted += 1;
+                }
+            }
+            told.faces[0] += usize::from(told.kept + told.defaulted > before);
+        }
+        told
+    }
+}
+
+/// The place of a halfedge that lies in no hole.
+fn corner(mesh: &Mesh, h: HalfedgeId) -> Option<(VertexId, FaceId)> {
+    let face = mesh.get_face(h)?;
+    (!mesh.get_is_hole(face)?).then_some((mesh.get_vertex(h)?, face))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shape;
+    use glam::DVec2;
+
+    fn cube() -> (Mesh, ColumnId) {
+        let mut mesh = shape::cube();
+        let uv = Value::Vec2(DVec2::ZERO);
+        let column = mesh.add_column(ElementKind::Halfedge, "uv", uv).unwrap();
+        for h in mesh.halfedges().collect::<Vec<_>>() {
+            let value = Value::Vec2(DVec2::new(f64::from(h.0), 1.0));
+            assert!(mesh.set_value(column, h.0, value));
+        }
+        (mesh, column)
+    }
+
+    #[test]
+    fn what_has_not_moved_is_not_told() {
+        let (mut mesh, column) = cube();
+        let places = Places::of(&mesh);
+        mesh.set_value(column, 3, Value::Vec2(DVec2::ONE));
+        assert!(places.displaced(&mesh).is_empty());
+        assert!(Places::of(&shape::cube()).corners.is_empty());
+    }
+
+    #[test]
+    fn what_has_moved_is_told_unless_it_was_set() {
+        let (mut mesh, column) = cube();
+        let places = Places::of(&mesh);
+        // Turns a face by one corner.
+        let face = mesh.faces().next().unwrap();
+        let sides: Vec<_> = mesh.face_halfedges(face).collect();
+        let corners: Vec<_> = sides.iter().map(|&h| mesh.vertex(h)).collect();
+        for (at, &h) in sides.iter().enumerate() {
+            mesh.set_vertex(h, corners[(at + 1) % corners.len()]);
+        }
+        mesh.set_value(column, sides[0].0, Value::Vec2(DVec2::ONE));
+        mesh.set_value(column, sides[1].0, Value::Vec2(DVec2::ZERO));
+        let told = Displaced { attribute: "uv".into(), kept: 2, defaulted: 1, faces: [1, 6] };
+        assert_eq!(places.displaced(&mesh), [told]);
+    }
+}

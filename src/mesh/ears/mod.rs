@@ -1,0 +1,286 @@
+//! Ears: in which order the corners of a face can be cut off, until a triangle is left.
+//!
+//! G. Meisters, "Polygons have ears", 1975: every flat polygon without crossings has two at least.
+//! Faces need not be flat here; each is seen along its normal. The best shaped ear is taken
+//! first. Qualities are kept current: when a corner goes, those of its two neighbours change, and
+//! those of the ears that it lay in; a [`tree`] finds what lies in an ear. So a face of n sides
+//! takes about n log n steps.
+//!
+//! [`patch`] orders the corners such that the triangles bend little instead.
+
+mod patch;
+mod tree;
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use glam::{DVec2, DVec3};
+use robust::{Coord, orient2d};
+
+use super::connectivity::Mesh;
+use super::id::{FaceId, HalfedgeId, VertexId};
+use tree::Tree;
+
+impl Mesh {
+    /// The corners of a face in an order in which each can be cut off as an ear of what is left,
+    /// until three are left: the ear with the largest smallest angle first. A corner is told by
+    /// the halfedge that starts there. Only where there is no ear, one is taken that other
+    /// corners lie in; one that would join two vertices which are joined already is the last.
+    pub fn ears(&self, f: FaceId) -> Vec<HalfedgeId> {
+        let sides: Vec<_> = self.face_halfedges(f).collect();
+        let order = Polygon::new(self, f, &sides).cut();
+        order.into_iter().filter_map(|corner| sides.get(corner as usize).copied()).collect()
+    }
+}
+
+/// What is left of a face. Corners have the numbers of the sides that start there.
+struct Polygon<'m> {
+    mesh: &'m Mesh,
+    vertices: Vec<VertexId>,
+    places: Vec<DVec3>,
+    /// The same as seen along the normal.
+    flat: Vec<DVec2>,
+    before: Vec<u32>,
+    behind: Vec<u32>,
+    left: Tree,
+    /// By corner, the ears that it is known to lie in.
+    inside_of: Vec<Vec<u32>>,
+    /// By corner, how often its quality has changed: older entries of the queue do not count.
+    changes: Vec<u32>,
+    queue: BinaryHeap<Ear>,
+}
+
+/// An ear in the queue.
+#[derive(Clone, Copy, Debug)]
+struct Ear {
+    quality: f64,
+    corner: u32,
+    change: u32,
+}
+
+impl Ord for Ear {
+    fn cmp(&self, other: &Self) -> Ordering {
+        // Of equals the first corner.
+        self.quality.total_cmp(&other.quality).then(other.corner.cmp(&self.corner))
+    }
+}
+
+impl PartialOrd for Ear {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Ear {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Ear {}
+
+impl<'m> Polygon<'m> {
+    fn new(mesh: &'m Mesh, f: FaceId, sides: &[HalfedgeId]) -> Self {
+        let count = sides.len() as u32;
+        let vertices: Vec<_> =
+            sides.iter().map(|&h| mesh.get_vertex(h).unwrap_or(VertexId::NONE)).collect();
+        let place = |&v: &VertexId| mesh.get_position(v).unwrap_or(DVec3::ZERO);
+        let places: Vec<_> = vertices.iter().map(place).collect();
+        let normal = mesh.normal(f);
+        let (right, up) = match normal == DVec3::Z || normal == DVec3::ZERO {
+            true => (DVec3::X, DVec3::Y),
+            false => normal.any_orthonormal_pair(),
+        };
+        let flat: Vec<_> = places.iter().map(|at| DVec2::new(at.dot(right), at.dot(up))).collect();
+        Self {
+            mesh,
+            left: Tree::new(&flat),
+            vertices,
+            places,
+            flat,
+            before: (0..count).map(|at| (at + count - 1) % count).collect(),
+            behind: (0..count).map(|at| (at + 1) % count).collect(),
+            inside_of: vec![Vec::new(); sides.len()],
+            changes: vec![0; sides.len()],
+            queue: BinaryHeap::new(),
+        }
+    }
+
+    /// The corners in the order in which they are cut off.
+    fn cut(mut self) -> Vec<u32> {
+        let count = self.places.len();
+        let mut order = Vec::with_capacity(count.saturating_sub(3));
+        for corner in 0..count as u32 {
+            self.enter(corner);
+        }
+        while order.len() + 3 < count {
+            let Some(ear) = self.queue.pop() else {
+                break;
+            };
+            if self.changes[ear.corner as usize] == ear.change && self.left.has(ear.corner) {
+                order.push(ear.corner);
+                self.take(ear.corner);
+            }
+        }
+        order
+    }
+
+    fn take(&mut self, corner: u32) {
+        let at = corner as usize;
+        let (before, behind) = (self.before[at], self.behind[at]);
+        self.left.take(corner);
+        self.behind[before as usize] = behind;
+        self.before[behind as usize] = before;
+        self.enter(before);
+        self.enter(behind);
+        for ear in std::mem::take(&mut self.inside_of[at]) {
+            if self.left.has(ear) && ear != before && ear != behind {
+                self.enter(ear);
+            }
+        }
+    }
+
+    /// Puts the ear at a corner into the queue, as good as it is now.
+    fn enter(&mut self, corner: u32) {
+        let quality = self.quality(corner);
+        let change = &mut self.changes[corner as usize];
+        *change += 1;
+        let change = *change;
+        let quality = if quality.is_finite() { quality } else { f64::NEG_INFINITY };
+        self.queue.push(Ear { quality, corner, change });
+    }
+
+    /// The sine of the smallest angle of the triangle; less than zero where the corner is reflex,
+    /// or another corner lies in the triangle.
+    fn quality(&mut self, corner: u32) -> f64 {
+        let around = [self.before[corner as usize], corner, self.behind[corner as usize]];
+        let [a, b, c] = around.map(|at| self.vertices[at as usize]);
+        let sine = smallest_sine(around.map(|at| self.places[at as usize]));
+        let joined = if self.mesh.adjacent(a, c) { -4.0 } else { 0.0 };
+        let triangle = around.map(|at| self.flat[at as usize]);
+        if turn(triangle) < 0.0 {
+            return joined - 2.0 - sine;
+        }
+        let vertices = &self.vertices;
+        let is_other = |at: u32| ![a, b, c].contains(&vertices[at as usize]);
+        match self.left.find(triangle, &self.flat, is_other) {
+            Some(other) => {
+                self.inside_of[other as usize].push(corner);
+                joined - 2.0 + sine
+            }
+            None => joined + sine,
+        }
+    }
+}
+
+/// The sine of the smallest angle of a triangle: it lies across the shortest side, between the
+/// other two.
+fn smallest_sine([p, q, r]: [DVec3; 3]) -> f64 {
+    let (a, b, c) = (p.distance(r), p.distance(q), q.distance(r));
+    let sides = (a * b).max((b * c).max(c * a));
+    match sides > 0.0 {
+        true => (q - p).cross(r - q).length() / sides,
+        false => 0.0,
+    }
+}
+
+/// Greater than zero where the three places run counterclockwise, zero on one line. The sign is
+/// exact.
+fn turn(places: [DVec2; 3]) -> f64 {
+    let [a, b, c] = places.map(|at| Coord { x: at.x, y: at.y });
+    orient2d(a, b, c)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Polygons;
+
+    /// A face with corners in the plane.
+    fn face(corners: &[DVec2]) -> Mesh {
+        let places: Vec<_> = corners.iter().map(|at| at.extend(0.0)).collect();
+        let polygon: Vec<u32> = (0..corners.len() as u32).collect();
+        let polygons: Polygons = std::iter::once(polygon).collect();
+        Mesh::from_polygons(&places, &polygons).unwrap()
+    }
+
+    /// The triangles that are cut off, and the one that is left.
+    fn triangles(mesh: &Mesh, order: &[HalfedgeId]) -> Vec<[DVec2; 3]> {
+        let mut left: Vec<_> = mesh.face_halfedges(FaceId(0)).collect();
+        let place = |h: &HalfedgeId| mesh.position(mesh.vertex(*h)).truncate();
+        let mut triangles = Vec::new();
+        for ear in order {
+            let at = left.iter().position(|h| h == ear).expect("a corner goes once");
+            let count = left.len();
+            triangles.push([at + count - 1, at, at + 1].map(|at| place(&left[at % count])));
+            left.remove(at);
+        }
+        assert_eq!(left.len(), 3);
+        triangles.push([0, 1, 2].map(|at| place(&left[at])));
+        triangles
+    }
+
+    /// None is turned over, and together they are as large as the face: so none overlap.
+    fn expect_no_overlap(corners: &[DVec2]) {
+        let mesh = face(corners);
+        let triangles = triangles(&mesh, &mesh.ears(FaceId(0)));
+        assert_eq!(triangles.len(), corners.len() - 2);
+        assert!(triangles.iter().all(|&triangle| turn(triangle) >= 0.0));
+        let total: f64 = triangles.iter().map(|&triangle| turn(triangle) / 2.0).sum();
+        let area = mesh.area(FaceId(0));
+        assert!((total - area).abs() < 1e-9 * area, "{total} instead of {area}");
+    }
+
+    fn around(count: usize, radius: impl Fn(usize) -> f64) -> Vec<DVec2> {
+        let angle = |at: usize| std::f64::consts::TAU * at as f64 / count as f64;
+        (0..count).map(|at| radius(at) * DVec2::from_angle(angle(at))).collect()
+    }
+
+    #[test]
+    fn concave_faces_are_cut_without_overlaps() {
+        expect_no_overlap(&around(2000, |_| 1.0));
+        expect_no_overlap(&around(2000, |at| if at % 2 == 0 { 1.0 } else { 0.2 }));
+        expect_no_overlap(&around(1500, |at| 1.0 + ((at * at * 7919) % 101) as f64 / 40.0));
+        // A comb, and a wall that winds in and back out again.
+        let comb = (0..500).flat_map(|at| {
+            let x = f64::from(at);
+            [DVec2::new(1001.0 - 2.0 * x, 1.0), DVec2::new(1000.0 - 2.0 * x, 900.0)]
+        });
+        let foot = [DVec2::new(0.0, 0.0), DVec2::new(1002.0, 0.0)];
+        expect_no_overlap(&foot.into_iter().chain(comb).collect::<Vec<_>>());
+        let spiral = |wall: f64| {
+            (0..600).map(move |at| {
+                let angle = f64::from(at) / 20.0;
+                (1.0 + angle + wall) * DVec2::from_angle(angle)
+            })
+        };
+        let inwards: Vec<_> = spiral(0.0).collect();
+        expect_no_overlap(&spiral(1.5).chain(inwards.into_iter().rev()).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn corners_on_one_line_are_cut_too() {
+        let side =
+            |from: DVec2, to: DVec2| (0..300).map(move |at| from.lerp(to, f64::from(at) / 300.0));
+        let corners = [(0.0, 0.0), (300.0, 0.0), (300.0, 300.0), (0.0, 300.0)];
+        let corners = corners.map(|(x, y)| DVec2::new(x, y));
+        let square = (0..4).flat_map(|at| side(corners[at], corners[(at + 1) % 4]));
+        expect_no_overlap(&square.collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn the_best_shape_comes_first() {
+        // A square with a corner cut off: the two right angles beside the cut go last.
+        let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (1.0, 4.0), (0.0, 3.0)];
+        let mesh = face(&corners.map(|(x, y)| DVec2::new(x, y)));
+        let order = mesh.ears(FaceId(0));
+        assert_eq!(mesh.vertex(order[0]), VertexId(1));
+    }
+
+    #[test]
+    fn a_triangle_has_nothing_to_cut() {
+        let mesh = face(&around(3, |_| 1.0));
+        assert!(mesh.ears(FaceId(0)).is_empty());
+        assert!(mesh.patch(FaceId(0)).is_empty());
+    }
+}

@@ -1,0 +1,115 @@
+//! How much memory a mesh takes, and room for more elements before they come.
+//!
+//! Counted is what the tables, the columns and the journal have taken, used or not yet. Tables
+//! grow here by half a limit's rest at most, so that it is come near to but not passed.
+
+use glam::DVec3;
+
+use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::id::{ElementKind, HalfedgeId};
+
+impl Mesh {
+    /// The memory that it takes, in bytes.
+    pub fn bytes(&self) -> usize {
+        let tables = self.halfedges.capacity() * size_of::<HalfedgeRecord>()
+            + (self.vertices.capacity() + self.edges.capacity()) * size_of::<HalfedgeId>()
+            + self.faces.capacity() * size_of::<FaceRecord>()
+            + self.positions.capacity() * size_of::<DVec3>();
+        let slots = self.slots.iter().map(|slots| slots.free.capacity() + slots.pending.capacity());
+        let columns = self.columns.iter().map(|columns| columns.bytes());
+        tables
+            + slots.sum::<usize>() * size_of::<u32>()
+            + columns.sum::<usize>()
+            + self.journal.bytes()
+    }
+
+    /// Makes room for so many more elements of each kind, without taking more than so many bytes
+    /// in all. Whether there is room then.
+    #[inline]
+    pub fn make_room(&mut self, more: [usize; 4], limit: impl FnOnce() -> usize) -> bool {
+        let fits = ElementKind::ALL.into_iter().zip(more).all(|(kind, more)| {
+            let free = self.slots[kind as usize].free.len();
+            more <= free || more - free <= self.reserved(kind)
+        });
+        fits || self.grow(more, limit())
+    }
+
+    #[cold]
+    fn grow(&mut self, more: [usize; 4], limit: usize) -> bool {
+        for (kind, more) in ElementKind::ALL.into_iter().zip(more) {
+            let more = more.saturating_sub(self.slots[kind as usize].free.len());
+            let len = self.capacity(kind);
+            if more <= self.reserved(kind) {
+                continue;
+            }
+            let record = match kind {
+                ElementKind::Vertex => size_of::<HalfedgeId>() + size_of::<DVec3>(),
+                ElementKind::Halfedge => size_of::<HalfedgeRecord>(),
+                ElementKind::Edge => size_of::<HalfedgeId>(),
+                ElementKind::Face => size_of::<FaceRecord>(),
+            };
+            let each = record + self.columns[kind as usize].bytes_of_one();
+            let left = limit.saturating_sub(self.bytes()) / each;
+            if left < more {
+                return false;
+            }
+            let wanted = len.max(more).max(64).min((left / 2).max(more));
+            if !self.reserve(kind, wanted) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// How many slots more fit without taking memory.
+    #[inline]
+    pub(super) fn reserved(&self, kind: ElementKind) -> usize {
+        match kind {
+            ElementKind::Vertex => self.vertices.capacity() - self.vertices.len(),
+            ElementKind::Halfedge => self.halfedges.capacity() - self.halfedges.len(),
+            ElementKind::Edge => self.edges.capacity() - self.edges.len(),
+            ElementKind::Face => self.faces.capacity() - self.faces.len(),
+        }
+    }
+
+    fn reserve(&mut self, kind: ElementKind, more: usize) -> bool {
+        let table = match kind {
+            ElementKind::Vertex => {
+                let table = self.vertices.try_reserve_exact(more);
+                table.and_then(|()| self.positions.try_reserve_exact(more))
+            }
+            ElementKind::Halfedge => self.halfedges.try_reserve_exact(more),
+            ElementKind::Edge => self.edges.try_reserve_exact(more),
+            ElementKind::Face => self.faces.try_reserve_exact(more),
+        };
+        table.is_ok() && self.columns[kind as usize].reserve(more)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Value, shape};
+
+    #[test]
+    fn a_mesh_grows_up_to_its_limit() {
+        let mut mesh = shape::cube();
+        mesh.add_column(ElementKind::Halfedge, "x", Value::Real(0.0)).unwrap();
+        let limit = 100_000;
+        let mut added = 0;
+        while mesh.make_room([0, 1, 0, 0], || limit) {
+            mesh.add_halfedge();
+            added += 1;
+            assert!(mesh.bytes() <= limit);
+        }
+        assert!((2500..3200).contains(&added), "{added}");
+        // What is free needs no room.
+        let last = mesh.halfedges().last().unwrap();
+        mesh.erase_halfedge(last);
+        assert!(!mesh.make_room([0, 1, 0, 0], || limit));
+        mesh.recycle();
+        assert!(mesh.make_room([0, 1, 0, 0], || limit));
+        assert!(!mesh.make_room([0, 2, 0, 0], || limit));
+        assert!(mesh.make_room([0, 2, 0, 0], || usize::MAX));
+    }
+}

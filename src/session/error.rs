@@ -1,0 +1,92 @@
+//! What went wrong, with the texts to show it.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::diagnostic::{Diagnostic, Rendering, render};
+use crate::run::{Failure, Report};
+use crate::source::{FileId, Sources, Span};
+
+/// How many diagnostics are shown at most.
+const MOST: usize = 50;
+
+/// No place in any text.
+pub(super) const NOWHERE: Span = Span { file: FileId(u32::MAX), start: 0, end: 0 };
+
+/// Why a program cannot be used, or a call was not carried out.
+///
+/// Shown as text it is what the command line prints, with the places in the program. It is no
+/// refusal: that is an answer.
+#[derive(Clone)]
+pub struct Error(Box<Parts>);
+
+#[derive(Clone)]
+struct Parts {
+    diagnostics: Vec<Diagnostic>,
+    sources: Arc<Sources>,
+    report: Option<Report>,
+}
+
+impl Error {
+    /// At least one diagnostic, about these texts.
+    pub(super) fn new(diagnostics: Vec<Diagnostic>, sources: &Arc<Sources>) -> Self {
+        Self(Box::new(Parts { diagnostics, sources: Arc::clone(sources), report: None }))
+    }
+
+    /// One diagnostic.
+    pub(super) fn one(diagnostic: Diagnostic, sources: &Arc<Sources>) -> Self {
+        Self::new(vec![diagnostic], sources)
+    }
+
+    /// One without a place.
+    pub(super) fn nowhere(code: &'static str, message: String, sources: &Arc<Sources>) -> Self {
+        Self::one(Diagnostic::error(code, message, NOWHERE), sources)
+    }
+
+    /// A script that did not come to its end.
+    pub(super) fn failure(failure: Failure, sources: &Arc<Sources>) -> Self {
+        let mut error = Self::one(failure.diagnostic, sources);
+        error.0.report = Some(failure.report);
+        error
+    }
+
+    /// Everything that is wrong.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.0.diagnostics
+    }
+
+    /// The texts that the diagnostics point into.
+    pub fn sources(&self) -> &Sources {
+        &self.0.sources
+    }
+
+    /// The stable code of the first diagnostic, in kebab case; `hedgerow explain` tells more.
+    pub fn code(&self) -> &'static str {
+        self.0.diagnostics.first().map_or("", |first| first.code)
+    }
+
+    /// The first diagnostic in one line.
+    pub fn message(&self) -> &str {
+        self.0.diagnostics.first().map_or("", |first| &first.message)
+    }
+
+    /// What a script did before it failed; `None` of other errors.
+    pub fn report(&self) -> Option<&Report> {
+        self.0.report.as_ref()
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let how = Rendering { colour: false, most: MOST };
+        f.write_str(render(&self.0.diagnostics, &self.0.sources, how).trim_end())
+    }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for Error {}

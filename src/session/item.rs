@@ -1,0 +1,149 @@
+//! Operations and scripts of a program, to be called.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::{Error, Program};
+use crate::diagnostic::Diagnostic;
+use crate::diagram::Param;
+use crate::mesh::{ElementKind, Level};
+use crate::resolve;
+use crate::run::{Application, Prepared, UNKNOWN_REASON, prepare};
+
+pub(super) type ApplicationOrError = Result<Application, Diagnostic>;
+
+/// An operation of a program: applied whole, or not at all.
+#[derive(Clone)]
+pub struct Op {
+    pub(super) program: Program,
+    pub(super) index: usize,
+}
+
+/// A script of a program.
+#[derive(Clone)]
+pub struct Script {
+    pub(super) program: Program,
+    pub(super) index: usize,
+}
+
+/// A parameter of an operation or a script.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter<'p> {
+    /// Its name.
+    pub name: &'p str,
+    /// Its type as the language writes it: `edge`, `real`, `vec3` …
+    pub ty: &'static str,
+    /// What it is if it is not given, as the program writes it.
+    pub default: Option<&'p str>,
+}
+
+fn parameters<'p>(program: &'p Program, params: &'p [Param]) -> Vec<Parameter<'p>> {
+    let parameter = |param: &'p Param| Parameter {
+        name: &param.name,
+        ty: param.ty.word(),
+        default: param.default.as_ref().map(|default| program.0.sources.slice(default.span)),
+    };
+    params.iter().map(parameter).collect()
+}
+
+impl Op {
+    pub(super) fn new(program: &Program, index: usize) -> Self {
+        Self { program: program.clone(), index }
+    }
+
+    fn item(&self) -> &resolve::ResolvedOp {
+        &self.program.0.analysis.program.ops[self.index]
+    }
+
+    pub(super) fn application(&self) -> Result<&Application, Error> {
+        let parts = &self.program.0;
+        let made = parts.applications[self.index].get_or_init(|| {
+            Application::new(&parts.analysis.program, self.index, &parts.analysis.plans)
+        });
+        made.as_ref().map_err(|diagnostic| Error::one(diagnostic.clone(), &parts.sources))
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.item().name
+    }
+
+    /// Its doc comment, line by line.
+    pub fn docs(&self) -> &[String] {
+        match (&self.item().diagram, &self.item().steps) {
+            (Some(diagram), _) => &diagram.docs,
+            (None, Some(steps)) => &steps.docs,
+            (None, None) => &[],
+        }
+    }
+
+    /// Its parameters, in order.
+    pub fn parameters(&self) -> Vec<Parameter<'_>> {
+        parameters(&self.program, &self.item().params)
+    }
+
+    /// The kind of its result, if it has one.
+    pub fn result(&self) -> Option<ElementKind> {
+        self.application().ok()?.plan().result
+    }
+
+    /// The level of the meshes that it is for.
+    pub fn level(&self) -> Level {
+        self.application().map_or(Level::Map, |application| application.plan().level)
+    }
+
+    /// Why it may refuse. The place is the number of the reason; different numbers may have the
+    /// same text, where different tests fail.
+    pub fn reasons(&self) -> &[Arc<str>] {
+        self.program.0.reasons[self.index].get_or_init(|| {
+            let plan = self.application().map(Application::plan);
+            let refusals = plan.map_or(&[][..], |plan| &plan.refusals);
+            let reasons = refusals.iter().map(|refusal| refusal.reason.as_str());
+            reasons.chain([UNKNOWN_REASON]).map(Arc::from).collect()
+        })
+    }
+}
+
+impl Script {
+    pub(super) fn new(program: &Program, index: usize) -> Self {
+        Self { program: program.clone(), index }
+    }
+
+    fn item(&self) -> &resolve::Script {
+        &self.program.0.analysis.program.scripts[self.index]
+    }
+
+    pub(super) fn prepared(&self) -> Result<&Prepared, Error> {
+        let parts = &self.program.0;
+        let made = parts.scripts[self.index]
+            .get_or_init(|| prepare(&parts.analysis.program, self.index, &parts.analysis.plans));
+        made.as_ref().map_err(|errors| Error::new(errors.clone(), &parts.sources))
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.item().name
+    }
+
+    /// Its doc comment, line by line.
+    pub fn docs(&self) -> &[String] {
+        &self.item().docs
+    }
+
+    /// Its parameters, in order.
+    pub fn parameters(&self) -> Vec<Parameter<'_>> {
+        parameters(&self.program, &self.item().params)
+    }
+}
+
+impl fmt::Debug for Op {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Op").field(&self.name()).finish()
+    }
+}
+
+impl fmt::Debug for Script {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Script").field(&self.name()).finish()
+    }
+}

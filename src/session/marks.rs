@@ -1,0 +1,114 @@
+//! Undoing what was done since a mark.
+
+use super::level::Known;
+use super::{Error, Session};
+use crate::mesh::Bookmark;
+
+/// A state of the mesh that can be come back to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mark(u64);
+
+/// The marks of a session, the last one innermost.
+#[derive(Debug, Default)]
+pub(super) struct Marks {
+    open: Vec<(Mark, Bookmark, Known)>,
+    made: u64,
+}
+
+impl Session {
+    /// Marks the state of the mesh. From now on what is written is noted, which takes time and
+    /// memory by what is written, until the mark is [undone](Self::undo) or [kept](Self::keep).
+    pub fn mark(&mut self) -> Mark {
+        self.marks.made += 1;
+        let mark = Mark(self.marks.made);
+        self.marks.open.push((mark, self.mesh.open_journal(), self.known));
+        mark
+    }
+
+    /// Makes the mesh what it was at a mark, bit for bit, and ends that and all later ones. Costs
+    /// what was written.
+    ///
+    /// # Errors
+    /// The mark has ended, or is another session's (`unknown-mark`).
+    pub fn undo(&mut self, mark: Mark) -> Result<(), Error> {
+        self.end(mark, |session, bookmark, known| {
+            session.mesh.roll_back(bookmark);
+            session.known = known;
+            // Columns may have come since.
+            session.unbind();
+        })
+    }
+
+    /// Ends a mark and all later ones: what was written since stays.
+    ///
+    /// # Errors
+    /// As of [`undo`](Self::undo).
+    pub fn keep(&mut self, mark: Mark) -> Result<(), Error> {
+        self.end(mark, |session, bookmark, _| session.mesh.keep(bookmark))
+    }
+
+    fn end(
+        &mut self,
+        mark: Mark,
+        mut with: impl FnMut(&mut Self, Bookmark, Known),
+    ) -> Result<(), Error> {
+        let Some(at) = self.marks.open.iter().position(|(open, ..)| *open == mark) else {
+            let message = "this mark has ended, or belongs to another session".to_owned();
+            return Err(Error::nowhere("unknown-mark", message, &self.program.0.sources));
+        };
+        while self.marks.open.len() > at {
+            if let Some((_, bookmark, known)) = self.marks.open.pop() {
+                with(self, bookmark, known);
+            }
+        }
+        Ok(())
+    }
+
+    /// Does several things, all or nothing: if they end with an error, or in a panic, the mesh is
+    /// what it was before.
+    ///
+    /// ```
+    /// # use hedgerow::{Program, Session, mesh::shape};
+    /// # fn main() -> Result<(), hedgerow::Error> {
+    /// let program = Program::parse("p", "script go() {
+    ///   for v in vertices {
+    ///     v.position = 2 * v.position
+    ///     assert degree(v) < 0
+    ///   }
+    /// }")?;
+    /// let mut session = Session::new(&program, shape::cube());
+    /// let before = session.mesh().positions().to_vec();
+    /// let go = program.script("go")?;
+    /// assert!(session.attempt(|session| session.run(&go, ())).is_err());
+    /// assert_eq!(session.mesh().positions(), before);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// Those of what is done.
+    pub fn attempt<T, E>(&mut self, act: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        let mark = self.mark();
+        let mut trial = Trial { session: self, mark, fails: true };
+        let done = act(trial.session);
+        trial.fails = done.is_err();
+        done
+    }
+}
+
+/// Something that is undone when it goes, unless it has not failed.
+struct Trial<'s> {
+    session: &'s mut Session,
+    mark: Mark,
+    fails: bool,
+}
+
+impl Drop for Trial<'_> {
+    fn drop(&mut self) {
+        // Who has ended the mark himself has decided.
+        let _ = match self.fails {
+            true => self.session.undo(self.mark),
+            false => self.session.keep(self.mark),
+        };
+    }
+}

@@ -1,0 +1,167 @@
+//! Programs, ready to run.
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+use strsim::damerau_levenshtein;
+
+use super::item::ApplicationOrError;
+use super::{Error, Op, Script};
+use crate::analysis::{Analysis, Disk, Reader, read_program};
+use crate::diagnostic::Diagnostic;
+use crate::library;
+use crate::run::Prepared;
+use crate::source::{Sources, Span};
+
+/// A program that is proved and compiled. Copies are cheap and share all of it.
+#[derive(Clone)]
+pub struct Program(pub(super) Arc<Parts>);
+
+/// What copies of a program share.
+pub(super) struct Parts {
+    pub(super) sources: Arc<Sources>,
+    pub(super) analysis: Analysis,
+    /// The operations, each made ready when it is called first.
+    pub(super) applications: Vec<OnceLock<ApplicationOrError>>,
+    /// The reasons for which they refuse, by number.
+    pub(super) reasons: Vec<OnceLock<Arc<[Arc<str>]>>>,
+    /// The scripts, likewise.
+    pub(super) scripts: Vec<OnceLock<Result<Prepared, Vec<Diagnostic>>>>,
+}
+
+impl Program {
+    /// Reads a program from a file, and what it uses. A name such as `std/remesh.hedge` that leads
+    /// to no file means that of the library.
+    ///
+    /// # Errors
+    /// The file cannot be read (`missing-file`), or something in the program is wrong; all of it
+    /// is told.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let shown = path.display().to_string();
+        if let Some(file) = library::file(&shown).filter(|_| !path.exists()) {
+            return Self::read(file.name, file.text, &mut Disk);
+        }
+        let text = read_program(path).map_err(|why| {
+            let message = format!("cannot read `{shown}`: {why}");
+            Error::nowhere("missing-file", message, &Arc::default())
+        })?;
+        Self::read(&shown, &text, &mut Disk)
+    }
+
+    /// A program from a text; the name is what it is called in messages, and its folder is where
+    /// the files are that it uses.
+    ///
+    /// # Errors
+    /// Something in the program is wrong.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
+        Self::read(name, text, &mut Disk)
+    }
+
+    fn read(name: &str, text: &str, reader: &mut dyn Reader) -> Result<Self, Error> {
+        let mut sources = Sources::new();
+        let file = sources.add(name, text);
+        let analysis = Analysis::with(&mut sources, file, reader);
+        let sources = Arc::new(sources);
+        if !analysis.is_sound() {
+            return Err(Error::new(analysis.diagnostics, &sources));
+        }
+        let ops = analysis.program.ops.len();
+        let scripts = analysis.program.scripts.len();
+        Ok(Self(Arc::new(Parts {
+            sources,
+            applications: (0..ops).map(|_| OnceLock::new()).collect(),
+            reasons: (0..ops).map(|_| OnceLock::new()).collect(),
+            scripts: (0..scripts).map(|_| OnceLock::new()).collect(),
+            analysis,
+        })))
+    }
+
+    /// The operation of a name: of the file itself, or else of those that it uses.
+    ///
+    /// # Errors
+    /// There is none (`unknown-op`).
+    pub fn op(&self, name: &str) -> Result<Op, Error> {
+        match self.0.analysis.op(name) {
+            Some(op) => Ok(Op::new(self, op)),
+            None => {
+                let other = self.0.analysis.script(name).map(|_| "it is a script");
+                let names = self.ops().map(|op| op.name().to_owned()).collect();
+                Err(self.unknown(("unknown-op", "operation"), name, other, names))
+            }
+        }
+    }
+
+    /// The script of a name: of the file itself, or else of those that it uses.
+    ///
+    /// # Errors
+    /// There is none (`unknown-script`).
+    pub fn script(&self, name: &str) -> Result<Script, Error> {
+        match self.0.analysis.script(name) {
+            Some(script) => Ok(Script::new(self, script)),
+            None => {
+                let other = self.0.analysis.op(name).map(|_| "it is an operation");
+                let names = self.scripts().map(|script| script.name().to_owned()).collect();
+                Err(self.unknown(("unknown-script", "script"), name, other, names))
+            }
+        }
+    }
+
+    /// All operations that can be named, those of the file first.
+    pub fn ops(&self) -> impl Iterator<Item = Op> + '_ {
+        let ops = self.0.analysis.program.ops.iter().map(|op| op.span);
+        self.visible(ops).map(|at| Op::new(self, at))
+    }
+
+    /// All scripts that can be named, those of the file first.
+    pub fn scripts(&self) -> impl Iterator<Item = Script> + '_ {
+        let scripts = self.0.analysis.program.scripts.iter().map(|script| script.span);
+        self.visible(scripts).map(|at| Script::new(self, at))
+    }
+
+    fn visible(&self, spans: impl Iterator<Item = Span>) -> impl Iterator<Item = usize> {
+        let seen = spans.enumerate().filter(|(_, span)| self.0.analysis.seen.contains(&span.file));
+        seen.map(|(at, _)| at)
+    }
+
+    /// What is doubtful about it.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.0.analysis.diagnostics
+    }
+
+    /// Its texts, for rendering diagnostics.
+    pub fn sources(&self) -> &Sources {
+        &self.0.sources
+    }
+
+    /// Whether both are the same program, not only alike.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    fn unknown(
+        &self,
+        (code, what): (&'static str, &str),
+        name: &str,
+        other: Option<&str>,
+        known: Vec<String>,
+    ) -> Error {
+        let distance = |known: &&String| damerau_levenshtein(name, known);
+        let near = known.iter().min_by_key(distance);
+        let near = near.filter(|near| distance(near) <= name.chars().count() / 3);
+        let advice = match (other, near) {
+            (Some(other), _) => format!("; {other}"),
+            (None, Some(near)) => format!("; did you mean `{near}`?"),
+            (None, None) => String::new(),
+        };
+        let message = format!("the program has no {what} `{name}`{advice}");
+        Error::nowhere(code, message, &self.0.sources)
+    }
+}
+
+impl std::fmt::Debug for Program {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let name = self.0.sources.get(self.0.analysis.file).name();
+        f.debug_tuple("Program").field(&name).finish()
+    }
+}

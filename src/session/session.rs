@@ -1,0 +1,346 @@
+//! A mesh with all that calls of operations and scripts need.
+
+use std::sync::Arc;
+
+use super::level::Known;
+use super::marks::Marks;
+use super::{Arguments, Error, Given, Op, Outcome, Program, Reason, Script};
+use crate::diagnostic::Diagnostic;
+use crate::mesh::{ColumnId, Element, ElementKind, Mesh};
+use crate::rewrite::{self, Machine, Trap, Unwatched, Watch};
+use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report};
+
+/// A mesh, and operations and scripts of one program at work on it.
+///
+/// # Ids
+///
+/// An id means one element as long as that lives; what is erased is [gone](Self::is_alive), and to
+/// name it is an error. Ids of erased elements are given to new ones only when
+/// [`recycle`](Self::recycle) says that nobody has them any more, and by scripts, which do so
+/// themselves: after a script has run, ids from before may mean other elements.
+///
+/// # Attributes
+///
+/// The attributes of the program come to the mesh when something is called that uses them, and
+/// stay there: [`Mesh::find_column`] and [`Mesh::values`] read them. Scratch attributes have their
+/// defaults at the beginning of each call.
+///
+/// # What fails
+///
+/// An operation that refuses or fails leaves the mesh as it was. A script that fails has done what
+/// it did so far, each step of it whole; [`attempt`](Self::attempt) makes it all or nothing.
+pub struct Session {
+    pub(super) program: Program,
+    pub(super) mesh: Mesh,
+    pub(super) machine: Machine,
+    /// Where the attributes lie in the mesh, by number.
+    columns: Vec<Option<ColumnId>>,
+    /// By number whether the columns of an operation or a script are on the mesh.
+    bound_ops: Vec<bool>,
+    bound_scripts: Vec<bool>,
+    pub(super) known: Known,
+    pub(super) marks: Marks,
+    pub(super) values: Vec<Option<Argument>>,
+    pub(super) slots: Vec<u64>,
+    created: Vec<Element>,
+    erased: Vec<Element>,
+}
+
+impl Session {
+    /// A mesh for a program.
+    pub fn new(program: &Program, mesh: Mesh) -> Self {
+        let analysis = &program.0.analysis;
+        Self {
+            machine: Machine::new(&analysis.plans),
+            columns: vec![None; analysis.program.attributes.len()],
+            bound_ops: vec![false; analysis.program.ops.len()],
+            bound_scripts: vec![false; analysis.program.scripts.len()],
+            program: program.clone(),
+            mesh,
+            known: Known::NOTHING,
+            marks: Marks::default(),
+            values: Vec::new(),
+            slots: Vec::new(),
+            created: Vec::new(),
+            erased: Vec::new(),
+        }
+    }
+
+    /// The program.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// The mesh, to be changed by hand. Its level has to be found out anew afterwards.
+    pub fn mesh_mut(&mut self) -> &mut Mesh {
+        self.unbind();
+        self.known = Known::NOTHING;
+        &mut self.mesh
+    }
+
+    /// The mesh alone, without scratch attributes. What is marked stays.
+    pub fn into_mesh(mut self) -> Mesh {
+        let mut mesh = std::mem::take(&mut self.mesh);
+        mesh.keep_all();
+        let parts = &self.program.0;
+        let ops = parts.applications.iter().filter_map(|op| op.get()?.as_ref().ok());
+        ops.for_each(|op| op.columns().release(&mut mesh));
+        let scripts = parts.scripts.iter().filter_map(|script| script.get()?.as_ref().ok());
+        scripts.for_each(|script| script.columns().release(&mut mesh));
+        mesh
+    }
+
+    /// Another session with the same mesh. It has no marks.
+    pub fn copy(&self) -> Self {
+        let mut mesh = self.mesh.clone();
+        mesh.keep_all();
+        let mut copy = Self::new(&self.program, mesh);
+        copy.known = self.known;
+        copy
+    }
+
+    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: what needs more fails with
+    /// `no-room`. There is none at first.
+    pub fn limit_memory(&mut self, bytes: usize) {
+        self.machine.limit_memory(bytes);
+    }
+
+    /// Whether an element is alive.
+    pub fn is_alive(&self, element: impl Into<Element>) -> bool {
+        let Element { kind, index } = element.into();
+        self.mesh.is_alive(kind, index)
+    }
+
+    /// Says that nobody has ids of erased elements any more: new elements may get them. Nothing
+    /// happens while something is marked.
+    pub fn recycle(&mut self) {
+        self.mesh.recycle();
+    }
+
+    /// Applies an operation.
+    ///
+    /// # Errors
+    /// The arguments do not fit the parameters, an element does not live, the mesh is not of the
+    /// level that the operation is for (`below-level`), or an expression of it has no value here.
+    /// The mesh is as it was.
+    pub fn apply(&mut self, op: &Op, arguments: impl Arguments) -> Result<Outcome, Error> {
+        self.created.clear();
+        self.erased.clear();
+        let application = self.enter(op, arguments)?;
+        self.machine.remember_created();
+        let plan = application.plan();
+        let gone = ElementKind::ALL.map(|kind| self.mesh.erased(kind).len());
+        let outcome = self.machine.apply_watched(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+        let outcome = outcome.map_err(|trap| self.trapped(application, trap))?;
+        Ok(match outcome {
+            rewrite::Outcome::Applied { result } => {
+                self.known.leave(plan.level_after(self.machine.level()));
+                application.columns().clear(&mut self.mesh);
+                let element = |&(kind, index): &(ElementKind, u32)| Element { kind, index };
+                self.created.extend(self.machine.created().iter().map(element));
+                for (kind, before) in ElementKind::ALL.into_iter().zip(gone) {
+                    let gone = self.mesh.erased(kind)[before..].iter();
+                    self.erased.extend(gone.map(|&index| Element { kind, index }));
+                }
+                self.forget_passing();
+                Outcome::Applied(plan.result.zip(result).map(|made| element(&made)))
+            }
+            rewrite::Outcome::Refused { reason } => Outcome::Refused(self.reason(op, reason)),
+        })
+    }
+
+    /// What the last call of [`apply`](Self::apply) has created, in the order in which it did.
+    pub fn created(&self) -> &[Element] {
+        &self.created
+    }
+
+    /// What the last call of [`apply`](Self::apply) has erased.
+    pub fn erased(&self) -> &[Element] {
+        &self.erased
+    }
+
+    /// What was created and erased by the same call was never there for others.
+    fn forget_passing(&mut self) {
+        let Self { created, erased, mesh, .. } = self;
+        if !erased.is_empty() && !created.is_empty() {
+            erased.retain(|element| !created.contains(element));
+            created.retain(|&Element { kind, index }| mesh.is_alive(kind, index));
+        }
+    }
+
+    /// Runs a script. Nobody sees what it prints.
+    ///
+    /// # Errors
+    /// The arguments do not fit the parameters, the mesh is not of the level that the operations
+    /// are for which it calls, or something fails in it. It has done then what it did so far: see
+    /// [`Error::report`] and [`attempt`](Self::attempt).
+    pub fn run(&mut self, script: &Script, arguments: impl Arguments) -> Result<Report, Error> {
+        self.run_watched(script, arguments, &mut Unwatched)
+    }
+
+    /// Runs a script while somebody looks on: sees how far it is, gets what it prints, and may
+    /// stop it.
+    ///
+    /// # Errors
+    /// As of [`run`](Self::run); or it was stopped (`interrupted`).
+    pub fn run_watched(
+        &mut self,
+        script: &Script,
+        arguments: impl Arguments,
+        watch: &mut dyn Watch,
+    ) -> Result<Report, Error> {
+        self.expect_own(&script.program)?;
+        let prepared = script.prepared()?;
+        self.give(prepared, arguments)?;
+        let mut texts = prepared.code().texts.clone();
+        let known = texts.len();
+        let filled = prepared.fill(&self.mesh, &self.values, &mut texts, &mut self.slots);
+        filled.map_err(|error| self.error(error))?;
+        if !std::mem::replace(&mut self.bound_scripts[script.index], true) {
+            self.bind(prepared.columns())?;
+        }
+        self.machine.forget_created();
+        self.machine.clear_counts();
+        self.machine.trust_level(self.known.level());
+        let outcome = match texts.len() == known {
+            true => self.machine.run(&mut self.mesh, prepared.code(), &self.slots, watch),
+            false => {
+                let code = rewrite::Code { texts, ..prepared.code().clone() };
+                self.machine.run(&mut self.mesh, &code, &self.slots, watch)
+            }
+        };
+        self.known.leave(self.machine.level());
+        prepared.columns().clear(&mut self.mesh);
+        let report = run::report(prepared, self.machine.counts());
+        match outcome {
+            Ok(_) => Ok(report),
+            Err(trap) => {
+                let diagnostic = run::diagnostic(prepared, trap);
+                Err(Error::failure(Failure { diagnostic, report }, &self.program.0.sources))
+            }
+        }
+    }
+
+    /// Looks at the arguments of an operation and makes all ready for it: its slots are filled.
+    fn enter<'o>(
+        &mut self,
+        op: &'o Op,
+        arguments: impl Arguments,
+    ) -> Result<&'o Application, Error> {
+        self.expect_own(&op.program)?;
+        let application = op.application()?;
+        self.give(application.parameters(), arguments)?;
+        self.make_ready(op, application)?;
+        Ok(application)
+    }
+
+    /// The program is this session's.
+    pub(super) fn expect_own(&self, program: &Program) -> Result<(), Error> {
+        if self.program.is(program) {
+            return Ok(());
+        }
+        let message = "this belongs to another program than the session";
+        Err(Error::nowhere("foreign-program", message.to_owned(), &self.program.0.sources))
+    }
+
+    /// Takes the arguments.
+    pub(super) fn give(
+        &mut self,
+        takes: &Prepared,
+        arguments: impl Arguments,
+    ) -> Result<(), Error> {
+        let mut given = Given::new(takes, &mut self.values);
+        arguments.give(&mut given);
+        given.end().map_err(|error| self.error(error))
+    }
+
+    /// Fills the slots of an operation from its values, and sees to level and columns.
+    pub(super) fn make_ready(&mut self, op: &Op, application: &Application) -> Result<(), Error> {
+        let parameters = application.parameters();
+        // No operation takes a text.
+        let mut texts = Vec::new();
+        let filled = parameters.fill(&self.mesh, &self.values, &mut texts, &mut self.slots);
+        let all_given = filled.map_err(|error| self.error(error))?;
+        let plan = application.plan();
+        let has = self.known.seek(application.wanted().max(plan.level), &self.mesh);
+        if has < plan.level {
+            application.expect_level(&self.mesh).map_err(|error| self.error(error))?;
+        }
+        if !std::mem::replace(&mut self.bound_ops[op.index], true) {
+            self.bind(application.columns())?;
+        }
+        self.machine.trust_level(has);
+        if !all_given {
+            self.machine.forget_created();
+            let code = parameters.code();
+            let run = self.machine.run(&mut self.mesh, code, &self.slots, &mut Unwatched);
+            run.map_err(|trap| self.error(application.told_of_parameters(trap)))?;
+            for (slot, value) in self.slots.iter_mut().zip(self.machine.window()) {
+                *slot = *value;
+            }
+        }
+        Ok(())
+    }
+
+    fn bind(&mut self, columns: &Columns) -> Result<(), Error> {
+        match columns.bind(&mut self.mesh) {
+            Ok(places) => {
+                for (known, place) in self.columns.iter_mut().zip(places) {
+                    *known = place.or(*known);
+                }
+                self.machine.use_columns(self.columns.clone());
+                Ok(())
+            }
+            Err(conflict) => {
+                // Nobody knows which of them are there.
+                self.unbind();
+                Err(self.error(conflict))
+            }
+        }
+    }
+
+    /// The columns are to be looked for anew.
+    pub(super) fn unbind(&mut self) {
+        self.bound_ops.fill(false);
+        self.bound_scripts.fill(false);
+        self.columns.fill(None);
+    }
+
+    pub(super) fn reason(&self, op: &Op, number: Option<u16>) -> Reason {
+        let reasons = op.reasons();
+        let unknown = reasons.len() - 1;
+        let number = number.map_or(unknown, usize::from).min(unknown);
+        Reason { number, text: Arc::clone(&reasons[number]) }
+    }
+
+    pub(super) fn trapped(&self, application: &Application, trap: Trap) -> Error {
+        self.error(application.told(trap, &self.mesh))
+    }
+
+    pub(super) fn error(&self, diagnostic: Diagnostic) -> Error {
+        Error::one(diagnostic, &self.program.0.sources)
+    }
+}
+
+impl Clone for Session {
+    fn clone(&self) -> Self {
+        self.copy()
+    }
+}
+
+impl std::fmt::Debug for Session {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let counts = ElementKind::ALL.map(|kind| (kind.plural(), self.mesh.count(kind)));
+        let mut shown = f.debug_struct("Session");
+        shown.field("program", &self.program);
+        for (name, count) in &counts {
+            shown.field(name, count);
+        }
+        shown.finish()
+    }
+}
