@@ -4,6 +4,7 @@
 //! [library](crate::library). Who has the files is not known here: a [`Reader`] gives texts
 //! for names. No file uses itself, directly or through others.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
@@ -329,8 +330,8 @@ pub(super) fn ways(sources: &Sources, parts: &[Part]) -> BTreeMap<FileId, Span> 
         let mut open: Vec<_> =
             root.uses.iter().filter(|&&at| Some(parts[at].file) == used).collect();
         while let Some(&at) = open.pop() {
-            if !ways.contains_key(&parts[at].file) {
-                ways.insert(parts[at].file, span);
+            if let Entry::Vacant(way) = ways.entry(parts[at].file) {
+                way.insert(span);
                 open.extend(&parts[at].uses);
             }
         }

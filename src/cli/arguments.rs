@@ -145,8 +145,9 @@ pub(super) struct ApplyArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct PlanArguments {
-    /// A program, and an operation in it; without one, all of them
-    #[arg(value_name = "FILE[::OP]")]
+    /// A program, and an operation in it; without one, all of them,
+    /// of a file that only uses others those that it uses
+    #[arg(value_name = "FILE[::OP]", verbatim_doc_comment)]
     pub op: String,
     /// What to show it as
     #[arg(long = "as", value_enum, value_name = "KIND", default_value_t)]
@@ -155,6 +156,13 @@ pub(super) struct PlanArguments {
     /// or a pattern, such as erase_vertex=delete_vertex({of})
     #[arg(long = "style", value_name = "STYLE", allow_hyphen_values = true, verbatim_doc_comment)]
     pub style: Vec<String>,
+    /// For which mesh class: scotty3d, or a file of styles, one a
+    /// line; styles come on top of it
+    #[arg(long = "for", value_name = "TARGET", verbatim_doc_comment)]
+    pub target: Option<String>,
+    /// Also the pointers that do not change
+    #[arg(long)]
+    pub exhaustive: bool,
     /// Where to write it, if not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -118,7 +118,7 @@ fn sections(program: &Program, name: Option<&str>) -> Result<Vec<Section>, Failu
             },
             picture,
             verdict: told,
-            plan: plan.as_ref().map(show_plan),
+            plan: plan.as_ref().map(|plan| show_plan(plan, false)),
         }
     });
     Ok(sections.collect())

@@ -16,7 +16,7 @@ use crate::syntax::tree::{File as Tree, Item};
 pub(super) fn std(arguments: &StdArguments) -> Result<(), Failure> {
     let found = match &arguments.name {
         Some(name) => vec![find(name)?],
-        None => library::files().collect(),
+        None => library::files().chain(library::targets()).collect(),
     };
     if let Some(to) = &arguments.copy {
         return copy(&found, to, arguments.name.is_some());
@@ -32,8 +32,12 @@ pub(super) fn std(arguments: &StdArguments) -> Result<(), Failure> {
 }
 
 fn find(name: &str) -> Result<LibraryFile, Failure> {
-    library::file(name).ok_or_else(|| {
-        let names: Vec<_> = library::files().map(|file| format!("`{}`", file.name)).collect();
+    let target = library::target(name).filter(|_| name.ends_with(".target"));
+    library::file(name).or(target).ok_or_else(|| {
+        let names: Vec<_> = library::files()
+            .chain(library::targets())
+            .map(|file| format!("`{}`", file.name))
+            .collect();
         let names = names.join(", ");
         Failure::usage(format!("the library has no `{name}`; it has {names}"))
     })
@@ -41,6 +45,11 @@ fn find(name: &str) -> Result<LibraryFile, Failure> {
 
 /// A file in a few lines: what it is for, and what each of its items does.
 fn list(file: LibraryFile) -> String {
+    if file.name.ends_with(".target") {
+        let lines = file.text.lines().map_while(|line| line.strip_prefix("//"));
+        let lines: Vec<_> = lines.map(String::from).collect();
+        return format!("{}\n{}", file.name, sentence(&lines));
+    }
     let mut sources = Sources::new();
     let parsed = parse(sources.add(file.name, file.text), file.text);
     let Tree { docs, items } = &parsed.tree;

@@ -1,6 +1,7 @@
 //! `hedgerow plan`
 
 use std::mem::discriminant;
+use std::path::Path;
 
 use serde::Serialize;
 
@@ -9,30 +10,22 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, complain_of, say, say_exactly, table};
 use super::program::{self, Program};
+use crate::analysis::read_program;
 use crate::emit::{NotEmitted, Selection, Style, cpp, rust};
+use crate::library;
 use crate::mesh::Level;
 use crate::rewrite::{Cell, Phase, Plan, Row, Stage, Steps};
 
 /// Shows operations as pointer assignments: as a table, as data, or as code.
 pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
-    let mut style = Style::default();
-    for text in &arguments.style {
-        style.set(text).map_err(Failure::usage)?;
-    }
-    if !arguments.style.is_empty() && arguments.shown != Shown::Cpp {
-        return Err(Failure::usage("a style is for C++: write --as cpp"));
-    }
+    let style = style(arguments)?;
     let (path, name) = program::part(&arguments.op);
     let program = program::read(path)?;
     let mut ops: Vec<_> = match name {
         Some(_) => vec![program::find_op(&program, name)?],
         // A table of everything is more than anybody reads.
         None if arguments.shown == Shown::Table => vec![program::find_op(&program, None)?],
-        None => {
-            let ops = program.analysis.program.ops.iter().enumerate();
-            let own = ops.filter(|(_, op)| op.span.file == program.analysis.file);
-            own.map(|(at, _)| at).collect()
-        }
+        None => all(&program, &style),
     };
     if ops.is_empty() {
         program::find_op(&program, None)?;
@@ -51,6 +44,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             proved: &program.analysis.proved,
             sources: &program.sources,
             ops,
+            exhaustive: arguments.exhaustive,
         };
         match arguments.shown {
             Shown::Rust => rust(&selection),
@@ -58,8 +52,8 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
         }
     };
     let text = match arguments.shown {
-        Shown::Table => tables(&plans, &program),
-        Shown::Json => data(&program, &ops, &plans)?,
+        Shown::Table => tables(&plans, &program, arguments.exhaustive),
+        Shown::Json => data(&program, &ops, &plans, arguments.exhaustive)?,
         Shown::Cpp | Shown::Rust => {
             if name.is_none() {
                 leave_out(&program, &mut ops, |op| emit(&[op]).err());
@@ -76,6 +70,49 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
             }
             Ok(())
         }
+    }
+}
+
+/// How C++ is spelled: the target first, then what is said besides.
+fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
+    let mut style = Style::default();
+    if arguments.shown != Shown::Cpp && (arguments.target.is_some() || !arguments.style.is_empty())
+    {
+        return Err(Failure::usage("a style or a target is for C++: write --as cpp"));
+    }
+    if let Some(target) = &arguments.target {
+        let path = Path::new(target);
+        let text = match library::target(target).filter(|_| !path.exists()) {
+            Some(known) => known.text.to_string(),
+            None => read_program(path).map_err(|why| {
+                let names: Vec<_> = library::targets().map(|known| known.short_name()).collect();
+                Failure::usage(format!(
+                    "cannot read `{target}`: {why}; a target is a file of styles, or {}",
+                    names.join(", ")
+                ))
+            })?,
+        };
+        style
+            .set_lines(&text)
+            .map_err(|(line, why)| Failure::usage(format!("{target}:{line}: {why}")))?;
+    }
+    for text in &arguments.style {
+        style.set(text).map_err(Failure::usage)?;
+    }
+    style.check().map_err(Failure::usage)?;
+    Ok(style)
+}
+
+/// All ops of a file; of one that only uses others, those that it uses. A target that names ops
+/// is for these, and for what the file has itself.
+fn all(program: &Program, style: &Style) -> Vec<usize> {
+    let ops = &program.analysis.program.ops;
+    let own = |at: &usize| ops[*at].span.file == program.analysis.file;
+    let wanted = |at: &usize| !style.names_functions() || style.function(&ops[*at].name).is_some();
+    let found: Vec<_> = (0..ops.len()).filter(own).collect();
+    match found.is_empty() {
+        true => (0..ops.len()).filter(wanted).collect(),
+        false => found,
     }
 }
 
@@ -101,12 +138,12 @@ fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
     )
 }
 
-fn tables(plans: &[&Plan], program: &Program) -> String {
+fn tables(plans: &[&Plan], program: &Program, exhaustive: bool) -> String {
     let plans: Vec<_> = plans
         .iter()
         .map(|plan| match &plan.steps {
             Some(steps) => show_steps(plan, steps, program),
-            None => show(plan),
+            None => show(plan, exhaustive),
         })
         .collect();
     plans.join("\n\n\n") + "\n"
@@ -142,7 +179,12 @@ fn emitted(program: &Program, text: Result<String, NotEmitted>) -> Result<String
 }
 
 /// Plans as data: what the reference documents.
-fn data(program: &Program, ops: &[usize], plans: &[&Plan]) -> Result<String, Failure> {
+fn data(
+    program: &Program,
+    ops: &[usize],
+    plans: &[&Plan],
+    exhaustive: bool,
+) -> Result<String, Failure> {
     let plans = ops.iter().zip(plans).map(|(&op, plan)| {
         let op = &program.analysis.program.ops[op];
         let params =
@@ -153,7 +195,7 @@ fn data(program: &Program, ops: &[usize], plans: &[&Plan]) -> Result<String, Fai
             result: plan.result.map(|kind| kind.name()),
             level: plan.level.name(),
             calls: plan.steps.as_ref().map(|steps| called(steps, program)),
-            rules: plan.stages.iter().map(RuleData::from).collect(),
+            rules: plan.stages.iter().map(|stage| RuleData::of(stage, exhaustive)).collect(),
             refusals: plan
                 .refusals
                 .iter()
@@ -226,8 +268,8 @@ enum CellData<'a> {
     Note { text: &'a str },
 }
 
-impl<'a> From<&'a Stage> for RuleData<'a> {
-    fn from(stage: &'a Stage) -> Self {
+impl<'a> RuleData<'a> {
+    fn of(stage: &'a Stage, exhaustive: bool) -> Self {
         let rows = |rows: &'a [Row]| {
             let row = |row: &'a Row| RowData {
                 cell: match &row.cell {
@@ -237,7 +279,7 @@ impl<'a> From<&'a Stage> for RuleData<'a> {
                 },
                 executed: row.executed,
             };
-            rows.iter().map(row).collect()
+            rows.iter().filter(|row| exhaustive || !is_outside(row)).map(row).collect()
         };
         Self {
             rule: stage.rule.as_deref(),
@@ -250,16 +292,24 @@ impl<'a> From<&'a Stage> for RuleData<'a> {
 }
 
 /// The four phases of every rule.
-pub(super) fn show(plan: &Plan) -> String {
-    let stages = plan.stages.iter().map(|stage| show_stage(&plan.name, stage));
+pub(super) fn show(plan: &Plan, exhaustive: bool) -> String {
+    let stages = plan.stages.iter().map(|stage| show_stage(&plan.name, stage, exhaustive));
     let mut text = stages.collect::<Vec<_>>().join("\n\n");
     if plan.stages.iter().any(|stage| stage.reassign.iter().any(|row| !row.executed)) {
-        text.push_str("\n\n· provably unchanged: not executed");
+        text.push_str("\n\n· unchanged: not executed");
     }
     text
 }
 
-fn show_stage(name: &str, stage: &Stage) -> String {
+/// Whether a row is about a pointer that leads out of the drawing, and is kept.
+fn is_outside(row: &Row) -> bool {
+    match &row.cell {
+        Cell::Set { target, value } => value == Cell::AS_IT_WAS && !target.ends_with(".halfedge"),
+        _ => false,
+    }
+}
+
+fn show_stage(name: &str, stage: &Stage, exhaustive: bool) -> String {
     let title = match &stage.rule {
         Some(rule) => format!("{name}, rule {rule}"),
         None => name.to_string(),
@@ -275,8 +325,9 @@ fn show_stage(name: &str, stage: &Stage) -> String {
             return format!("{phase}\n   nothing");
         }
         let alike = |one: &Row, two: &Row| discriminant(&one.cell) == discriminant(&two.cell);
-        let blocks = rows.chunk_by(alike).map(|rows| {
-            let rows: Vec<_> = rows.iter().map(cells).collect();
+        let rows: Vec<_> = rows.iter().filter(|row| exhaustive || !is_outside(row)).collect();
+        let blocks = rows.chunk_by(|one, two| alike(one, two)).map(|rows| {
+            let rows: Vec<_> = rows.iter().map(|row| cells(row)).collect();
             table(&rows, &[])
         });
         format!("{phase}\n{}", blocks.collect::<Vec<_>>().join("\n"))
@@ -287,6 +338,9 @@ fn show_stage(name: &str, stage: &Stage) -> String {
 fn cells(row: &Row) -> Vec<String> {
     let mark = if row.executed { "   " } else { " · " };
     match &row.cell {
+        Cell::Set { target, value } if value == Cell::AS_IT_WAS => {
+            vec![format!("{mark}{target}"), value.clone()]
+        }
         Cell::Set { target, value } => vec![format!("{mark}{target}"), format!("= {value}")],
         Cell::Test { claim, reason } => {
             vec![format!("{mark}test {claim}"), format!("else refuse: {reason}")]

@@ -42,7 +42,7 @@ impl Reassign<'_, '_, '_, '_> {
         let store =
             Inst::StoreHalfedge { of: ElementField::Vertex, element: self.element(vertex), value };
         let keeps = self.drawing.keeps_its_spokes(vertex);
-        self.set(format!("{}.halfedge", self.word(vertex)), text, (!keeps).then_some(store));
+        self.anchor(vertex, text, store, keeps);
     }
 
     /// A halfedge that starts at the vertex after: a named spoke; else the first of a path

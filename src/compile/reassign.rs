@@ -7,7 +7,7 @@ use super::registers::Registers;
 use super::run::Run;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId};
-use crate::rewrite::{ElementField, HalfedgeField, Inst, Reg, Row, Span};
+use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
 pub(super) struct Reassign<'o, 's, 'd, 'r> {
@@ -68,6 +68,16 @@ impl Reassign<'_, '_, '_, '_> {
         self.rows.push(Row::set(target, value, inst.is_some()));
         if let Some(inst) = inst {
             self.output.asm.emit(self.onto.aim(inst));
+        }
+    }
+
+    /// The `halfedge` of a vertex, an edge or a face. One that is kept is as it was: that need
+    /// not be the halfedge that would be set.
+    pub(super) fn anchor(&mut self, element: NameId, value: String, store: Inst, keeps: bool) {
+        let target = format!("{}.halfedge", self.word(element));
+        match keeps {
+            true => self.set(target, Cell::AS_IT_WAS.into(), None),
+            false => self.set(target, value, Some(store)),
         }
     }
 
@@ -236,7 +246,7 @@ impl Reassign<'_, '_, '_, '_> {
             element: self.element(face),
             value: head,
         };
-        self.set(format!("{}.halfedge", self.word(face)), value, (!keeps).then_some(store));
+        self.anchor(face, value, store, keeps);
     }
 
     pub(super) fn face_kind(&mut self, orbit: &Loop) {
@@ -263,8 +273,7 @@ impl Reassign<'_, '_, '_, '_> {
         });
         let (element, value) = (self.element(edge), self.element(left));
         let store = Inst::StoreHalfedge { of: ElementField::Edge, element, value };
-        let target = format!("{}.halfedge", self.word(edge));
-        self.set(target, self.word(left).into(), (!keeps).then_some(store));
+        self.anchor(edge, self.word(left).into(), store, keeps);
     }
 
     /// Outer halfedges start where their vertex statement, or their drawn twin, says.
@@ -279,6 +288,13 @@ impl Reassign<'_, '_, '_, '_> {
             let changed = drawing.origin_before(half) != Some(origin);
             self.for_each(half, |this| {
                 this.pointer(HalfedgeField::Vertex, half, origin, changed);
+                // A path may end with it, or hold it.
+                let paths = this.drawing.rule.names_of(Kind::Path).next().is_some();
+                let kept = ["next", "prev", "face"].into_iter().filter(|_| !paths);
+                for pointer in kept {
+                    let target = format!("{}.{pointer}", this.word(half));
+                    this.set(target, Cell::AS_IT_WAS.into(), None);
+                }
             });
         }
     }

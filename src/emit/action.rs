@@ -1,7 +1,7 @@
 //! What steps and functions do besides computing: variables that change, branches, loops, and
 //! calls of what changes the mesh.
 
-use super::routine::Statement;
+use super::routine::{Statement, give_back};
 use super::term::{Around, Attribute, Parameter, Term};
 use crate::diagram::{Level, Type};
 
@@ -10,18 +10,33 @@ use crate::diagram::{Level, Type};
 pub(super) struct Whole {
     /// Its name.
     pub name: String,
+    /// What the program calls it.
+    pub declared: String,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Parameter>,
     /// The type of its result; without one it tells whether it applied.
     pub result: Option<Type>,
+    /// The first parameter that is an element and surely outlives it.
+    pub given: Option<Parameter>,
     /// What is asked before anything is done.
     pub asks: Vec<Statement>,
     /// The level that the mesh has to have in the end.
     pub level: Level,
     /// What it does.
     pub body: Vec<Statement>,
+}
+
+impl Whole {
+    /// The operation with the element that it was given as its result, if it has none.
+    pub fn giving_back(mut self) -> Self {
+        if let (None, Some(given)) = (self.result, self.given.clone()) {
+            self.result = Some(given.ty);
+            give_back(&mut self.body, &given.name);
+        }
+        self
+    }
 }
 
 /// A statement of steps or of a function.
@@ -141,6 +156,20 @@ impl Action {
                 vec![body]
             }
             Self::Update { visit, .. } => visit.bodies(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The statements inside of it, to be changed.
+    pub fn bodies_mut(&mut self) -> Vec<&mut Vec<Statement>> {
+        match self {
+            Self::Apply { then, otherwise, .. } | Self::Choose { then, otherwise, .. } => {
+                vec![then, otherwise]
+            }
+            Self::Repeat { body, .. } | Self::While { body, .. } | Self::For { body, .. } => {
+                vec![body]
+            }
+            Self::Update { visit, .. } => visit.bodies_mut(),
             _ => Vec::new(),
         }
     }

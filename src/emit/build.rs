@@ -7,17 +7,17 @@ use super::action::Action;
 use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
 use super::guard;
 use super::matching::Matching;
-use super::names::{Names, unreserved};
+use super::names::Names;
 use super::reassign;
 use super::routine::{Alternative, Routine, Statement, without_unread};
-use super::term::{Function, Term};
+use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
 
 /// What the mesh of a language is like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Conventions {
+pub(super) struct Conventions<'c> {
     /// Whether halfedges store `prev`; if not, who wants it walks.
     pub prev: bool,
     /// Whether there are vertices at which no halfedge starts.
@@ -27,6 +27,10 @@ pub(super) struct Conventions {
     /// Whether the mesh knows what was done to it, and undoes it. Who changes it borrows it
     /// then, so that nothing else in the same call can look at it.
     pub undoes: bool,
+    /// Whether pointers are set that do not change.
+    pub exhaustive: bool,
+    /// Words that the mesh class keeps to itself.
+    pub kept: &'c [String],
 }
 
 /// The routine of a proved operation, and the functions that it calls; of those, the attributes
@@ -34,7 +38,7 @@ pub(super) struct Conventions {
 pub(super) fn routine(
     proved: &Proved,
     functions: &[Option<String>],
-    conventions: Conventions,
+    conventions: Conventions<'_>,
     looks: &dyn Fn(u32) -> BTreeSet<u32>,
 ) -> Result<(Routine, BTreeSet<u32>), NotEmitted> {
     let op = proved.op();
@@ -47,7 +51,7 @@ pub(super) fn routine(
     let mut rules = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let rule = proof.drawn(rule);
-        let mut names = Names::new(op, rule, functions);
+        let mut names = Names::new(op, rule, functions, conventions.kept);
         params = parameters(&op.params, &mut names)?;
         let mut body = alternative(rule, proof, conventions, &mut names)?;
         let calls = names.take_calls();
@@ -58,8 +62,18 @@ pub(super) fn routine(
         all_calls.extend(calls);
         rules.push(Alternative { label: rule.label.clone(), body: without_unread(body) });
     }
+    let outlives = |&(at, param): &(usize, &Parameter)| {
+        let erased = |rule: &Rule| {
+            let name = rule.params.get(at).copied().flatten();
+            name.is_none_or(|name| rule.erased.iter().any(|erased| erased.name == name))
+        };
+        param.ty.is_element() && !op.rules.iter().any(erased)
+    };
+    let given = params.iter().enumerate().find(outlives).map(|(_, param)| param.clone());
     let routine = Routine {
-        name: unreserved(&op.name),
+        name: op.name.clone(),
+        declared: op.name.clone(),
+        given,
         docs: op.docs.clone(),
         params,
         result: op.result,
@@ -80,7 +94,7 @@ pub(super) fn columns(names: &Names, seen: BTreeSet<u32>) -> Vec<Statement> {
 fn alternative(
     rule: &Rule,
     proof: &Proof,
-    conventions: Conventions,
+    conventions: Conventions<'_>,
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let drawing = Drawing::new(rule);
@@ -127,7 +141,7 @@ fn is_tried(step: &Step) -> bool {
 fn phases(
     drawing: &Drawing,
     proof: &Proof,
-    conventions: Conventions,
+    conventions: Conventions<'_>,
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let rule = drawing.rule;
@@ -139,7 +153,9 @@ fn phases(
             // What holds at index 0 is asked at every index.
             Some(_) => continue,
         };
-        let ask = |names: &mut Names| Expressions { names }.term(&require.condition);
+        let condition =
+            Expressions { names }.once(&require.condition, repeated, Some(rule), &mut body)?;
+        let ask = |names: &mut Names| Expressions { names }.term(&condition);
         let condition = names.for_each(repeated, ask)?;
         if repeated {
             body.push(Statement::Refuse {
@@ -167,7 +183,11 @@ fn phases(
     sets.extend(values);
     if !sets.is_empty() {
         body.push(Statement::Blank);
-        body.push(Statement::Comment("3. Reassign every pointer that changes.".into()));
+        let which = match conventions.exhaustive {
+            true => "3. Reassign every pointer, whether it changes or not.",
+            false => "3. Reassign every pointer that changes.",
+        };
+        body.push(Statement::Comment(which.into()));
         body.extend(sets);
     }
     let erased: Vec<_> = rule
@@ -245,7 +265,8 @@ fn values(
         let word = names.word(target).trim_end_matches('_').to_string();
         let called = attribute.as_ref().map_or("position", |it| &it.name);
         let name = names.fresh(&format!("{word}_{called}"));
-        let evaluate = |names: &mut Names| Expressions { names }.term(&assignment.value);
+        let value = Expressions { names }.once(&assignment.value, member, Some(rule), body)?;
+        let evaluate = |names: &mut Names| Expressions { names }.term(&value);
         let value = names.for_each(member, evaluate)?;
         let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
         let turns = names.turns();

@@ -11,14 +11,15 @@ use crate::diagram::{Callee, Expr, ExprKind};
 
 /// A function that computes a value, and the functions that it calls.
 pub(super) fn helper(
-    callee: &Callee,
+    (callee, name): (&Callee, &str),
     functions: &[Option<String>],
+    kept: &[String],
 ) -> Result<(Helper, BTreeSet<u32>), NotEmitted> {
-    let mut names = Names::of_function(callee, functions);
+    let mut names = Names::of_function(callee, functions, kept);
     let body = Expressions { names: &mut names }.block(callee)?;
     let params = callee.params.iter().zip(names.params());
     let helper = Helper {
-        name: callee.name.clone(),
+        name: name.to_string(),
         docs: callee.docs.clone(),
         params: params.map(|(&ty, name)| Parameter::new(name.clone(), ty)).collect(),
         result: Some(callee.result),
@@ -50,7 +51,8 @@ impl Expressions<'_> {
     ) -> Result<(), NotEmitted> {
         match &value.kind {
             ExprKind::Let(number, bound, rest) => {
-                let (ty, value) = (bound.ty, self.term(bound)?);
+                let bound = self.once(bound, false, None, body)?;
+                let (ty, value) = (bound.ty, self.term(&bound)?);
                 let wanted = callee.variables.get(*number as usize);
                 let name = self.names.bind(*number, wanted.map_or("x", String::as_str));
                 body.push(Statement::Bind { ty, name, value });
@@ -64,7 +66,8 @@ impl Expressions<'_> {
                 self.tail(otherwise, callee, body)
             }
             _ => {
-                let value = self.term(value)?;
+                let value = self.once(value, false, None, body)?;
+                let value = self.term(&value)?;
                 body.push(Statement::Give(value));
                 Ok(())
             }

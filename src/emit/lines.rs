@@ -56,11 +56,12 @@ impl Lines {
 
     /// A comment of words, broken where lines would become too long.
     pub fn comment(&mut self, mark: &str, text: &str) {
+        let text = &plain(text);
         let width = 96usize.saturating_sub(self.depth * self.unit + mark.len() + 1).max(20);
         let mut line = String::new();
         for word in text.split_whitespace() {
             if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
-                self.line(&format!("{mark} {line}"));
+                self.line(&comment(mark, &line));
                 line.clear();
             }
             if !line.is_empty() {
@@ -68,6 +69,28 @@ impl Lines {
             }
             line.push_str(word);
         }
-        self.line(format!("{mark} {line}").trim_end());
+        self.line(&comment(mark, &line));
     }
+}
+
+/// A line of comment. One that ended with a backslash would swallow the next line in C++, so
+/// something stands behind it.
+pub(super) fn comment(mark: &str, text: &str) -> String {
+    let text = plain(text);
+    let text = text.trim_end();
+    match text.ends_with('\\') {
+        true => format!("{mark} {text} ."),
+        false => format!("{mark} {text}").trim_end().to_string(),
+    }
+}
+
+/// A text on one line, without what compilers do not take in comments: control characters, and
+/// those that turn the direction of writing.
+fn plain(text: &str) -> String {
+    let is_turning = |c: char| {
+        matches!(c, '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}')
+            || matches!(c, '\u{2028}'..='\u{2029}' | '\u{2066}'..='\u{2069}')
+    };
+    let blank = |c: char| if c.is_control() || is_turning(c) { ' ' } else { c };
+    text.chars().map(blank).collect()
 }

@@ -11,7 +11,7 @@ use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Type};
 /// Writes what matching does.
 pub(super) struct Matching<'d, 'n> {
     pub drawing: &'d Drawing<'d>,
-    pub conventions: Conventions,
+    pub conventions: Conventions<'d>,
     pub names: &'n mut Names,
 }
 

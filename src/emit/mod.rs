@@ -21,7 +21,9 @@ mod expression;
 mod guard;
 mod matching;
 mod names;
+mod once;
 mod reassign;
+mod reserved;
 mod routine;
 mod steps;
 mod term;
@@ -49,17 +51,27 @@ pub struct NotEmitted {
     pub what: String,
     /// Where it stands in the source.
     pub span: Span,
+    /// Why not, if it is not only since there is no code for it.
+    pub why: Option<String>,
 }
 
 impl NotEmitted {
     fn new(what: impl Into<String>, span: Span) -> Self {
-        Self { what: what.into(), span }
+        Self { what: what.into(), span, why: None }
+    }
+
+    fn because(what: impl Into<String>, why: String, span: Span) -> Self {
+        Self { why: Some(why), ..Self::new(what, span) }
     }
 
     /// The failure as a diagnostic.
     pub fn diagnostic(&self) -> Diagnostic {
         let message = format!("{} cannot be emitted", self.what);
-        Diagnostic::error("not-emitted", message, self.span).note(
+        let diagnostic = Diagnostic::error("not-emitted", message, self.span);
+        if let Some(why) = &self.why {
+            return diagnostic.note(why.clone());
+        }
+        diagnostic.note(
             "`hedgerow plan` shows the operation as a table, and `hedgerow apply` and `run` carry it out",
         )
     }

@@ -6,47 +6,18 @@
 
 use std::collections::BTreeSet;
 
+use super::cpp;
+use super::reserved::{is_reserved, plain, unreserved};
 use super::term::{Attribute, Term, Turns};
-use super::{cpp, rust};
 use crate::diagram::{self, Callee, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
 
-/// Words of C++ and Rust, and what emitted code uses itself.
-const RESERVED: &str = "
-    alignas alignof and and_eq as asm async auto await become bitand bitor bool box break case catch
-    char class compl concept const consteval constexpr constinit continue crate default delete do
-    double dyn else enum explicit export extern false final float fn for friend gen goto if impl in
-    inline int let long loop macro match mod move mut mutable namespace new noexcept not not_eq
-    nullptr operator or or_eq override priv private protected pub public ref register requires
-    return self short signed sizeof static std struct super switch template this throw trait true
-    try type typedef typeid typename union unsafe unsized unsigned use using virtual void volatile
-    wchar_t where while xor xor_eq yield mesh hedgerow main abs min max
-    journal new_vertex new_halfedge new_edge new_face erase Some None Ok Err NULL EOF assert errno";
-
-/// All of them, with the functions that are written out: Rust calls those without a namespace.
-fn reserved() -> impl Iterator<Item = &'static str> {
-    RESERVED.split_whitespace().chain(rust::written_out())
-}
-
-/// A word that the languages leave free, as near as can be to the one that is wanted.
-pub(super) fn unreserved(word: &str) -> String {
-    match is_reserved(word) {
-        true => format!("{word}_"),
-        false => word.to_owned(),
-    }
-}
-
 /// What a function of the program is called: in C++ it stands beside those that are written out.
 pub(super) fn invoked(name: &str) -> String {
-    let name = name.replace('\'', "_");
-    match cpp::is_written_out(&name) {
+    match cpp::is_written_out(name) {
         true => format!("{name}_"),
-        false => unreserved(&name),
+        false => unreserved(name, &[]),
     }
-}
-
-fn is_reserved(word: &str) -> bool {
-    reserved().any(|reserved| reserved == word)
 }
 
 /// The names of one rule.
@@ -73,13 +44,15 @@ pub(super) struct Names {
     /// What the variables of steps are called in the program.
     variables: Vec<String>,
     taken: BTreeSet<String>,
+    /// What the mesh class keeps to itself.
+    kept: Vec<String>,
 }
 
 impl Names {
     /// Names for everything that a rule draws. Parameters are called the same in all rules.
-    pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>]) -> Self {
+    pub fn new(op: &Op, rule: &Rule, functions: &[Option<String>], kept: &[String]) -> Self {
         let count = rule.names.len();
-        let mut names = Self::without(count, functions);
+        let mut names = Self::without(count, functions, kept);
         for (at, param) in op.params.iter().enumerate() {
             let wanted = match begins_a_family(op, at) {
                 true => format!("{}_0", param.name),
@@ -102,8 +75,8 @@ impl Names {
     }
 
     /// Names for a function of the program.
-    pub fn of_function(callee: &Callee, functions: &[Option<String>]) -> Self {
-        let mut names = Self::without(0, functions);
+    pub fn of_function(callee: &Callee, functions: &[Option<String>], kept: &[String]) -> Self {
+        let mut names = Self::without(0, functions, kept);
         for name in callee.variables.iter().take(callee.params.len()) {
             let word = names.fresh(name);
             names.params.push(word);
@@ -118,9 +91,9 @@ impl Names {
         params: usize,
         functions: &[Option<String>],
         attributes: &[diagram::Attribute],
-        taken: impl Iterator<Item = String>,
+        (kept, taken): (&[String], impl Iterator<Item = String>),
     ) -> Self {
-        let mut names = Self::without(0, functions);
+        let mut names = Self::without(0, functions, kept);
         names.taken.extend(taken);
         names.variables = variables.iter().map(|known| known.name.clone()).collect();
         for variable in variables.iter().take(params) {
@@ -134,7 +107,7 @@ impl Names {
     /// Names for the attributes of the program.
     fn declare_attributes(&mut self, attributes: &[diagram::Attribute]) {
         for declared in attributes {
-            let name = unreserved(&declared.name.replace('\'', "_"));
+            let name = unreserved(&plain(&declared.name), &self.kept);
             let attribute = Attribute {
                 declared: declared.name.clone(),
                 column: self.fresh(&format!("{name}_column")),
@@ -157,7 +130,7 @@ impl Names {
     }
 
     /// No names yet, of so many.
-    fn without(count: usize, functions: &[Option<String>]) -> Self {
+    fn without(count: usize, functions: &[Option<String>], kept: &[String]) -> Self {
         Self {
             words: Vec::new(),
             lasts: Vec::new(),
@@ -172,10 +145,8 @@ impl Names {
             variables: Vec::new(),
             calls: BTreeSet::new(),
             attributes: Vec::new(),
-            taken: reserved()
-                .map(String::from)
-                .chain(functions.iter().flatten().map(|name| invoked(name)))
-                .collect(),
+            taken: functions.iter().flatten().map(|name| invoked(name)).collect(),
+            kept: kept.to_vec(),
         }
     }
 
@@ -227,27 +198,11 @@ impl Names {
 
     /// A name that is not taken yet, as near as can be to the one that is wanted.
     pub fn fresh(&mut self, wanted: &str) -> String {
-        let primes = wanted.chars().rev().take_while(|c| *c == '\'').count();
-        let stem = wanted.trim_end_matches('\'');
-        let mut word = match primes {
-            0 => stem.to_string(),
-            1 => format!("{stem}_"),
-            _ => format!("{stem}_{primes}"),
-        };
-        // Two underscores in a row, and one before a capital, belong to the compiler in C++.
-        while word.contains("__") {
-            word = word.replace("__", "_");
-        }
-        if word.starts_with('_') {
-            word = format!("x{word}");
-        }
-        let mut free = word.clone();
+        let word = plain(wanted);
+        let mut free = unreserved(&word, &self.kept);
         let mut number = 2;
         while !self.taken.insert(free.clone()) {
-            free = match is_reserved(&word) && number == 2 {
-                true => format!("{word}_"),
-                false => format!("{}_{number}", word.trim_end_matches('_')),
-            };
+            free = format!("{}_{number}", word.trim_end_matches('_'));
             number += 1;
         }
         free
@@ -255,7 +210,8 @@ impl Names {
 
     /// The first of some names that is not taken yet.
     fn first_free(&mut self, wanted: &[&str]) -> String {
-        let free = wanted.iter().find(|name| !self.taken.contains(**name));
+        let is_free = |name: &&&str| !self.taken.contains(**name) && !is_reserved(name);
+        let free = wanted.iter().find(is_free);
         self.fresh(free.unwrap_or(&wanted[0]))
     }
 

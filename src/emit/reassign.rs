@@ -15,7 +15,7 @@ use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Poin
 pub(super) fn statements(
     drawing: &Drawing,
     names: &mut Names,
-    conventions: Conventions,
+    conventions: Conventions<'_>,
 ) -> Vec<Statement> {
     let rule = drawing.rule;
     let mut walks = Vec::new();
@@ -67,7 +67,7 @@ struct Set {
 pub(super) struct Reassign<'d, 'n> {
     pub drawing: &'d Drawing<'d>,
     pub names: &'n mut Names,
-    pub conventions: Conventions,
+    pub conventions: Conventions<'d>,
     sets: Vec<Set>,
     /// Loops of runs that may be empty.
     pub runs: Vec<Statement>,
@@ -88,7 +88,7 @@ impl Reassign<'_, '_> {
             self.for_each(edge.edge.name, |this| this.edge(edge));
         }
         for half in rule.names_of(Kind::Halfedge) {
-            self.for_each(half, |this| this.outer_origin(half));
+            self.for_each(half, |this| this.outer(half));
         }
         for vertex in rule.names_of(Kind::Vertex) {
             self.for_each(vertex, |this| this.vertex(vertex));
@@ -98,6 +98,16 @@ impl Reassign<'_, '_> {
         }
         for orbit in &rule.after.loops {
             self.for_each(orbit.face.name, |this| this.face(orbit));
+        }
+    }
+
+    /// An element that keeps its halfedge. Where all is set, it is set to one that is drawn, else
+    /// to what it is.
+    fn kept(&mut self, element: NameId, pointer: Pointer, half: Option<Term>) {
+        if self.conventions.exhaustive {
+            let of = self.term(element);
+            let value = half.unwrap_or_else(|| of.clone().follow(pointer));
+            self.set_other(Statement::Set { pointer, of, value });
         }
     }
 
@@ -149,7 +159,7 @@ impl Reassign<'_, '_> {
     }
 
     fn pointer(&mut self, half: NameId, pointer: Pointer, value: NameId, changed: bool) {
-        if changed {
+        if changed || self.conventions.exhaustive {
             self.set(half, self.term(half), pointer, self.term(value));
         }
     }
@@ -208,7 +218,8 @@ impl Reassign<'_, '_> {
     pub fn link(&mut self, items: &[NameId], at: usize) {
         let after = (at + 1) % items.len();
         let (name, next) = (items[at], items[after]);
-        if self.drawing.before.item_after(name) != Some(next) {
+        let changed = self.drawing.before.item_after(name) != Some(next);
+        if changed || self.conventions.exhaustive {
             let (tail, head) = (self.tail(items, at), self.head(items, after));
             self.set(name, tail.clone(), Pointer::Next, head.clone());
             self.set(next, head, Pointer::Prev, tail);
@@ -240,8 +251,9 @@ impl Reassign<'_, '_> {
         }
     }
 
-    /// Outer halfedges start where their vertex statement, or their drawn twin, says.
-    fn outer_origin(&mut self, half: NameId) {
+    /// Outer halfedges start where their vertex statement, or their drawn twin, says, and stay in
+    /// their loop.
+    fn outer(&mut self, half: NameId) {
         let drawing = self.drawing;
         if !drawing.is_outer(half) || drawing.after.mention(half).is_none() {
             return;
@@ -249,6 +261,12 @@ impl Reassign<'_, '_> {
         if let Some(origin) = drawing.origin_after(half) {
             let changed = drawing.origin_before(half) != Some(origin);
             self.pointer(half, Pointer::Vertex, origin, changed);
+        }
+        if self.conventions.exhaustive {
+            for pointer in [Pointer::Next, Pointer::Prev, Pointer::Face] {
+                let of = self.term(half);
+                self.set(half, of.clone(), pointer, of.follow(pointer));
+            }
         }
     }
 
@@ -260,7 +278,7 @@ impl Reassign<'_, '_> {
             let mut halves = before.halfedges.iter();
             halves.all(|half| after.contains(&half.name))
         });
-        if !keeps {
+        if !keeps || self.conventions.exhaustive {
             self.set_other(Statement::Set {
                 pointer: Pointer::EdgeHalfedge,
                 of: self.term(statement.edge.name),
@@ -278,7 +296,11 @@ impl Reassign<'_, '_> {
             let mut items = before.items.iter();
             items.all(|item| drawing.after.face(item.item.name) == Some(face))
         });
-        if !keeps {
+        let first = orbit.items[0].item.name;
+        if keeps {
+            let half = (!self.is_path(first)).then(|| self.term(first));
+            self.kept(face, Pointer::FaceHalfedge, half);
+        } else {
             let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
             self.set_other(Statement::Set {
                 pointer: Pointer::FaceHalfedge,
@@ -303,8 +325,12 @@ impl Reassign<'_, '_> {
     fn vertex(&mut self, vertex: NameId) {
         let drawing = self.drawing;
         let drawn = drawing.after.mention(vertex).is_some();
-        if !drawn || drawing.erased(vertex).is_some() || drawing.keeps_its_spokes(vertex) {
+        if !drawn || drawing.erased(vertex).is_some() {
             return;
+        }
+        if drawing.keeps_its_spokes(vertex) {
+            let half = drawing.spoke_after(vertex).map(|half| self.term(half));
+            return self.kept(vertex, Pointer::VertexHalfedge, half);
         }
         let Some((value, run)) = self.spoke_of(vertex) else {
             return;

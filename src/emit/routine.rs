@@ -14,12 +14,16 @@ use crate::diagram::{Kind, Pointer, Type};
 pub(super) struct Routine {
     /// Its name.
     pub name: String,
+    /// What the program calls it.
+    pub declared: String,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
     /// Its parameters.
     pub params: Vec<Parameter>,
     /// The type of its result; without one it tells whether it applied.
     pub result: Option<Type>,
+    /// The first parameter that is an element and surely outlives it.
+    pub given: Option<Parameter>,
     /// The alternatives, tried in order.
     pub rules: Vec<Alternative>,
 }
@@ -50,6 +54,31 @@ pub(super) struct Alternative {
     pub label: Option<String>,
     /// Its statements.
     pub body: Vec<Statement>,
+}
+
+impl Routine {
+    /// The routine with the element that it was given as its result, if it has none.
+    pub fn giving_back(mut self) -> Self {
+        if let (None, Some(given)) = (self.result, self.given.clone()) {
+            self.result = Some(given.ty);
+            for rule in &mut self.rules {
+                give_back(&mut rule.body, &given.name);
+            }
+        }
+        self
+    }
+}
+
+/// Makes every end of statements give a name.
+pub(super) fn give_back(body: &mut [Statement], name: &str) {
+    for statement in body {
+        if let Statement::Return { result: result @ None } = statement {
+            *result = Some(Term::name(name));
+        }
+        for inner in statement.bodies_mut() {
+            give_back(inner, name);
+        }
+    }
 }
 
 /// A statement.
@@ -173,6 +202,20 @@ impl Statement {
             | Self::Each { body, .. }
             | Self::Foresee { body, .. } => body,
             _ => &[],
+        }
+    }
+
+    /// The statements inside of it, to be changed.
+    fn bodies_mut(&mut self) -> Vec<&mut Vec<Self>> {
+        match self {
+            Self::Attempt { body, .. }
+            | Self::Turn { body, .. }
+            | Self::When { body, .. }
+            | Self::Walk { body, .. }
+            | Self::Each { body, .. }
+            | Self::Foresee { body, .. } => vec![body],
+            Self::Action(action) => action.bodies_mut(),
+            _ => Vec::new(),
         }
     }
 

@@ -237,11 +237,26 @@ fn infix(language: &mut impl Language, symbol: &str, level: Level, sides: [&Term
     Spelled::new(format!("{left} {symbol} {right}"), level)
 }
 
-/// A number with all its digits, and a point.
-pub(super) fn number(value: f64) -> Spelled {
-    let text = format!("{value:?}");
+/// A number with all its digits, and a point, unless it is a large power of ten; or what is said
+/// instead of one that is infinite, and of one that is none.
+pub(super) fn number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
+    signed(value, format!("{:?}", value.abs()), [infinite, none])
+}
+
+/// The same as a number of half as many bits, in C++.
+pub(super) fn short_number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
+    let short = value as f32;
+    signed(short.into(), format!("{:?}f", short.abs()), [infinite, none])
+}
+
+fn signed(value: f64, digits: String, [infinite, none]: [&str; 2]) -> Spelled {
+    let text = match value.abs() {
+        size if size.is_nan() => return Spelled::whole(none),
+        size if size.is_infinite() => infinite.to_string(),
+        _ => digits,
+    };
     match value.is_sign_negative() {
-        true => Spelled::new(text, Level::Prefix),
+        true => Spelled::new(format!("-{text}"), Level::Prefix),
         false => Spelled::whole(text),
     }
 }

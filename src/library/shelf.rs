@@ -33,7 +33,32 @@ const FILES: &[LibraryFile] = &[
     LibraryFile { name: "std/smooth.hedge", text: include_str!("std/smooth.hedge") },
     LibraryFile { name: "std/random.hedge", text: include_str!("std/random.hedge") },
     LibraryFile { name: "std/repair.hedge", text: include_str!("std/repair.hedge") },
+    LibraryFile { name: "std/scotty3d.hedge", text: include_str!("std/scotty3d.hedge") },
 ];
+
+impl LibraryFile {
+    /// Its name without folder and ending: `triangle`.
+    pub fn short_name(&self) -> &'static str {
+        let inner = self.name.strip_prefix(FOLDER).unwrap_or(self.name);
+        inner.split('.').next().unwrap_or(inner)
+    }
+}
+
+/// For which mesh classes C++ is emitted: files of styles.
+const TARGETS: &[LibraryFile] =
+    &[LibraryFile { name: "std/scotty3d.target", text: include_str!("std/scotty3d.target") }];
+
+/// All targets.
+pub fn targets() -> impl Iterator<Item = LibraryFile> {
+    TARGETS.iter().copied()
+}
+
+/// The target of a name: `std/scotty3d.target`, for short also `scotty3d`.
+pub fn target(name: &str) -> Option<LibraryFile> {
+    let inner = name.strip_prefix(FOLDER).unwrap_or(name);
+    let short = inner.strip_suffix(".target").unwrap_or(inner);
+    targets().find(|target| target.short_name() == short)
+}
 
 /// All files, in the order in which they are best read.
 pub fn files() -> impl Iterator<Item = LibraryFile> {
@@ -66,5 +91,9 @@ mod tests {
         }
         assert!(found > 0);
         assert_eq!(file("std/nothing.hedge"), None);
+        assert_eq!(file("std/scotty3d.target"), None);
+        for name in ["scotty3d", "scotty3d.target", "std/scotty3d.target"] {
+            assert_eq!(target(name), targets().next());
+        }
     }
 }

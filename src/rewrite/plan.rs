@@ -110,3 +110,8 @@ pub enum Cell {
     /// Anything else, in words.
     Note(String),
 }
+
+impl Cell {
+    /// The value of a pointer that is kept, whatever it is.
+    pub const AS_IT_WAS: &'static str = "as it was";
+}

@@ -69,7 +69,13 @@ pub fn do_what_the_machine_does(texts: &[&str], pool: &Pool, seed: u64) {
     }
     let ops: Vec<_> = (0..proved.len()).collect();
     let program = Program::default();
-    let selection = Selection { program: &program, proved: &proved, sources: &sources, ops: &ops };
+    let selection = Selection {
+        program: &program,
+        proved: &proved,
+        sources: &sources,
+        ops: &ops,
+        exhaustive: false,
+    };
     let text = cpp(&selection, &Style::default()).expect("drawn ops can be emitted");
     let output = run(&text, &proved, &calls);
     let mut words = output.split_whitespace();

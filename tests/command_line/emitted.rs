@@ -214,3 +214,59 @@ fn pictures_show_attributes() {
     let plain = ["view", "square.obj", "-o", "v.svg", "--attribute", "x"];
     bench.fails(2, &plain, "no attribute `x`: it has none");
 }
+
+#[test]
+fn a_plan_tells_which_pointers_are_kept() {
+    let bench = Bench::new();
+    let said = bench.succeeds(&["plan", &flip()]);
+    // The face keeps its halfedge, which may be any of its loop; a row that named one would lie.
+    assert!(said.contains(" · e.halfedge   as it was\n"), "{said}");
+    assert!(!said.contains(" · e.halfedge   ="), "{said}");
+    assert!(said.ends_with("\n· unchanged: not executed\n"), "{said}");
+    assert!(!said.contains("h9.next"), "{said}");
+}
+
+#[test]
+fn every_assignment_of_the_tutorial_is_written_down() {
+    let bench = Bench::new();
+    let tutorial = ["plan", &example("tutorial.hedge"), "--exhaustive"];
+    let table = bench.succeeds(&tutorial);
+    let code = ["--as", "cpp", "--style", "accessors"];
+    let code = bench.succeeds(&[&tutorial[..], &code].concat());
+    let inside = [
+        ("h0", "h1 h3 v3 e0 f0"),
+        ("h1", "h2 h7 v2 e2 f0"),
+        ("h2", "h0 h8 v0 e3 f0"),
+        ("h3", "h4 h0 v2 e0 f1"),
+        ("h4", "h5 h9 v3 e4 f1"),
+        ("h5", "h3 h6 v1 e1 f1"),
+        ("h6", "h6->next() h5 v2 e1 h6->face()"),
+        ("h7", "h7->next() h1 v0 e2 h7->face()"),
+        ("h8", "h8->next() h2 v3 e3 h8->face()"),
+        ("h9", "h9->next() h4 v1 e4 h9->face()"),
+    ];
+    let mut wanted = Vec::new();
+    for (half, values) in inside {
+        let pointers = ["next", "twin", "vertex", "edge", "face"].into_iter();
+        wanted.extend(pointers.zip(values.split(' ')).map(|(pointer, value)| {
+            let row = match value.contains('>') {
+                true => format!("{half}.{pointer} as it was"),
+                false => format!("{half}.{pointer} = {value}"),
+            };
+            (row, format!("{half}->{pointer}() = {value};"))
+        }));
+    }
+    let others = "v0 h2 v1 h5 v2 h3 v3 h0 e0 h0 e1 h5 e2 h1 e3 h2 e4 h4 f0 h0 f1 h3";
+    let others: Vec<_> = others.split(' ').collect();
+    for pair in others.chunks(2) {
+        let (of, half) = (pair[0], pair[1]);
+        wanted.push((format!("{of}.halfedge"), format!("{of}->halfedge() = {half};")));
+    }
+    assert_eq!(wanted.len(), 61);
+    let rows: Vec<_> = table.lines().map(|row| row.split_whitespace().collect()).collect();
+    let rows: Vec<String> = rows.into_iter().map(|row: Vec<_>| row.join(" ")).collect();
+    for (row, line) in wanted {
+        assert!(rows.iter().any(|known| known.trim_start_matches("· ").starts_with(&row)), "{row}");
+        assert!(code.contains(&format!("    {line}\n")), "{line}\n{code}");
+    }
+}

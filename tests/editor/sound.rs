@@ -77,7 +77,11 @@ fn what_is_offered_leaves_a_sound_program_sound() {
         let mut seen = Vec::new();
         let told = snapshot.diagnostics();
         let told = told.iter().map(|told| told.span().range());
-        let places = places(&text).into_iter().map(|at| at..at).chain(told).chain([0..text.len()]);
+        let places = places(&text)
+            .into_iter()
+            .map(|at| at..at)
+            .chain(told)
+            .chain(std::iter::once(0..text.len()));
         for place in places {
             for action in actions(&snapshot, place) {
                 let now = applied(&text, &action);

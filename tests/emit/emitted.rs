@@ -111,302 +111,302 @@ pub fn collapse_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
 /// larger polygon loses a side. An edge parameter is tried both ways around, so one drawing
 /// serves a triangle on either side.
 pub fn collapse_collapse_polygon(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    collapse_collapse_polygon_triangles(mesh, e).or_else(|| collapse_collapse_polygon_triangle(mesh, e)).or_else(|| collapse_collapse_polygon_polygons(mesh, e))
-}
+    fn rule_triangles(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let b_ = mesh.twin(b);
+            let c_ = mesh.twin(c);
+            let g = mesh.next(d);
+            let h = mesh.next(g);
+            let g_ = mesh.twin(g);
+            let h_ = mesh.twin(h);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(c_);
+            let v1 = mesh.vertex(h_);
+            let v2 = mesh.vertex(b_);
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(g_);
+            let eb = mesh.edge(b);
+            let ec = mesh.edge(c);
+            let eg = mesh.edge(g);
+            let eh = mesh.edge(h);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if mesh.next(h) != d {
+                continue; // `f1` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if !mesh.link_condition(e) {
+                continue; // the link condition does not hold
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-fn collapse_collapse_polygon_triangles(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let b_ = mesh.twin(b);
-        let c_ = mesh.twin(c);
-        let g = mesh.next(d);
-        let h = mesh.next(g);
-        let g_ = mesh.twin(g);
-        let h_ = mesh.twin(h);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(c_);
-        let v1 = mesh.vertex(h_);
-        let v2 = mesh.vertex(b_);
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(g_);
-        let eb = mesh.edge(b);
-        let ec = mesh.edge(c);
-        let eg = mesh.edge(g);
-        let eh = mesh.edge(h);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if mesh.next(h) != d {
-            continue; // `f1` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        if !mesh.link_condition(e) {
-            continue; // the link condition does not hold
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+            // 3. Reassign every pointer that changes.
+            let mut h_2 = mesh.next(b_);
+            while h_2 != h_ {
+                mesh.set_vertex(h_2, v0);
+                h_2 = mesh.next(mesh.twin(h_2));
+            }
+            mesh.set_twin(b_, c_);
+            mesh.set_twin(c_, b_);
+            mesh.set_edge(c_, eb);
+            mesh.set_twin(g_, h_);
+            mesh.set_twin(h_, g_);
+            mesh.set_vertex(h_, v0);
+            mesh.set_edge(h_, eg);
+            mesh.set_vertex_halfedge(v0, h_);
+            mesh.set_vertex_halfedge(v2, b_);
+            mesh.set_vertex_halfedge(v3, g_);
+            mesh.set_edge_halfedge(eb, b_);
+            mesh.set_edge_halfedge(eg, g_);
+            mesh.set_position(v0, v0_position);
 
-        // 3. Reassign every pointer that changes.
-        let mut h_2 = mesh.next(b_);
-        while h_2 != h_ {
-            mesh.set_vertex(h_2, v0);
-            h_2 = mesh.next(mesh.twin(h_2));
+            // 4. Erase what is gone.
+            mesh.erase_vertex(v1);
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_halfedge(b);
+            mesh.erase_halfedge(c);
+            mesh.erase_halfedge(g);
+            mesh.erase_halfedge(h);
+            mesh.erase_face(f0);
+            mesh.erase_face(f1);
+            mesh.erase_edge(ec);
+            mesh.erase_edge(eh);
+            return Some(v0);
         }
-        mesh.set_twin(b_, c_);
-        mesh.set_twin(c_, b_);
-        mesh.set_edge(c_, eb);
-        mesh.set_twin(g_, h_);
-        mesh.set_twin(h_, g_);
-        mesh.set_vertex(h_, v0);
-        mesh.set_edge(h_, eg);
-        mesh.set_vertex_halfedge(v0, h_);
-        mesh.set_vertex_halfedge(v2, b_);
-        mesh.set_vertex_halfedge(v3, g_);
-        mesh.set_edge_halfedge(eb, b_);
-        mesh.set_edge_halfedge(eg, g_);
-        mesh.set_position(v0, v0_position);
-
-        // 4. Erase what is gone.
-        mesh.erase_vertex(v1);
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_halfedge(b);
-        mesh.erase_halfedge(c);
-        mesh.erase_halfedge(g);
-        mesh.erase_halfedge(h);
-        mesh.erase_face(f0);
-        mesh.erase_face(f1);
-        mesh.erase_edge(ec);
-        mesh.erase_edge(eh);
-        return Some(v0);
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn collapse_collapse_polygon_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let b_ = mesh.twin(b);
-        let c_ = mesh.twin(c);
-        let g = mesh.next(d);
-        let h = mesh.next(g);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(c_);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(b_);
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(h);
-        let v4 = mesh.vertex(mesh.next(h));
-        let eb = mesh.edge(b);
-        let ec = mesh.edge(c);
-        let Q_last = mesh.prev(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v0 == v4 {
-            continue; // `v0` and `v4` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if v1 == v4 {
-            continue; // `v1` and `v4` are one vertex
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        if v2 == v4 {
-            continue; // `v2` and `v4` are one vertex
-        }
-        if v3 == v4 {
-            continue; // `v3` and `v4` are one vertex
-        }
-        if (mesh.neighbors(v0).filter(|&w| mesh.adjacent(w, v1)).count() as i64) != 1 {
-            continue; // the ends have a common neighbour
-        }
-        if !mesh.is_boundary_edge(e) && mesh.is_boundary_vertex(v0) && mesh.is_boundary_vertex(v1) {
-            continue; // two boundaries would be pinched
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+    #[allow(non_snake_case)]
+    fn rule_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let b_ = mesh.twin(b);
+            let c_ = mesh.twin(c);
+            let g = mesh.next(d);
+            let h = mesh.next(g);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(c_);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(b_);
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(h);
+            let v4 = mesh.vertex(mesh.next(h));
+            let eb = mesh.edge(b);
+            let ec = mesh.edge(c);
+            let Q_last = mesh.prev(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v0 == v4 {
+                continue; // `v0` and `v4` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v1 == v4 {
+                continue; // `v1` and `v4` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if v2 == v4 {
+                continue; // `v2` and `v4` are one vertex
+            }
+            if v3 == v4 {
+                continue; // `v3` and `v4` are one vertex
+            }
+            if (mesh.neighbors(v0).filter(|&w| mesh.adjacent(w, v1)).count() as i64) != 1 {
+                continue; // the ends have a common neighbour
+            }
+            if !mesh.is_boundary_edge(e) && mesh.is_boundary_vertex(v0) && mesh.is_boundary_vertex(v1) {
+                continue; // two boundaries would be pinched
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 3. Reassign every pointer that changes.
-        let mut h_2 = mesh.next(b_);
-        while h_2 != d {
-            mesh.set_vertex(h_2, v0);
-            h_2 = mesh.next(mesh.twin(h_2));
-        }
-        mesh.set_prev(g, Q_last);
-        mesh.set_next(Q_last, g);
-        mesh.set_twin(b_, c_);
-        mesh.set_twin(c_, b_);
-        mesh.set_edge(c_, eb);
-        mesh.set_vertex_halfedge(v0, g);
-        mesh.set_vertex_halfedge(v2, b_);
-        mesh.set_edge_halfedge(eb, b_);
-        mesh.set_face_halfedge(f1, g);
-        mesh.set_position(v0, v0_position);
+            // 3. Reassign every pointer that changes.
+            let mut h_2 = mesh.next(b_);
+            while h_2 != d {
+                mesh.set_vertex(h_2, v0);
+                h_2 = mesh.next(mesh.twin(h_2));
+            }
+            mesh.set_prev(g, Q_last);
+            mesh.set_next(Q_last, g);
+            mesh.set_twin(b_, c_);
+            mesh.set_twin(c_, b_);
+            mesh.set_edge(c_, eb);
+            mesh.set_vertex_halfedge(v0, g);
+            mesh.set_vertex_halfedge(v2, b_);
+            mesh.set_edge_halfedge(eb, b_);
+            mesh.set_face_halfedge(f1, g);
+            mesh.set_position(v0, v0_position);
 
-        // 4. Erase what is gone.
-        mesh.erase_vertex(v1);
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_halfedge(b);
-        mesh.erase_halfedge(c);
-        mesh.erase_face(f0);
-        mesh.erase_edge(ec);
-        return Some(v0);
+            // 4. Erase what is gone.
+            mesh.erase_vertex(v1);
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_halfedge(b);
+            mesh.erase_halfedge(c);
+            mesh.erase_face(f0);
+            mesh.erase_edge(ec);
+            return Some(v0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn collapse_collapse_polygon_polygons(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let g = mesh.next(d);
-        let h = mesh.next(g);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(c);
-        let v4 = mesh.vertex(mesh.next(c));
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(h);
-        let v5 = mesh.vertex(mesh.next(h));
-        let P_last = mesh.prev(a);
-        let Q_last = mesh.prev(d);
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v0 == v4 {
-            continue; // `v0` and `v4` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v0 == v5 {
-            continue; // `v0` and `v5` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if v1 == v4 {
-            continue; // `v1` and `v4` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if v1 == v5 {
-            continue; // `v1` and `v5` are one vertex
-        }
-        if v2 == v4 {
-            continue; // `v2` and `v4` are one vertex
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        if v2 == v5 {
-            continue; // `v2` and `v5` are one vertex
-        }
-        if v4 == v3 {
-            continue; // `v4` and `v3` are one vertex
-        }
-        if v4 == v5 {
-            continue; // `v4` and `v5` are one vertex
-        }
-        if v3 == v5 {
-            continue; // `v3` and `v5` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        if mesh.neighbors(v0).any(|w| mesh.adjacent(w, v1)) {
-            continue; // the ends have a common neighbour
-        }
-        if !mesh.is_boundary_edge(e) && mesh.is_boundary_vertex(v0) && mesh.is_boundary_vertex(v1) {
-            continue; // two boundaries would be pinched
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+    #[allow(non_snake_case)]
+    fn rule_polygons(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let g = mesh.next(d);
+            let h = mesh.next(g);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(c);
+            let v4 = mesh.vertex(mesh.next(c));
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(h);
+            let v5 = mesh.vertex(mesh.next(h));
+            let P_last = mesh.prev(a);
+            let Q_last = mesh.prev(d);
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v4 {
+                continue; // `v0` and `v4` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v0 == v5 {
+                continue; // `v0` and `v5` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v4 {
+                continue; // `v1` and `v4` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v1 == v5 {
+                continue; // `v1` and `v5` are one vertex
+            }
+            if v2 == v4 {
+                continue; // `v2` and `v4` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if v2 == v5 {
+                continue; // `v2` and `v5` are one vertex
+            }
+            if v4 == v3 {
+                continue; // `v4` and `v3` are one vertex
+            }
+            if v4 == v5 {
+                continue; // `v4` and `v5` are one vertex
+            }
+            if v3 == v5 {
+                continue; // `v3` and `v5` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
+            if mesh.neighbors(v0).any(|w| mesh.adjacent(w, v1)) {
+                continue; // the ends have a common neighbour
+            }
+            if !mesh.is_boundary_edge(e) && mesh.is_boundary_vertex(v0) && mesh.is_boundary_vertex(v1) {
+                continue; // two boundaries would be pinched
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 3. Reassign every pointer that changes.
-        let mut h_2 = mesh.next(mesh.twin(b));
-        while h_2 != d {
-            mesh.set_vertex(h_2, v0);
-            h_2 = mesh.next(mesh.twin(h_2));
-        }
-        mesh.set_prev(b, P_last);
-        mesh.set_vertex(b, v0);
-        mesh.set_next(P_last, b);
-        mesh.set_prev(g, Q_last);
-        mesh.set_next(Q_last, g);
-        mesh.set_vertex_halfedge(v0, g);
-        mesh.set_face_halfedge(f0, b);
-        mesh.set_face_halfedge(f1, g);
-        mesh.set_position(v0, v0_position);
+            // 3. Reassign every pointer that changes.
+            let mut h_2 = mesh.next(mesh.twin(b));
+            while h_2 != d {
+                mesh.set_vertex(h_2, v0);
+                h_2 = mesh.next(mesh.twin(h_2));
+            }
+            mesh.set_prev(b, P_last);
+            mesh.set_vertex(b, v0);
+            mesh.set_next(P_last, b);
+            mesh.set_prev(g, Q_last);
+            mesh.set_next(Q_last, g);
+            mesh.set_vertex_halfedge(v0, g);
+            mesh.set_face_halfedge(f0, b);
+            mesh.set_face_halfedge(f1, g);
+            mesh.set_position(v0, v0_position);
 
-        // 4. Erase what is gone.
-        mesh.erase_vertex(v1);
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        return Some(v0);
+            // 4. Erase what is gone.
+            mesh.erase_vertex(v1);
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            return Some(v0);
+        }
+        None
     }
-    None
+
+    rule_triangles(mesh, e).or_else(|| rule_triangle(mesh, e)).or_else(|| rule_polygons(mesh, e))
 }
 
 /// Cuts a face between the corners where `a` and `b` start; returns the new edge.
@@ -610,7 +610,8 @@ pub fn families_inset(mesh: &mut Mesh, f: FaceId, t: f64) -> bool {
     if !all_differ(&v) {
         return false; // two of `v[i]` are one vertex
     }
-    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), mesh.centroid(f), t)).collect();
+    let centroid = mesh.centroid(f);
+    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), centroid, t)).collect();
     if (0..n).any(|i| !w_position[i].is_finite()) {
         return false; // the new position of `w[i]` is not finite
     }
@@ -920,9 +921,9 @@ pub fn families_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Fac
 ///
 /// ```text
 ///        v2                 v2
-///       /  \               /|\
+///       /  \               /|\ .
 ///     c/ f0 \b           c/ | \b
-///     /  a-> \           /  |  \
+///     /  a-> \           /  |  \ .
 ///   v0 ------ v1   =>  v0   |   v1
 ///     \ <-d  /           \ a|d /
 ///     g\ f1 /h           g\ | /h
@@ -1080,224 +1081,224 @@ pub fn flip_flip_any(mesh: &mut Mesh, e: EdgeId) -> bool {
 
 /// Splits an edge at its midpoint, and each triangle at it; returns the new vertex.
 pub fn remesh_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    remesh_split_interior(mesh, e).or_else(|| remesh_split_border(mesh, e))
-}
+    fn rule_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let g = mesh.next(d);
+            let h = mesh.next(g);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(c);
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(h);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if mesh.next(h) != d {
+                continue; // `f1` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-fn remesh_split_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let g = mesh.next(d);
-        let h = mesh.next(g);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(c);
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(h);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if mesh.next(h) != d {
-            continue; // `f1` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let s = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let u = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let f3 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
+            let e3 = mesh.add_edge();
 
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let s = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let u = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let f3 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
-        let e3 = mesh.add_edge();
-
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(c, p);
-        mesh.set_next(d, s);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_next(g, u);
-        mesh.set_prev(g, t);
-        mesh.set_face(g, f3);
-        mesh.set_prev(h, s);
-        mesh.set_next(p, c);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(s, h);
-        mesh.set_prev(s, d);
-        mesh.set_twin(s, u);
-        mesh.set_vertex(s, m);
-        mesh.set_edge(s, e3);
-        mesh.set_face(s, f1);
-        mesh.set_next(t, g);
-        mesh.set_prev(t, u);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f3);
-        mesh.set_next(u, t);
-        mesh.set_prev(u, g);
-        mesh.set_twin(u, s);
-        mesh.set_vertex(u, v3);
-        mesh.set_edge(u, e3);
-        mesh.set_face(u, f3);
-        mesh.set_vertex_halfedge(m, p);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_edge_halfedge(e3, s);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_face_halfedge(f1, d);
-        mesh.set_face_halfedge(f3, t);
-        mesh.set_position(m, m_position);
-        return Some(m);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(c, p);
+            mesh.set_next(d, s);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_next(g, u);
+            mesh.set_prev(g, t);
+            mesh.set_face(g, f3);
+            mesh.set_prev(h, s);
+            mesh.set_next(p, c);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(s, h);
+            mesh.set_prev(s, d);
+            mesh.set_twin(s, u);
+            mesh.set_vertex(s, m);
+            mesh.set_edge(s, e3);
+            mesh.set_face(s, f1);
+            mesh.set_next(t, g);
+            mesh.set_prev(t, u);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f3);
+            mesh.set_next(u, t);
+            mesh.set_prev(u, g);
+            mesh.set_twin(u, s);
+            mesh.set_vertex(u, v3);
+            mesh.set_edge(u, e3);
+            mesh.set_face(u, f3);
+            mesh.set_vertex_halfedge(m, p);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_edge_halfedge(e3, s);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_face_halfedge(f1, d);
+            mesh.set_face_halfedge(f3, t);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remesh_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(c);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if !mesh.is_hole(f1) {
-            continue; // `f1` is not a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+    #[allow(non_snake_case)]
+    fn rule_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(c);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if !mesh.is_hole(f1) {
+                continue; // `f1` is not a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
 
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(c, p);
-        mesh.set_next(d, t);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_prev(P_first, t);
-        mesh.set_next(p, c);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(t, P_first);
-        mesh.set_prev(t, d);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f1);
-        mesh.set_vertex_halfedge(m, p);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_position(m, m_position);
-        return Some(m);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(c, p);
+            mesh.set_next(d, t);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_prev(P_first, t);
+            mesh.set_next(p, c);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(t, P_first);
+            mesh.set_prev(t, d);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f1);
+            mesh.set_vertex_halfedge(m, p);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
     }
-    None
+
+    rule_interior(mesh, e).or_else(|| rule_border(mesh, e))
 }
 
 /// Merges the two ends of an edge between triangles at its midpoint; v1 goes. Refuses where
@@ -1364,10 +1365,12 @@ pub fn remesh_collapse(mesh: &mut Mesh, e: EdgeId, longest: f64) -> Option<Verte
         if mesh.is_boundary_vertex(v1) {
             continue; // an end lies on the boundary
         }
-        if !mesh.neighbors(v0).all(|w| DVec3::distance(mesh.position(w), mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5)) < longest) {
+        let part = mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5);
+        let part_2 = mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5);
+        if !mesh.neighbors(v0).all(|w| DVec3::distance(mesh.position(w), part) < longest) {
             continue; // an edge would become too long
         }
-        if !mesh.neighbors(v1).all(|w_2| DVec3::distance(mesh.position(w_2), mesh.position(mesh.vertex(mesh.edge_halfedge(e))).lerp(mesh.position(mesh.target(mesh.edge_halfedge(e))), 0.5)) < longest) {
+        if !mesh.neighbors(v1).all(|w_2| DVec3::distance(mesh.position(w_2), part_2) < longest) {
             continue; // an edge would become too long
         }
         let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
@@ -1491,34 +1494,272 @@ pub fn remesh_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
 
 /// Splits an edge at its midpoint, and each triangle at it; returns the new vertex.
 pub fn split_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    split_split_interior(mesh, e).or_else(|| split_split_border(mesh, e))
+    fn rule_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let g = mesh.next(d);
+            let h = mesh.next(g);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(c);
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(h);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if mesh.next(h) != d {
+                continue; // `f1` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let s = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let u = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let f3 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
+            let e3 = mesh.add_edge();
+
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(c, p);
+            mesh.set_next(d, s);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_next(g, u);
+            mesh.set_prev(g, t);
+            mesh.set_face(g, f3);
+            mesh.set_prev(h, s);
+            mesh.set_next(p, c);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(s, h);
+            mesh.set_prev(s, d);
+            mesh.set_twin(s, u);
+            mesh.set_vertex(s, m);
+            mesh.set_edge(s, e3);
+            mesh.set_face(s, f1);
+            mesh.set_next(t, g);
+            mesh.set_prev(t, u);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f3);
+            mesh.set_next(u, t);
+            mesh.set_prev(u, g);
+            mesh.set_twin(u, s);
+            mesh.set_vertex(u, v3);
+            mesh.set_edge(u, e3);
+            mesh.set_face(u, f3);
+            mesh.set_vertex_halfedge(m, p);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_edge_halfedge(e3, s);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_face_halfedge(f1, d);
+            mesh.set_face_halfedge(f3, t);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
+    }
+
+    #[allow(non_snake_case)]
+    fn rule_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(c);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if !mesh.is_hole(f1) {
+                continue; // `f1` is not a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
+
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(c, p);
+            mesh.set_next(d, t);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_prev(P_first, t);
+            mesh.set_next(p, c);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(t, P_first);
+            mesh.set_prev(t, d);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f1);
+            mesh.set_vertex_halfedge(m, p);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
+    }
+
+    rule_interior(mesh, e).or_else(|| rule_border(mesh, e))
 }
 
-fn split_split_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+/// Rotates the edge between two triangles: both of its ends step one corner counterclockwise.
+///
+/// ```text
+///        v2                 v2
+///       /  \               / | \ .
+///     h2 f0 h1           h1  |  h5
+///     /      \           /   |    \ .
+///   v0---e0---v1   ->   v0 f0|e0 f1 v1
+///     \      /           \   |    /
+///     h4 f1 h5           h2  |  h4
+///       \  /               \ | /
+///        v3                 v3
+/// ```
+pub fn tutorial_flip(mesh: &mut Mesh, e0: EdgeId) -> Option<EdgeId> {
     // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let g = mesh.next(d);
-        let h = mesh.next(g);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(c);
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(h);
+    // Both directions of e0 are tried.
+    for h0 in [mesh.edge_halfedge(e0), mesh.twin(mesh.edge_halfedge(e0))] {
+        let h1 = mesh.next(h0);
+        let h2 = mesh.next(h1);
+        let h3 = mesh.twin(h0);
+        let h6 = mesh.twin(h1);
+        let h7 = mesh.twin(h2);
+        let h4 = mesh.next(h3);
+        let h5 = mesh.next(h4);
+        let h8 = mesh.twin(h4);
+        let h9 = mesh.twin(h5);
+        let f0 = mesh.face(h0);
+        let v0 = mesh.vertex(h7);
+        let v1 = mesh.vertex(h9);
+        let v2 = mesh.vertex(h6);
+        let f1 = mesh.face(h3);
+        let v3 = mesh.vertex(h8);
+        let e1 = mesh.edge(h1);
+        let e2 = mesh.edge(h2);
+        let e3 = mesh.edge(h4);
+        let e4 = mesh.edge(h5);
         if mesh.is_hole(f0) {
             continue; // `f0` is a hole
         }
         if mesh.is_hole(f1) {
             continue; // `f1` is a hole
         }
-        if mesh.next(c) != a {
+        if mesh.next(h2) != h0 {
             continue; // `f0` is not a triangle
         }
-        if mesh.next(h) != d {
+        if mesh.next(h5) != h3 {
             continue; // `f1` is not a triangle
         }
         if v0 == v1 {
@@ -1539,174 +1780,35 @@ fn split_split_interior(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
         if v2 == v3 {
             continue; // `v2` and `v3` are one vertex
         }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
-
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let s = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let u = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let f3 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
-        let e3 = mesh.add_edge();
 
         // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(c, p);
-        mesh.set_next(d, s);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_next(g, u);
-        mesh.set_prev(g, t);
-        mesh.set_face(g, f3);
-        mesh.set_prev(h, s);
-        mesh.set_next(p, c);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(s, h);
-        mesh.set_prev(s, d);
-        mesh.set_twin(s, u);
-        mesh.set_vertex(s, m);
-        mesh.set_edge(s, e3);
-        mesh.set_face(s, f1);
-        mesh.set_next(t, g);
-        mesh.set_prev(t, u);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f3);
-        mesh.set_next(u, t);
-        mesh.set_prev(u, g);
-        mesh.set_twin(u, s);
-        mesh.set_vertex(u, v3);
-        mesh.set_edge(u, e3);
-        mesh.set_face(u, f3);
-        mesh.set_vertex_halfedge(m, p);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_edge_halfedge(e3, s);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_face_halfedge(f1, d);
-        mesh.set_face_halfedge(f3, t);
-        mesh.set_position(m, m_position);
-        return Some(m);
-    }
-    None
-}
-
-#[allow(non_snake_case)]
-fn split_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(c);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if !mesh.is_hole(f1) {
-            continue; // `f1` is not a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
-
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
-
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(c, p);
-        mesh.set_next(d, t);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_prev(P_first, t);
-        mesh.set_next(p, c);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(t, P_first);
-        mesh.set_prev(t, d);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f1);
-        mesh.set_vertex_halfedge(m, p);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_position(m, m_position);
-        return Some(m);
+        mesh.set_vertex(h0, v3);
+        mesh.set_twin(h1, h7);
+        mesh.set_vertex(h1, v2);
+        mesh.set_edge(h1, e2);
+        mesh.set_twin(h2, h8);
+        mesh.set_vertex(h2, v0);
+        mesh.set_edge(h2, e3);
+        mesh.set_vertex(h3, v2);
+        mesh.set_twin(h4, h9);
+        mesh.set_vertex(h4, v3);
+        mesh.set_edge(h4, e4);
+        mesh.set_twin(h5, h6);
+        mesh.set_vertex(h5, v1);
+        mesh.set_edge(h5, e1);
+        mesh.set_twin(h6, h5);
+        mesh.set_twin(h7, h1);
+        mesh.set_twin(h8, h2);
+        mesh.set_twin(h9, h4);
+        mesh.set_vertex_halfedge(v0, h2);
+        mesh.set_vertex_halfedge(v1, h5);
+        mesh.set_vertex_halfedge(v2, h3);
+        mesh.set_vertex_halfedge(v3, h0);
+        mesh.set_edge_halfedge(e1, h5);
+        mesh.set_edge_halfedge(e2, h1);
+        mesh.set_edge_halfedge(e3, h2);
+        mesh.set_edge_halfedge(e4, h4);
+        return Some(e0);
     }
     None
 }
@@ -1880,173 +1982,173 @@ pub fn polygon_connect(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<
 /// At the boundary the face joins the hole. Refused if an end would keep a single edge, if
 /// the faces meet elsewhere too, or if two holes would meet at a vertex.
 pub fn polygon_dissolve_edge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    polygon_dissolve_edge_inside(mesh, e).or_else(|| polygon_dissolve_edge_border(mesh, e))
-}
-
-#[allow(non_snake_case)]
-fn polygon_dissolve_edge_inside(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        if (mesh.degree(v0) as i64) < 3 {
-            continue; // `v0` would keep a single edge
-        }
-        if (mesh.degree(v1) as i64) < 3 {
-            continue; // `v1` would keep a single edge
-        }
-        let mut corners: Vec<VertexId> = vec![v1, v0];
-        let mut h = P_first;
-        while h != a {
-            if h != P_first {
-                corners.push(mesh.vertex(h));
+    #[allow(non_snake_case)]
+    fn rule_inside(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
             }
-            h = mesh.next(h);
-        }
-        let mut h = Q_first;
-        while h != d {
-            if h != Q_first {
-                corners.push(mesh.vertex(h));
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
             }
-            h = mesh.next(h);
-        }
-        if !all_differ(&corners) {
-            continue; // `f0` would meet a vertex twice
-        }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
+            if (mesh.degree(v0) as i64) < 3 {
+                continue; // `v0` would keep a single edge
+            }
+            if (mesh.degree(v1) as i64) < 3 {
+                continue; // `v1` would keep a single edge
+            }
+            let mut corners: Vec<VertexId> = vec![v1, v0];
+            let mut h = P_first;
+            while h != a {
+                if h != P_first {
+                    corners.push(mesh.vertex(h));
+                }
+                h = mesh.next(h);
+            }
+            let mut h = Q_first;
+            while h != d {
+                if h != Q_first {
+                    corners.push(mesh.vertex(h));
+                }
+                h = mesh.next(h);
+            }
+            if !all_differ(&corners) {
+                continue; // `f0` would meet a vertex twice
+            }
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
-        }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != d {
+                mesh.set_face(h, f0);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
 
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_face(f1);
+            return Some(f0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_dissolve_edge_border(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if !mesh.is_hole(f0) {
-            continue; // `f0` is not a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if (mesh.degree(v0) as i64) < 3 {
-            continue; // `v0` would keep a single edge
-        }
-        if (mesh.degree(v1) as i64) < 3 {
-            continue; // `v1` would keep a single edge
-        }
-        let mut pinched = false;
-        let mut h = Q_first;
-        while h != d {
-            if h != Q_first {
-                let mut holes = 0;
-                for s in mesh.spokes_from(h).collect::<Vec<_>>() {
-                    if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
-                        holes += 1;
+    #[allow(non_snake_case)]
+    fn rule_border(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if !mesh.is_hole(f0) {
+                continue; // `f0` is not a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if (mesh.degree(v0) as i64) < 3 {
+                continue; // `v0` would keep a single edge
+            }
+            if (mesh.degree(v1) as i64) < 3 {
+                continue; // `v1` would keep a single edge
+            }
+            let mut pinched = false;
+            let mut h = Q_first;
+            while h != d {
+                if h != Q_first {
+                    let mut holes = 0;
+                    for s in mesh.spokes_from(h).collect::<Vec<_>>() {
+                        if mesh.face(s) == f1 || mesh.is_hole(mesh.face(s)) {
+                            holes += 1;
+                        }
+                    }
+                    if 1 < holes {
+                        pinched = true;
                     }
                 }
-                if 1 < holes {
-                    pinched = true;
+                h = mesh.next(h);
+            }
+            if pinched {
+                continue; // the surface would be pinched at a vertex of `Q`
+            }
+            let mut corners: Vec<VertexId> = vec![v1, v0];
+            let mut h = P_first;
+            while h != a {
+                if h != P_first {
+                    corners.push(mesh.vertex(h));
                 }
+                h = mesh.next(h);
             }
-            h = mesh.next(h);
-        }
-        if pinched {
-            continue; // the surface would be pinched at a vertex of `Q`
-        }
-        let mut corners: Vec<VertexId> = vec![v1, v0];
-        let mut h = P_first;
-        while h != a {
-            if h != P_first {
-                corners.push(mesh.vertex(h));
+            let mut h = Q_first;
+            while h != d {
+                if h != Q_first {
+                    corners.push(mesh.vertex(h));
+                }
+                h = mesh.next(h);
             }
-            h = mesh.next(h);
-        }
-        let mut h = Q_first;
-        while h != d {
-            if h != Q_first {
-                corners.push(mesh.vertex(h));
+            if !all_differ(&corners) {
+                continue; // `f0` would meet a vertex twice
             }
-            h = mesh.next(h);
-        }
-        if !all_differ(&corners) {
-            continue; // `f0` would meet a vertex twice
-        }
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
-        }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != d {
+                mesh.set_face(h, f0);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
 
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_face(f1);
+            return Some(f0);
+        }
+        None
     }
-    None
+
+    rule_inside(mesh, e).or_else(|| rule_border(mesh, e))
 }
 
 /// Turns an edge between two faces: both of its ends step one corner counterclockwise.
@@ -2185,336 +2287,336 @@ pub fn polygon_flip(mesh: &mut Mesh, e: EdgeId) -> bool {
 /// What is new lies around the new vertex, so nothing can go wrong: no test is made, and it is
 /// never refused.
 pub fn polygon_split(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    polygon_split_inside(mesh, e).or_else(|| polygon_split_inside_one_tip(mesh, e)).or_else(|| polygon_split_border(mesh, e))
-}
+    #[allow(non_snake_case)]
+    fn rule_inside(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let d = mesh.twin(a);
+            let g = mesh.next(d);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(mesh.next(b));
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(mesh.next(g));
+            let P_first = mesh.next(b);
+            let Q_first = mesh.next(g);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-#[allow(non_snake_case)]
-fn polygon_split_inside(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let d = mesh.twin(a);
-        let g = mesh.next(d);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(mesh.next(b));
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(mesh.next(g));
-        let P_first = mesh.next(b);
-        let Q_first = mesh.next(g);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let s = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let u = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let f3 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
+            let e3 = mesh.add_edge();
 
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let s = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let u = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let f3 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
-        let e3 = mesh.add_edge();
-
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(P_first, p);
-        mesh.set_next(d, s);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_next(g, u);
-        mesh.set_prev(g, t);
-        mesh.set_face(g, f3);
-        mesh.set_prev(Q_first, s);
-        mesh.set_next(p, P_first);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(s, Q_first);
-        mesh.set_prev(s, d);
-        mesh.set_twin(s, u);
-        mesh.set_vertex(s, m);
-        mesh.set_edge(s, e3);
-        mesh.set_face(s, f1);
-        mesh.set_next(t, g);
-        mesh.set_prev(t, u);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f3);
-        mesh.set_next(u, t);
-        mesh.set_prev(u, g);
-        mesh.set_twin(u, s);
-        mesh.set_vertex(u, v3);
-        mesh.set_edge(u, e3);
-        mesh.set_face(u, f3);
-        mesh.set_vertex_halfedge(m, q);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_edge_halfedge(e3, s);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_face_halfedge(f1, d);
-        mesh.set_face_halfedge(f3, t);
-        mesh.set_position(m, m_position);
-        return Some(m);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(P_first, p);
+            mesh.set_next(d, s);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_next(g, u);
+            mesh.set_prev(g, t);
+            mesh.set_face(g, f3);
+            mesh.set_prev(Q_first, s);
+            mesh.set_next(p, P_first);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(s, Q_first);
+            mesh.set_prev(s, d);
+            mesh.set_twin(s, u);
+            mesh.set_vertex(s, m);
+            mesh.set_edge(s, e3);
+            mesh.set_face(s, f1);
+            mesh.set_next(t, g);
+            mesh.set_prev(t, u);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f3);
+            mesh.set_next(u, t);
+            mesh.set_prev(u, g);
+            mesh.set_twin(u, s);
+            mesh.set_vertex(u, v3);
+            mesh.set_edge(u, e3);
+            mesh.set_face(u, f3);
+            mesh.set_vertex_halfedge(m, q);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_edge_halfedge(e3, s);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_face_halfedge(f1, d);
+            mesh.set_face_halfedge(f3, t);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_split_inside_one_tip(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let d = mesh.twin(a);
-        let g = mesh.next(d);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(mesh.next(b));
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(b);
-        let Q_first = mesh.next(g);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if mesh.vertex(mesh.next(g)) != v2 {
-            continue; // `g` does not end at `v2`
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+    #[allow(non_snake_case)]
+    fn rule_inside_one_tip(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let d = mesh.twin(a);
+            let g = mesh.next(d);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(mesh.next(b));
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(b);
+            let Q_first = mesh.next(g);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if mesh.vertex(mesh.next(g)) != v2 {
+                continue; // `g` does not end at `v2`
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let s = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let u = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let f3 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
-        let e3 = mesh.add_edge();
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let s = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let u = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let f3 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
+            let e3 = mesh.add_edge();
 
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(P_first, p);
-        mesh.set_next(d, s);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_next(g, u);
-        mesh.set_prev(g, t);
-        mesh.set_face(g, f3);
-        mesh.set_prev(Q_first, s);
-        mesh.set_next(p, P_first);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(s, Q_first);
-        mesh.set_prev(s, d);
-        mesh.set_twin(s, u);
-        mesh.set_vertex(s, m);
-        mesh.set_edge(s, e3);
-        mesh.set_face(s, f1);
-        mesh.set_next(t, g);
-        mesh.set_prev(t, u);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f3);
-        mesh.set_next(u, t);
-        mesh.set_prev(u, g);
-        mesh.set_twin(u, s);
-        mesh.set_vertex(u, v2);
-        mesh.set_edge(u, e3);
-        mesh.set_face(u, f3);
-        mesh.set_vertex_halfedge(m, q);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_edge_halfedge(e3, s);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_face_halfedge(f1, d);
-        mesh.set_face_halfedge(f3, t);
-        mesh.set_position(m, m_position);
-        return Some(m);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(P_first, p);
+            mesh.set_next(d, s);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_next(g, u);
+            mesh.set_prev(g, t);
+            mesh.set_face(g, f3);
+            mesh.set_prev(Q_first, s);
+            mesh.set_next(p, P_first);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(s, Q_first);
+            mesh.set_prev(s, d);
+            mesh.set_twin(s, u);
+            mesh.set_vertex(s, m);
+            mesh.set_edge(s, e3);
+            mesh.set_face(s, f1);
+            mesh.set_next(t, g);
+            mesh.set_prev(t, u);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f3);
+            mesh.set_next(u, t);
+            mesh.set_prev(u, g);
+            mesh.set_twin(u, s);
+            mesh.set_vertex(u, v2);
+            mesh.set_edge(u, e3);
+            mesh.set_face(u, f3);
+            mesh.set_vertex_halfedge(m, q);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_edge_halfedge(e3, s);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_face_halfedge(f1, d);
+            mesh.set_face_halfedge(f3, t);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(mesh.next(b));
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(b);
-        let Q_first = mesh.next(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if !mesh.is_hole(f1) {
-            continue; // `f1` is not a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+    #[allow(non_snake_case)]
+    fn rule_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(mesh.next(b));
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(b);
+            let Q_first = mesh.next(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if !mesh.is_hole(f1) {
+                continue; // `f1` is not a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            let m_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 2. Allocate what is new.
-        let m = mesh.add_vertex();
-        let p = mesh.add_halfedge();
-        let q = mesh.add_halfedge();
-        let r = mesh.add_halfedge();
-        let t = mesh.add_halfedge();
-        let f2 = mesh.add_face();
-        let e1 = mesh.add_edge();
-        let e2 = mesh.add_edge();
+            // 2. Allocate what is new.
+            let m = mesh.add_vertex();
+            let p = mesh.add_halfedge();
+            let q = mesh.add_halfedge();
+            let r = mesh.add_halfedge();
+            let t = mesh.add_halfedge();
+            let f2 = mesh.add_face();
+            let e1 = mesh.add_edge();
+            let e2 = mesh.add_edge();
 
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(a, p);
-        mesh.set_twin(a, t);
-        mesh.set_next(b, r);
-        mesh.set_prev(b, q);
-        mesh.set_face(b, f2);
-        mesh.set_prev(P_first, p);
-        mesh.set_next(d, t);
-        mesh.set_twin(d, q);
-        mesh.set_edge(d, e1);
-        mesh.set_prev(Q_first, t);
-        mesh.set_next(p, P_first);
-        mesh.set_prev(p, a);
-        mesh.set_twin(p, r);
-        mesh.set_vertex(p, m);
-        mesh.set_edge(p, e2);
-        mesh.set_face(p, f0);
-        mesh.set_next(q, b);
-        mesh.set_prev(q, r);
-        mesh.set_twin(q, d);
-        mesh.set_vertex(q, m);
-        mesh.set_edge(q, e1);
-        mesh.set_face(q, f2);
-        mesh.set_next(r, q);
-        mesh.set_prev(r, b);
-        mesh.set_twin(r, p);
-        mesh.set_vertex(r, v2);
-        mesh.set_edge(r, e2);
-        mesh.set_face(r, f2);
-        mesh.set_next(t, Q_first);
-        mesh.set_prev(t, d);
-        mesh.set_twin(t, a);
-        mesh.set_vertex(t, m);
-        mesh.set_edge(t, e);
-        mesh.set_face(t, f1);
-        mesh.set_vertex_halfedge(m, q);
-        mesh.set_edge_halfedge(e, a);
-        mesh.set_edge_halfedge(e1, q);
-        mesh.set_edge_halfedge(e2, p);
-        mesh.set_face_halfedge(f0, a);
-        mesh.set_face_halfedge(f2, q);
-        mesh.set_position(m, m_position);
-        return Some(m);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(a, p);
+            mesh.set_twin(a, t);
+            mesh.set_next(b, r);
+            mesh.set_prev(b, q);
+            mesh.set_face(b, f2);
+            mesh.set_prev(P_first, p);
+            mesh.set_next(d, t);
+            mesh.set_twin(d, q);
+            mesh.set_edge(d, e1);
+            mesh.set_prev(Q_first, t);
+            mesh.set_next(p, P_first);
+            mesh.set_prev(p, a);
+            mesh.set_twin(p, r);
+            mesh.set_vertex(p, m);
+            mesh.set_edge(p, e2);
+            mesh.set_face(p, f0);
+            mesh.set_next(q, b);
+            mesh.set_prev(q, r);
+            mesh.set_twin(q, d);
+            mesh.set_vertex(q, m);
+            mesh.set_edge(q, e1);
+            mesh.set_face(q, f2);
+            mesh.set_next(r, q);
+            mesh.set_prev(r, b);
+            mesh.set_twin(r, p);
+            mesh.set_vertex(r, v2);
+            mesh.set_edge(r, e2);
+            mesh.set_face(r, f2);
+            mesh.set_next(t, Q_first);
+            mesh.set_prev(t, d);
+            mesh.set_twin(t, a);
+            mesh.set_vertex(t, m);
+            mesh.set_edge(t, e);
+            mesh.set_face(t, f1);
+            mesh.set_vertex_halfedge(m, q);
+            mesh.set_edge_halfedge(e, a);
+            mesh.set_edge_halfedge(e1, q);
+            mesh.set_edge_halfedge(e2, p);
+            mesh.set_face_halfedge(f0, a);
+            mesh.set_face_halfedge(f2, q);
+            mesh.set_position(m, m_position);
+            return Some(m);
+        }
+        None
     }
-    None
+
+    rule_inside(mesh, e).or_else(|| rule_inside_one_tip(mesh, e)).or_else(|| rule_border(mesh, e))
 }
 
 /// Merges the two ends of an edge at its midpoint, and returns the vertex.
@@ -2535,325 +2637,325 @@ fn polygon_split_border(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
 /// Refused if two boundaries would be pinched together, if a vertex would keep a single edge,
 /// and for a triangle that is all there is of the surface, or half of it.
 pub fn polygon_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    polygon_collapse_two_triangles(mesh, e).or_else(|| polygon_collapse_triangle(mesh, e)).or_else(|| polygon_collapse_no_triangle(mesh, e))
-}
-
-fn polygon_collapse_two_triangles(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let b_ = mesh.twin(b);
-        let c_ = mesh.twin(c);
-        let g = mesh.next(d);
-        let h = mesh.next(g);
-        let g_ = mesh.twin(g);
-        let h_ = mesh.twin(h);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(c_);
-        let v1 = mesh.vertex(h_);
-        let v2 = mesh.vertex(b_);
-        let f1 = mesh.face(d);
-        let v3 = mesh.vertex(g_);
-        let eb = mesh.edge(b);
-        let ec = mesh.edge(c);
-        let eg = mesh.edge(g);
-        let eh = mesh.edge(h);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if mesh.next(h) != d {
-            continue; // `f1` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        if (mesh.degree(v2) as i64) < 3 {
-            continue; // `v2` would keep a single edge
-        }
-        if (mesh.degree(v3) as i64) < 3 {
-            continue; // `v3` would keep a single edge
-        }
-        let mut holes = 0;
-        if mesh.is_hole(mesh.face(c_)) {
-            holes += 1;
-        }
-        if mesh.is_hole(mesh.face(h_)) {
-            holes += 1;
-        }
-        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h_2 != a && h_2 != g && h_2 != c_ && mesh.is_hole(mesh.face(h_2)) {
+    fn rule_two_triangles(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let b_ = mesh.twin(b);
+            let c_ = mesh.twin(c);
+            let g = mesh.next(d);
+            let h = mesh.next(g);
+            let g_ = mesh.twin(g);
+            let h_ = mesh.twin(h);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(c_);
+            let v1 = mesh.vertex(h_);
+            let v2 = mesh.vertex(b_);
+            let f1 = mesh.face(d);
+            let v3 = mesh.vertex(g_);
+            let eb = mesh.edge(b);
+            let ec = mesh.edge(c);
+            let eg = mesh.edge(g);
+            let eh = mesh.edge(h);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if mesh.next(h) != d {
+                continue; // `f1` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v0 == v3 {
+                continue; // `v0` and `v3` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if v1 == v3 {
+                continue; // `v1` and `v3` are one vertex
+            }
+            if v2 == v3 {
+                continue; // `v2` and `v3` are one vertex
+            }
+            if (mesh.degree(v2) as i64) < 3 {
+                continue; // `v2` would keep a single edge
+            }
+            if (mesh.degree(v3) as i64) < 3 {
+                continue; // `v3` would keep a single edge
+            }
+            let mut holes = 0;
+            if mesh.is_hole(mesh.face(c_)) {
                 holes += 1;
             }
-        }
-        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h_2 != b && h_2 != d && h_2 != h_ && mesh.is_hole(mesh.face(h_2)) {
+            if mesh.is_hole(mesh.face(h_)) {
                 holes += 1;
             }
-        }
-        if 1 < holes {
-            continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
-        }
-        let mut faces: Vec<FaceId> = vec![mesh.face(c_), mesh.face(h_)];
-        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h_2 != a && h_2 != g && h_2 != c_ {
-                faces.push(mesh.face(h_2));
+            for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h_2 != a && h_2 != g && h_2 != c_ && mesh.is_hole(mesh.face(h_2)) {
+                    holes += 1;
+                }
             }
-        }
-        for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h_2 != b && h_2 != d && h_2 != h_ {
-                faces.push(mesh.face(h_2));
+            for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h_2 != b && h_2 != d && h_2 != h_ && mesh.is_hole(mesh.face(h_2)) {
+                    holes += 1;
+                }
             }
-        }
-        if !all_differ(&faces) {
-            continue; // a face around both `v0` and `v1` would meet `v0` twice
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+            if 1 < holes {
+                continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+            }
+            let mut faces: Vec<FaceId> = vec![mesh.face(c_), mesh.face(h_)];
+            for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h_2 != a && h_2 != g && h_2 != c_ {
+                    faces.push(mesh.face(h_2));
+                }
+            }
+            for h_2 in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h_2 != b && h_2 != d && h_2 != h_ {
+                    faces.push(mesh.face(h_2));
+                }
+            }
+            if !all_differ(&faces) {
+                continue; // a face around both `v0` and `v1` would meet `v0` twice
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 3. Reassign every pointer that changes.
-        let mut h_2 = mesh.next(b_);
-        while h_2 != h_ {
-            mesh.set_vertex(h_2, v0);
-            h_2 = mesh.next(mesh.twin(h_2));
-        }
-        mesh.set_twin(b_, c_);
-        mesh.set_twin(c_, b_);
-        mesh.set_edge(c_, eb);
-        mesh.set_twin(g_, h_);
-        mesh.set_twin(h_, g_);
-        mesh.set_vertex(h_, v0);
-        mesh.set_edge(h_, eg);
-        mesh.set_vertex_halfedge(v0, h_);
-        mesh.set_vertex_halfedge(v2, b_);
-        mesh.set_vertex_halfedge(v3, g_);
-        mesh.set_edge_halfedge(eb, b_);
-        mesh.set_edge_halfedge(eg, g_);
-        mesh.set_position(v0, v0_position);
+            // 3. Reassign every pointer that changes.
+            let mut h_2 = mesh.next(b_);
+            while h_2 != h_ {
+                mesh.set_vertex(h_2, v0);
+                h_2 = mesh.next(mesh.twin(h_2));
+            }
+            mesh.set_twin(b_, c_);
+            mesh.set_twin(c_, b_);
+            mesh.set_edge(c_, eb);
+            mesh.set_twin(g_, h_);
+            mesh.set_twin(h_, g_);
+            mesh.set_vertex(h_, v0);
+            mesh.set_edge(h_, eg);
+            mesh.set_vertex_halfedge(v0, h_);
+            mesh.set_vertex_halfedge(v2, b_);
+            mesh.set_vertex_halfedge(v3, g_);
+            mesh.set_edge_halfedge(eb, b_);
+            mesh.set_edge_halfedge(eg, g_);
+            mesh.set_position(v0, v0_position);
 
-        // 4. Erase what is gone.
-        mesh.erase_vertex(v1);
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_halfedge(b);
-        mesh.erase_halfedge(c);
-        mesh.erase_halfedge(g);
-        mesh.erase_halfedge(h);
-        mesh.erase_face(f0);
-        mesh.erase_face(f1);
-        mesh.erase_edge(ec);
-        mesh.erase_edge(eh);
-        return Some(v0);
+            // 4. Erase what is gone.
+            mesh.erase_vertex(v1);
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_halfedge(b);
+            mesh.erase_halfedge(c);
+            mesh.erase_halfedge(g);
+            mesh.erase_halfedge(h);
+            mesh.erase_face(f0);
+            mesh.erase_face(f1);
+            mesh.erase_edge(ec);
+            mesh.erase_edge(eh);
+            return Some(v0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_collapse_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let c = mesh.next(b);
-        let d = mesh.twin(a);
-        let b_ = mesh.twin(b);
-        let c_ = mesh.twin(c);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(c_);
-        let v1 = mesh.vertex(d);
-        let v2 = mesh.vertex(b_);
-        let f1 = mesh.face(d);
-        let eb = mesh.edge(b);
-        let ec = mesh.edge(c);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.next(c) != a {
-            continue; // `f0` is not a triangle
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v2 {
-            continue; // `v0` and `v2` are one vertex
-        }
-        if v1 == v2 {
-            continue; // `v1` and `v2` are one vertex
-        }
-        if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
-            continue; // `f1` would have fewer than 3 sides
-        }
-        if (mesh.degree(v2) as i64) < 3 {
-            continue; // `v2` would keep a single edge
-        }
-        let mut holes = 0;
-        if mesh.is_hole(mesh.face(c_)) {
-            holes += 1;
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h != a && h != c_ && mesh.is_hole(mesh.face(h)) {
+    #[allow(non_snake_case)]
+    fn rule_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let c = mesh.next(b);
+            let d = mesh.twin(a);
+            let b_ = mesh.twin(b);
+            let c_ = mesh.twin(c);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(c_);
+            let v1 = mesh.vertex(d);
+            let v2 = mesh.vertex(b_);
+            let f1 = mesh.face(d);
+            let eb = mesh.edge(b);
+            let ec = mesh.edge(c);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.next(c) != a {
+                continue; // `f0` is not a triangle
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if v0 == v2 {
+                continue; // `v0` and `v2` are one vertex
+            }
+            if v1 == v2 {
+                continue; // `v1` and `v2` are one vertex
+            }
+            if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+                continue; // `f1` would have fewer than 3 sides
+            }
+            if (mesh.degree(v2) as i64) < 3 {
+                continue; // `v2` would keep a single edge
+            }
+            let mut holes = 0;
+            if mesh.is_hole(mesh.face(c_)) {
                 holes += 1;
             }
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h != b && h != d && mesh.is_hole(mesh.face(h)) {
-                holes += 1;
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h != a && h != c_ && mesh.is_hole(mesh.face(h)) {
+                    holes += 1;
+                }
             }
-        }
-        if 1 < holes {
-            continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
-        }
-        let mut faces: Vec<FaceId> = vec![mesh.face(c_)];
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h != a && h != c_ {
-                faces.push(mesh.face(h));
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != b && h != d && mesh.is_hole(mesh.face(h)) {
+                    holes += 1;
+                }
             }
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h != b && h != d {
-                faces.push(mesh.face(h));
+            if 1 < holes {
+                continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
             }
-        }
-        if !all_differ(&faces) {
-            continue; // a face around both `v0` and `v1` would meet `v0` twice
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+            let mut faces: Vec<FaceId> = vec![mesh.face(c_)];
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h != a && h != c_ {
+                    faces.push(mesh.face(h));
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != b && h != d {
+                    faces.push(mesh.face(h));
+                }
+            }
+            if !all_differ(&faces) {
+                continue; // a face around both `v0` and `v1` would meet `v0` twice
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 3. Reassign every pointer that changes.
-        let mut h = mesh.next(b_);
-        while h != d {
-            mesh.set_vertex(h, v0);
-            h = mesh.next(mesh.twin(h));
-        }
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_twin(b_, c_);
-        mesh.set_twin(c_, b_);
-        mesh.set_edge(c_, eb);
-        mesh.set_vertex_halfedge(v0, c_);
-        mesh.set_vertex_halfedge(v2, b_);
-        mesh.set_edge_halfedge(eb, b_);
-        mesh.set_face_halfedge(f1, Q_first);
-        mesh.set_position(v0, v0_position);
+            // 3. Reassign every pointer that changes.
+            let mut h = mesh.next(b_);
+            while h != d {
+                mesh.set_vertex(h, v0);
+                h = mesh.next(mesh.twin(h));
+            }
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
+            mesh.set_twin(b_, c_);
+            mesh.set_twin(c_, b_);
+            mesh.set_edge(c_, eb);
+            mesh.set_vertex_halfedge(v0, c_);
+            mesh.set_vertex_halfedge(v2, b_);
+            mesh.set_edge_halfedge(eb, b_);
+            mesh.set_face_halfedge(f1, Q_first);
+            mesh.set_position(v0, v0_position);
 
-        // 4. Erase what is gone.
-        mesh.erase_vertex(v1);
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_halfedge(b);
-        mesh.erase_halfedge(c);
-        mesh.erase_face(f0);
-        mesh.erase_edge(ec);
-        return Some(v0);
+            // 4. Erase what is gone.
+            mesh.erase_vertex(v1);
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_halfedge(b);
+            mesh.erase_halfedge(c);
+            mesh.erase_face(f0);
+            mesh.erase_edge(ec);
+            return Some(v0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_collapse_no_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
-        if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
-            continue; // `f0` would have fewer than 3 sides
-        }
-        if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
-            continue; // `f1` would have fewer than 3 sides
-        }
-        let mut holes = 0;
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h != a && mesh.is_hole(mesh.face(h)) {
-                holes += 1;
+    #[allow(non_snake_case)]
+    fn rule_no_triangle(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
             }
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h != d && mesh.is_hole(mesh.face(h)) {
-                holes += 1;
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
             }
-        }
-        if 1 < holes {
-            continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
-        }
-        let mut faces: Vec<FaceId> = Vec::new();
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h != a {
-                faces.push(mesh.face(h));
+            if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+                continue; // `f0` would have fewer than 3 sides
             }
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h != d {
-                faces.push(mesh.face(h));
+            if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+                continue; // `f1` would have fewer than 3 sides
             }
-        }
-        if !all_differ(&faces) {
-            continue; // a face around both `v0` and `v1` would meet `v0` twice
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+            let mut holes = 0;
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h != a && mesh.is_hole(mesh.face(h)) {
+                    holes += 1;
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != d && mesh.is_hole(mesh.face(h)) {
+                    holes += 1;
+                }
+            }
+            if 1 < holes {
+                continue; // both `v0` and `v1` lie on the boundary: the surface would be pinched at `v0`
+            }
+            let mut faces: Vec<FaceId> = Vec::new();
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                if h != a {
+                    faces.push(mesh.face(h));
+                }
+            }
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != d {
+                    faces.push(mesh.face(h));
+                }
+            }
+            if !all_differ(&faces) {
+                continue; // a face around both `v0` and `v1` would meet `v0` twice
+            }
+            let v0_position = (mesh.position(v0) + mesh.position(v1)) / 2.0;
 
-        // 3. Reassign every pointer that changes.
-        let mut h = mesh.next(a);
-        while h != d {
-            mesh.set_vertex(h, v0);
-            h = mesh.next(mesh.twin(h));
-        }
-        mesh.set_next(P_last, P_first);
-        mesh.set_prev(P_first, P_last);
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_vertex_halfedge(v0, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-        mesh.set_face_halfedge(f1, Q_first);
-        mesh.set_position(v0, v0_position);
+            // 3. Reassign every pointer that changes.
+            let mut h = mesh.next(a);
+            while h != d {
+                mesh.set_vertex(h, v0);
+                h = mesh.next(mesh.twin(h));
+            }
+            mesh.set_next(P_last, P_first);
+            mesh.set_prev(P_first, P_last);
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
+            mesh.set_vertex_halfedge(v0, P_first);
+            mesh.set_face_halfedge(f0, P_first);
+            mesh.set_face_halfedge(f1, Q_first);
+            mesh.set_position(v0, v0_position);
 
-        // 4. Erase what is gone.
-        mesh.erase_vertex(v1);
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        return Some(v0);
+            // 4. Erase what is gone.
+            mesh.erase_vertex(v1);
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            return Some(v0);
+        }
+        None
     }
-    None
+
+    rule_two_triangles(mesh, e).or_else(|| rule_triangle(mesh, e)).or_else(|| rule_no_triangle(mesh, e))
 }
 
 /// Raises a face: a ring of quads comes between its old sides and the face, which is returned.
@@ -2886,7 +2988,9 @@ pub fn polygon_extrude(mesh: &mut Mesh, f: FaceId, distance: f64, shrink: f64) -
     if !all_differ(&v) {
         return None; // two of `v[i]` are one vertex
     }
-    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), mesh.centroid(f), shrink) + mesh.normal(f) * distance).collect();
+    let centroid = mesh.centroid(f);
+    let part = mesh.normal(f) * distance;
+    let w_position: Vec<DVec3> = (0..n).map(|i| DVec3::lerp(mesh.position(v[i]), centroid, shrink) + part).collect();
     if (0..n).any(|i| !w_position[i].is_finite()) {
         return None; // the new position of `w[i]` is not finite
     }
@@ -3019,372 +3123,527 @@ pub fn polygon_inset_vertex(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
 /// Refused inside; if a hole of fewer than three edges would be left; and if a face would be
 /// folded onto itself.
 pub fn polygon_weld(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
-    polygon_weld_two_holes(mesh, e, e2).or_else(|| polygon_weld_one_hole(mesh, e, e2)).or_else(|| polygon_weld_neighbours(mesh, e, e2)).or_else(|| polygon_weld_other_neighbours(mesh, e, e2))
-}
+    #[allow(non_snake_case)]
+    fn rule_two_holes(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let a_ = mesh.twin(a);
+            // Both directions of e2 are tried.
+            for b in [mesh.edge_halfedge(e2), mesh.twin(mesh.edge_halfedge(e2))] {
+                let b_ = mesh.twin(b);
+                let f = mesh.face(a);
+                let v0 = mesh.vertex(a);
+                let v1 = mesh.vertex(a_);
+                let g = mesh.face(b);
+                let v2 = mesh.vertex(b);
+                let v3 = mesh.vertex(b_);
+                let P_first = mesh.next(a);
+                let P_last = mesh.prev(a);
+                let Q_first = mesh.next(b);
+                let Q_last = mesh.prev(b);
+                if !mesh.is_hole(f) {
+                    continue; // `f` is not a hole
+                }
+                if !mesh.is_hole(g) {
+                    continue; // `g` is not a hole
+                }
+                if v0 == v1 {
+                    continue; // `v0` and `v1` are one vertex
+                }
+                if v0 == v2 {
+                    continue; // `v0` and `v2` are one vertex
+                }
+                if v0 == v3 {
+                    continue; // `v0` and `v3` are one vertex
+                }
+                if v1 == v2 {
+                    continue; // `v1` and `v2` are one vertex
+                }
+                if v1 == v3 {
+                    continue; // `v1` and `v3` are one vertex
+                }
+                if v2 == v3 {
+                    continue; // `v2` and `v3` are one vertex
+                }
+                if f == g {
+                    continue; // `f` and `g` are one face
+                }
+                if (mesh.face_size(f) as i64) + (mesh.face_size(g) as i64) <= 4 {
+                    continue; // a hole of two edges would be left
+                }
+                let mut corners: Vec<VertexId> = vec![v1, v0];
+                let mut h = P_first;
+                while h != a {
+                    if h != P_first {
+                        corners.push(if mesh.vertex(h) == v3 { v0 } else { if mesh.vertex(h) == v2 { v1 } else { mesh.vertex(h) } });
+                    }
+                    h = mesh.next(h);
+                }
+                let mut h = Q_first;
+                while h != b {
+                    if h != Q_first {
+                        corners.push(if mesh.vertex(h) == v3 { v0 } else { if mesh.vertex(h) == v2 { v1 } else { mesh.vertex(h) } });
+                    }
+                    h = mesh.next(h);
+                }
+                if !all_differ(&corners) {
+                    continue; // `f` would meet a vertex twice
+                }
+                let mut faces: Vec<FaceId> = vec![if mesh.face(b_) == g { f } else { mesh.face(b_) }];
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                    if h != a {
+                        faces.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                    }
+                }
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
+                    if h != b_ {
+                        faces.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                    }
+                }
+                if !all_differ(&faces) {
+                    continue; // a face around both `v0` and `v3` would meet `v0` twice
+                }
+                let mut faces_2: Vec<FaceId> = vec![if mesh.face(a_) == g { f } else { mesh.face(a_) }];
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                    if h != a_ {
+                        faces_2.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                    }
+                }
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+                    if h != b {
+                        faces_2.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                    }
+                }
+                if !all_differ(&faces_2) {
+                    continue; // a face around both `v1` and `v2` would meet `v1` twice
+                }
+                let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
+                let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
 
-#[allow(non_snake_case)]
-fn polygon_weld_two_holes(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let a_ = mesh.twin(a);
-        // Both directions of e2 are tried.
-        for b in [mesh.edge_halfedge(e2), mesh.twin(mesh.edge_halfedge(e2))] {
+                // 3. Reassign every pointer that changes.
+                let mut h = Q_first;
+                while h != b {
+                    mesh.set_face(h, f);
+                    h = mesh.next(h);
+                }
+                let mut h = mesh.next(b_);
+                while h != b {
+                    mesh.set_vertex(h, v1);
+                    h = mesh.next(mesh.twin(h));
+                }
+                let mut h = mesh.next(b);
+                while h != b_ {
+                    mesh.set_vertex(h, v0);
+                    h = mesh.next(mesh.twin(h));
+                }
+                mesh.set_next(P_last, Q_first);
+                mesh.set_prev(P_first, Q_last);
+                mesh.set_next(Q_last, P_first);
+                mesh.set_prev(Q_first, P_last);
+                mesh.set_twin(a_, b_);
+                mesh.set_twin(b_, a_);
+                mesh.set_vertex(b_, v0);
+                mesh.set_edge(b_, e);
+                mesh.set_vertex_halfedge(v0, b_);
+                mesh.set_edge_halfedge(e, a_);
+                mesh.set_face_halfedge(f, P_first);
+                mesh.set_position(v0, v0_position);
+                mesh.set_position(v1, v1_position);
+
+                // 4. Erase what is gone.
+                mesh.erase_halfedge(a);
+                mesh.erase_halfedge(b);
+                mesh.erase_face(g);
+                mesh.erase_edge(e2);
+                mesh.erase_vertex(v2);
+                mesh.erase_vertex(v3);
+                return Some(e);
+            }
+        }
+        None
+    }
+
+    #[allow(non_snake_case)]
+    fn rule_one_hole(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let p = mesh.next(a);
+            let q = mesh.next(p);
+            let a_ = mesh.twin(a);
+            // Both directions of e2 are tried.
+            for b in [mesh.edge_halfedge(e2), mesh.twin(mesh.edge_halfedge(e2))] {
+                let r = mesh.next(b);
+                let s = mesh.next(r);
+                let b_ = mesh.twin(b);
+                let f = mesh.face(a);
+                let v0 = mesh.vertex(a);
+                let v1 = mesh.vertex(a_);
+                let x1 = mesh.vertex(q);
+                let x2 = mesh.vertex(mesh.next(q));
+                let v2 = mesh.vertex(b);
+                let v3 = mesh.vertex(b_);
+                let y1 = mesh.vertex(s);
+                let y2 = mesh.vertex(mesh.next(s));
+                let P_last = mesh.prev(b);
+                let Q_first = mesh.next(s);
+                let Q_last = mesh.prev(a);
+                if !mesh.is_hole(f) {
+                    continue; // `f` is not a hole
+                }
+                if mesh.face(b) != f {
+                    continue; // `b` does not lie in `f`
+                }
+                if v0 == v1 {
+                    continue; // `v0` and `v1` are one vertex
+                }
+                if v0 == x1 {
+                    continue; // `v0` and `x1` are one vertex
+                }
+                if v0 == x2 {
+                    continue; // `v0` and `x2` are one vertex
+                }
+                if v0 == v2 {
+                    continue; // `v0` and `v2` are one vertex
+                }
+                if v0 == v3 {
+                    continue; // `v0` and `v3` are one vertex
+                }
+                if v0 == y1 {
+                    continue; // `v0` and `y1` are one vertex
+                }
+                if v0 == y2 {
+                    continue; // `v0` and `y2` are one vertex
+                }
+                if v1 == x1 {
+                    continue; // `v1` and `x1` are one vertex
+                }
+                if v1 == x2 {
+                    continue; // `v1` and `x2` are one vertex
+                }
+                if v1 == v2 {
+                    continue; // `v1` and `v2` are one vertex
+                }
+                if v1 == v3 {
+                    continue; // `v1` and `v3` are one vertex
+                }
+                if v1 == y1 {
+                    continue; // `v1` and `y1` are one vertex
+                }
+                if v1 == y2 {
+                    continue; // `v1` and `y2` are one vertex
+                }
+                if x1 == x2 {
+                    continue; // `x1` and `x2` are one vertex
+                }
+                if x1 == v2 {
+                    continue; // `x1` and `v2` are one vertex
+                }
+                if x1 == v3 {
+                    continue; // `x1` and `v3` are one vertex
+                }
+                if x1 == y1 {
+                    continue; // `x1` and `y1` are one vertex
+                }
+                if x1 == y2 {
+                    continue; // `x1` and `y2` are one vertex
+                }
+                if x2 == v2 {
+                    continue; // `x2` and `v2` are one vertex
+                }
+                if x2 == v3 {
+                    continue; // `x2` and `v3` are one vertex
+                }
+                if x2 == y1 {
+                    continue; // `x2` and `y1` are one vertex
+                }
+                if x2 == y2 {
+                    continue; // `x2` and `y2` are one vertex
+                }
+                if v2 == v3 {
+                    continue; // `v2` and `v3` are one vertex
+                }
+                if v2 == y1 {
+                    continue; // `v2` and `y1` are one vertex
+                }
+                if v2 == y2 {
+                    continue; // `v2` and `y2` are one vertex
+                }
+                if v3 == y1 {
+                    continue; // `v3` and `y1` are one vertex
+                }
+                if v3 == y2 {
+                    continue; // `v3` and `y2` are one vertex
+                }
+                if y1 == y2 {
+                    continue; // `y1` and `y2` are one vertex
+                }
+                let mut along: Vec<HalfedgeId> = Vec::new();
+                let mut h = Q_first;
+                while h != a {
+                    along.push(h);
+                    h = mesh.next(h);
+                }
+                let mut faces: Vec<FaceId> = Vec::new();
+                let mut count = 1;
+                if !along.contains(&b_) {
+                    faces.push(mesh.face(b_));
+                }
+                if along.contains(&b_) {
+                    count += 1;
+                }
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
+                    if h != a {
+                        if !along.contains(&h) {
+                            faces.push(mesh.face(h));
+                        }
+                        if along.contains(&h) {
+                            count += 1;
+                        }
+                    }
+                }
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
+                    if h != r && h != b_ {
+                        if !along.contains(&h) {
+                            faces.push(mesh.face(h));
+                        }
+                        if along.contains(&h) {
+                            count += 1;
+                        }
+                    }
+                }
+                if !all_differ(&faces) || 1 < count {
+                    continue; // a face around both `v0` and `v3` would meet `v0` twice
+                }
+                let mut faces_2: Vec<FaceId> = vec![f];
+                let mut count_2 = 0;
+                if !along.contains(&a_) {
+                    faces_2.push(mesh.face(a_));
+                }
+                if along.contains(&a_) {
+                    count_2 += 1;
+                }
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                    if h != p && h != a_ {
+                        if !along.contains(&h) {
+                            faces_2.push(mesh.face(h));
+                        }
+                        if along.contains(&h) {
+                            count_2 += 1;
+                        }
+                    }
+                }
+                for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
+                    if h != b {
+                        if !along.contains(&h) {
+                            faces_2.push(mesh.face(h));
+                        }
+                        if along.contains(&h) {
+                            count_2 += 1;
+                        }
+                    }
+                }
+                if !all_differ(&faces_2) || 1 < count_2 {
+                    continue; // a face around both `v1` and `v2` would meet `v1` twice
+                }
+                let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
+                let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
+
+                // 2. Allocate what is new.
+                let g = mesh.add_face();
+
+                // 3. Reassign every pointer that changes.
+                let mut h = Q_first;
+                while h != a {
+                    mesh.set_face(h, g);
+                    h = mesh.next(h);
+                }
+                let mut h = mesh.next(b_);
+                while h != b {
+                    mesh.set_vertex(h, v1);
+                    h = mesh.next(mesh.twin(h));
+                }
+                let mut h = mesh.next(mesh.twin(r));
+                while h != b_ {
+                    mesh.set_vertex(h, v0);
+                    h = mesh.next(mesh.twin(h));
+                }
+                mesh.set_prev(p, P_last);
+                mesh.set_next(P_last, p);
+                mesh.set_prev(r, Q_last);
+                mesh.set_vertex(r, v0);
+                mesh.set_face(r, g);
+                mesh.set_face(s, g);
+                mesh.set_next(Q_last, r);
+                mesh.set_twin(a_, b_);
+                mesh.set_twin(b_, a_);
+                mesh.set_vertex(b_, v0);
+                mesh.set_edge(b_, e);
+                mesh.set_vertex_halfedge(v0, b_);
+                mesh.set_edge_halfedge(e, a_);
+                mesh.set_face_halfedge(f, p);
+                mesh.set_face_halfedge(g, r);
+                mesh.set_hole(g, true);
+                mesh.set_position(v0, v0_position);
+                mesh.set_position(v1, v1_position);
+
+                // 4. Erase what is gone.
+                mesh.erase_halfedge(a);
+                mesh.erase_halfedge(b);
+                mesh.erase_edge(e2);
+                mesh.erase_vertex(v2);
+                mesh.erase_vertex(v3);
+                return Some(e);
+            }
+        }
+        None
+    }
+
+    #[allow(non_snake_case)]
+    fn rule_neighbours(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.next(a);
+            let a_ = mesh.twin(a);
             let b_ = mesh.twin(b);
             let f = mesh.face(a);
             let v0 = mesh.vertex(a);
             let v1 = mesh.vertex(a_);
-            let g = mesh.face(b);
-            let v2 = mesh.vertex(b);
             let v3 = mesh.vertex(b_);
-            let P_first = mesh.next(a);
-            let P_last = mesh.prev(a);
             let Q_first = mesh.next(b);
-            let Q_last = mesh.prev(b);
+            let Q_last = mesh.prev(a);
+            if mesh.edge(b) != e2 {
+                continue; // `b.edge` is not `e2`
+            }
             if !mesh.is_hole(f) {
                 continue; // `f` is not a hole
-            }
-            if !mesh.is_hole(g) {
-                continue; // `g` is not a hole
             }
             if v0 == v1 {
                 continue; // `v0` and `v1` are one vertex
             }
-            if v0 == v2 {
-                continue; // `v0` and `v2` are one vertex
-            }
             if v0 == v3 {
                 continue; // `v0` and `v3` are one vertex
-            }
-            if v1 == v2 {
-                continue; // `v1` and `v2` are one vertex
             }
             if v1 == v3 {
                 continue; // `v1` and `v3` are one vertex
             }
-            if v2 == v3 {
-                continue; // `v2` and `v3` are one vertex
+            if (mesh.face_size(f) as i64) <= 4 {
+                continue; // a hole of fewer than three edges would be left
             }
-            if f == g {
-                continue; // `f` and `g` are one face
+            if (mesh.degree(v1) as i64) < 3 {
+                continue; // `v1` would keep a single edge
             }
-            if (mesh.face_size(f) as i64) + (mesh.face_size(g) as i64) <= 4 {
-                continue; // a hole of two edges would be left
-            }
-            let mut corners: Vec<VertexId> = vec![v1, v0];
-            let mut h = P_first;
-            while h != a {
-                if h != P_first {
-                    corners.push(if mesh.vertex(h) == v3 { v0 } else { if mesh.vertex(h) == v2 { v1 } else { mesh.vertex(h) } });
-                }
-                h = mesh.next(h);
-            }
-            let mut h = Q_first;
-            while h != b {
-                if h != Q_first {
-                    corners.push(if mesh.vertex(h) == v3 { v0 } else { if mesh.vertex(h) == v2 { v1 } else { mesh.vertex(h) } });
-                }
-                h = mesh.next(h);
-            }
-            if !all_differ(&corners) {
-                continue; // `f` would meet a vertex twice
-            }
-            let mut faces: Vec<FaceId> = vec![if mesh.face(b_) == g { f } else { mesh.face(b_) }];
+            let mut faces: Vec<FaceId> = vec![mesh.face(b_)];
             for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
                 if h != a {
-                    faces.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                    faces.push(mesh.face(h));
                 }
             }
             for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
                 if h != b_ {
-                    faces.push(if mesh.face(h) == g { f } else { mesh.face(h) });
+                    faces.push(mesh.face(h));
                 }
             }
             if !all_differ(&faces) {
                 continue; // a face around both `v0` and `v3` would meet `v0` twice
             }
-            let mut faces_2: Vec<FaceId> = vec![if mesh.face(a_) == g { f } else { mesh.face(a_) }];
-            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-                if h != a_ {
-                    faces_2.push(if mesh.face(h) == g { f } else { mesh.face(h) });
-                }
-            }
-            for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
-                if h != b {
-                    faces_2.push(if mesh.face(h) == g { f } else { mesh.face(h) });
-                }
-            }
-            if !all_differ(&faces_2) {
-                continue; // a face around both `v1` and `v2` would meet `v1` twice
-            }
             let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
-            let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
 
             // 3. Reassign every pointer that changes.
-            let mut h = Q_first;
-            while h != b {
-                mesh.set_face(h, f);
-                h = mesh.next(h);
-            }
-            let mut h = mesh.next(b_);
-            while h != b {
-                mesh.set_vertex(h, v1);
-                h = mesh.next(mesh.twin(h));
-            }
             let mut h = mesh.next(b);
             while h != b_ {
                 mesh.set_vertex(h, v0);
                 h = mesh.next(mesh.twin(h));
             }
-            mesh.set_next(P_last, Q_first);
-            mesh.set_prev(P_first, Q_last);
-            mesh.set_next(Q_last, P_first);
-            mesh.set_prev(Q_first, P_last);
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
             mesh.set_twin(a_, b_);
             mesh.set_twin(b_, a_);
             mesh.set_vertex(b_, v0);
             mesh.set_edge(b_, e);
             mesh.set_vertex_halfedge(v0, b_);
+            mesh.set_vertex_halfedge(v1, a_);
             mesh.set_edge_halfedge(e, a_);
-            mesh.set_face_halfedge(f, P_first);
+            mesh.set_face_halfedge(f, Q_first);
             mesh.set_position(v0, v0_position);
-            mesh.set_position(v1, v1_position);
 
             // 4. Erase what is gone.
             mesh.erase_halfedge(a);
             mesh.erase_halfedge(b);
-            mesh.erase_face(g);
             mesh.erase_edge(e2);
-            mesh.erase_vertex(v2);
             mesh.erase_vertex(v3);
             return Some(e);
         }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_weld_one_hole(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let p = mesh.next(a);
-        let q = mesh.next(p);
-        let a_ = mesh.twin(a);
-        // Both directions of e2 are tried.
-        for b in [mesh.edge_halfedge(e2), mesh.twin(mesh.edge_halfedge(e2))] {
-            let r = mesh.next(b);
-            let s = mesh.next(r);
+    #[allow(non_snake_case)]
+    fn rule_other_neighbours(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let b = mesh.prev(a);
+            let a_ = mesh.twin(a);
             let b_ = mesh.twin(b);
-            let f = mesh.face(a);
-            let v0 = mesh.vertex(a);
-            let v1 = mesh.vertex(a_);
-            let x1 = mesh.vertex(q);
-            let x2 = mesh.vertex(mesh.next(q));
+            let f = mesh.face(b);
             let v2 = mesh.vertex(b);
             let v3 = mesh.vertex(b_);
-            let y1 = mesh.vertex(s);
-            let y2 = mesh.vertex(mesh.next(s));
+            let v1 = mesh.vertex(a_);
+            let P_first = mesh.next(a);
             let P_last = mesh.prev(b);
-            let Q_first = mesh.next(s);
-            let Q_last = mesh.prev(a);
+            if mesh.edge(b) != e2 {
+                continue; // `b.edge` is not `e2`
+            }
             if !mesh.is_hole(f) {
                 continue; // `f` is not a hole
-            }
-            if mesh.face(b) != f {
-                continue; // `b` does not lie in `f`
-            }
-            if v0 == v1 {
-                continue; // `v0` and `v1` are one vertex
-            }
-            if v0 == x1 {
-                continue; // `v0` and `x1` are one vertex
-            }
-            if v0 == x2 {
-                continue; // `v0` and `x2` are one vertex
-            }
-            if v0 == v2 {
-                continue; // `v0` and `v2` are one vertex
-            }
-            if v0 == v3 {
-                continue; // `v0` and `v3` are one vertex
-            }
-            if v0 == y1 {
-                continue; // `v0` and `y1` are one vertex
-            }
-            if v0 == y2 {
-                continue; // `v0` and `y2` are one vertex
-            }
-            if v1 == x1 {
-                continue; // `v1` and `x1` are one vertex
-            }
-            if v1 == x2 {
-                continue; // `v1` and `x2` are one vertex
-            }
-            if v1 == v2 {
-                continue; // `v1` and `v2` are one vertex
-            }
-            if v1 == v3 {
-                continue; // `v1` and `v3` are one vertex
-            }
-            if v1 == y1 {
-                continue; // `v1` and `y1` are one vertex
-            }
-            if v1 == y2 {
-                continue; // `v1` and `y2` are one vertex
-            }
-            if x1 == x2 {
-                continue; // `x1` and `x2` are one vertex
-            }
-            if x1 == v2 {
-                continue; // `x1` and `v2` are one vertex
-            }
-            if x1 == v3 {
-                continue; // `x1` and `v3` are one vertex
-            }
-            if x1 == y1 {
-                continue; // `x1` and `y1` are one vertex
-            }
-            if x1 == y2 {
-                continue; // `x1` and `y2` are one vertex
-            }
-            if x2 == v2 {
-                continue; // `x2` and `v2` are one vertex
-            }
-            if x2 == v3 {
-                continue; // `x2` and `v3` are one vertex
-            }
-            if x2 == y1 {
-                continue; // `x2` and `y1` are one vertex
-            }
-            if x2 == y2 {
-                continue; // `x2` and `y2` are one vertex
             }
             if v2 == v3 {
                 continue; // `v2` and `v3` are one vertex
             }
-            if v2 == y1 {
-                continue; // `v2` and `y1` are one vertex
+            if v2 == v1 {
+                continue; // `v2` and `v1` are one vertex
             }
-            if v2 == y2 {
-                continue; // `v2` and `y2` are one vertex
+            if v3 == v1 {
+                continue; // `v3` and `v1` are one vertex
             }
-            if v3 == y1 {
-                continue; // `v3` and `y1` are one vertex
+            if (mesh.face_size(f) as i64) <= 4 {
+                continue; // a hole of fewer than three edges would be left
             }
-            if v3 == y2 {
-                continue; // `v3` and `y2` are one vertex
+            if (mesh.degree(v3) as i64) < 3 {
+                continue; // `v3` would keep a single edge
             }
-            if y1 == y2 {
-                continue; // `y1` and `y2` are one vertex
-            }
-            let mut along: Vec<HalfedgeId> = Vec::new();
-            let mut h = Q_first;
-            while h != a {
-                along.push(h);
-                h = mesh.next(h);
-            }
-            let mut faces: Vec<FaceId> = Vec::new();
-            let mut count = 1;
-            if !along.contains(&b_) {
-                faces.push(mesh.face(b_));
-            }
-            if along.contains(&b_) {
-                count += 1;
-            }
-            for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-                if h != a {
-                    if !along.contains(&h) {
-                        faces.push(mesh.face(h));
-                    }
-                    if along.contains(&h) {
-                        count += 1;
-                    }
-                }
-            }
-            for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
-                if h != r && h != b_ {
-                    if !along.contains(&h) {
-                        faces.push(mesh.face(h));
-                    }
-                    if along.contains(&h) {
-                        count += 1;
-                    }
-                }
-            }
-            if !all_differ(&faces) || 1 < count {
-                continue; // a face around both `v0` and `v3` would meet `v0` twice
-            }
-            let mut faces_2: Vec<FaceId> = vec![f];
-            let mut count_2 = 0;
-            if !along.contains(&a_) {
-                faces_2.push(mesh.face(a_));
-            }
-            if along.contains(&a_) {
-                count_2 += 1;
-            }
-            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-                if h != p && h != a_ {
-                    if !along.contains(&h) {
-                        faces_2.push(mesh.face(h));
-                    }
-                    if along.contains(&h) {
-                        count_2 += 1;
-                    }
-                }
-            }
+            let mut faces: Vec<FaceId> = vec![mesh.face(a_)];
             for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
                 if h != b {
-                    if !along.contains(&h) {
-                        faces_2.push(mesh.face(h));
-                    }
-                    if along.contains(&h) {
-                        count_2 += 1;
-                    }
+                    faces.push(mesh.face(h));
                 }
             }
-            if !all_differ(&faces_2) || 1 < count_2 {
+            for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
+                if h != a_ {
+                    faces.push(mesh.face(h));
+                }
+            }
+            if !all_differ(&faces) {
                 continue; // a face around both `v1` and `v2` would meet `v1` twice
             }
-            let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
             let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
 
-            // 2. Allocate what is new.
-            let g = mesh.add_face();
-
             // 3. Reassign every pointer that changes.
-            let mut h = Q_first;
-            while h != a {
-                mesh.set_face(h, g);
-                h = mesh.next(h);
-            }
             let mut h = mesh.next(b_);
             while h != b {
                 mesh.set_vertex(h, v1);
                 h = mesh.next(mesh.twin(h));
             }
-            let mut h = mesh.next(mesh.twin(r));
-            while h != b_ {
-                mesh.set_vertex(h, v0);
-                h = mesh.next(mesh.twin(h));
-            }
-            mesh.set_prev(p, P_last);
-            mesh.set_next(P_last, p);
-            mesh.set_prev(r, Q_last);
-            mesh.set_vertex(r, v0);
-            mesh.set_face(r, g);
-            mesh.set_face(s, g);
-            mesh.set_next(Q_last, r);
+            mesh.set_next(P_last, P_first);
+            mesh.set_prev(P_first, P_last);
             mesh.set_twin(a_, b_);
             mesh.set_twin(b_, a_);
-            mesh.set_vertex(b_, v0);
             mesh.set_edge(b_, e);
-            mesh.set_vertex_halfedge(v0, b_);
+            mesh.set_vertex_halfedge(v3, b_);
             mesh.set_edge_halfedge(e, a_);
-            mesh.set_face_halfedge(f, p);
-            mesh.set_face_halfedge(g, r);
-            mesh.set_hole(g, true);
-            mesh.set_position(v0, v0_position);
+            mesh.set_face_halfedge(f, P_first);
             mesh.set_position(v1, v1_position);
 
             // 4. Erase what is gone.
@@ -3392,167 +3651,12 @@ fn polygon_weld_one_hole(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeI
             mesh.erase_halfedge(b);
             mesh.erase_edge(e2);
             mesh.erase_vertex(v2);
-            mesh.erase_vertex(v3);
             return Some(e);
         }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn polygon_weld_neighbours(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.next(a);
-        let a_ = mesh.twin(a);
-        let b_ = mesh.twin(b);
-        let f = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(a_);
-        let v3 = mesh.vertex(b_);
-        let Q_first = mesh.next(b);
-        let Q_last = mesh.prev(a);
-        if mesh.edge(b) != e2 {
-            continue; // `b.edge` is not `e2`
-        }
-        if !mesh.is_hole(f) {
-            continue; // `f` is not a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if v0 == v3 {
-            continue; // `v0` and `v3` are one vertex
-        }
-        if v1 == v3 {
-            continue; // `v1` and `v3` are one vertex
-        }
-        if (mesh.face_size(f) as i64) <= 4 {
-            continue; // a hole of fewer than three edges would be left
-        }
-        if (mesh.degree(v1) as i64) < 3 {
-            continue; // `v1` would keep a single edge
-        }
-        let mut faces: Vec<FaceId> = vec![mesh.face(b_)];
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v0)).collect::<Vec<_>>() {
-            if h != a {
-                faces.push(mesh.face(h));
-            }
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v3)).collect::<Vec<_>>() {
-            if h != b_ {
-                faces.push(mesh.face(h));
-            }
-        }
-        if !all_differ(&faces) {
-            continue; // a face around both `v0` and `v3` would meet `v0` twice
-        }
-        let v0_position = (mesh.position(v0) + mesh.position(v3)) / 2.0;
-
-        // 3. Reassign every pointer that changes.
-        let mut h = mesh.next(b);
-        while h != b_ {
-            mesh.set_vertex(h, v0);
-            h = mesh.next(mesh.twin(h));
-        }
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_twin(a_, b_);
-        mesh.set_twin(b_, a_);
-        mesh.set_vertex(b_, v0);
-        mesh.set_edge(b_, e);
-        mesh.set_vertex_halfedge(v0, b_);
-        mesh.set_vertex_halfedge(v1, a_);
-        mesh.set_edge_halfedge(e, a_);
-        mesh.set_face_halfedge(f, Q_first);
-        mesh.set_position(v0, v0_position);
-
-        // 4. Erase what is gone.
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(b);
-        mesh.erase_edge(e2);
-        mesh.erase_vertex(v3);
-        return Some(e);
-    }
-    None
-}
-
-#[allow(non_snake_case)]
-fn polygon_weld_other_neighbours(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let b = mesh.prev(a);
-        let a_ = mesh.twin(a);
-        let b_ = mesh.twin(b);
-        let f = mesh.face(b);
-        let v2 = mesh.vertex(b);
-        let v3 = mesh.vertex(b_);
-        let v1 = mesh.vertex(a_);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(b);
-        if mesh.edge(b) != e2 {
-            continue; // `b.edge` is not `e2`
-        }
-        if !mesh.is_hole(f) {
-            continue; // `f` is not a hole
-        }
-        if v2 == v3 {
-            continue; // `v2` and `v3` are one vertex
-        }
-        if v2 == v1 {
-            continue; // `v2` and `v1` are one vertex
-        }
-        if v3 == v1 {
-            continue; // `v3` and `v1` are one vertex
-        }
-        if (mesh.face_size(f) as i64) <= 4 {
-            continue; // a hole of fewer than three edges would be left
-        }
-        if (mesh.degree(v3) as i64) < 3 {
-            continue; // `v3` would keep a single edge
-        }
-        let mut faces: Vec<FaceId> = vec![mesh.face(a_)];
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v2)).collect::<Vec<_>>() {
-            if h != b {
-                faces.push(mesh.face(h));
-            }
-        }
-        for h in mesh.spokes_from(mesh.vertex_halfedge(v1)).collect::<Vec<_>>() {
-            if h != a_ {
-                faces.push(mesh.face(h));
-            }
-        }
-        if !all_differ(&faces) {
-            continue; // a face around both `v1` and `v2` would meet `v1` twice
-        }
-        let v1_position = (mesh.position(v1) + mesh.position(v2)) / 2.0;
-
-        // 3. Reassign every pointer that changes.
-        let mut h = mesh.next(b_);
-        while h != b {
-            mesh.set_vertex(h, v1);
-            h = mesh.next(mesh.twin(h));
-        }
-        mesh.set_next(P_last, P_first);
-        mesh.set_prev(P_first, P_last);
-        mesh.set_twin(a_, b_);
-        mesh.set_twin(b_, a_);
-        mesh.set_edge(b_, e);
-        mesh.set_vertex_halfedge(v3, b_);
-        mesh.set_edge_halfedge(e, a_);
-        mesh.set_face_halfedge(f, P_first);
-        mesh.set_position(v1, v1_position);
-
-        // 4. Erase what is gone.
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(b);
-        mesh.erase_edge(e2);
-        mesh.erase_vertex(v2);
-        return Some(e);
-    }
-    None
+    rule_two_holes(mesh, e, e2).or_else(|| rule_one_hole(mesh, e, e2)).or_else(|| rule_neighbours(mesh, e, e2)).or_else(|| rule_other_neighbours(mesh, e, e2))
 }
 
 /// Splits an edge between two triangles, and marks what is new, as remeshers do.
@@ -9059,8 +9163,8 @@ use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate
 ///      \          /            \        /
 ///       v3------v2               \    /
 ///       |   f    |       ->         v
-///       v0------v1               /    \
-///      /          \            /        \
+///       v0------v1               /    \ .
+///      /          \            /        \ .
 /// ```
 ///
 /// A triangle at a side of the face would be left with two sides: it vanishes, as in
@@ -9169,10 +9273,10 @@ pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Face
     }
     all_or_nothing(mesh, Level::Surface, |mesh| {
         for s in mesh.spokes(v).collect::<Vec<_>>() {
-            let far = mesh.position(mesh.target(s));
+            let far_ = mesh.position(mesh.target(s));
             let e = mesh.edge(s);
             let u = polygon_bisect(mesh, e)?;
-            mesh.set_position(u, finite(DVec3::lerp(mesh.position(v), far, t))?);
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(v), far_, t))?);
         }
         for s in mesh.spokes(v).collect::<Vec<_>>() {
             let a = mesh.next(s);
@@ -9198,7 +9302,7 @@ pub fn polygon_bevel_vertex(mesh: &mut Mesh, v: VertexId, t: f64) -> Option<Face
 ///      \      /               u--------u
 ///       a--e-b        ->      |    f   |
 ///      /      \               u--------u
-///     /        \             /          \
+///     /        \             /          \ .
 /// ```
 ///
 /// The new vertices start where the ends of the edge are, and lie at the share `t` of the way
@@ -9218,19 +9322,19 @@ pub fn polygon_bevel_edge(mesh: &mut Mesh, e: EdgeId, t: f64) -> Option<FaceId> 
             if mesh.edge(s) == e {
                 continue;
             }
-            let far = mesh.position(mesh.target(s));
+            let far_ = mesh.position(mesh.target(s));
             let e_2 = mesh.edge(s);
             let u = polygon_bisect(mesh, e_2)?;
-            mesh.set_position(u, finite(DVec3::lerp(mesh.position(a), far, t))?);
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(a), far_, t))?);
         }
         for s in mesh.spokes(b).collect::<Vec<_>>() {
             if mesh.edge(s) == e {
                 continue;
             }
-            let far = mesh.position(mesh.target(s));
+            let far_ = mesh.position(mesh.target(s));
             let e_2 = mesh.edge(s);
             let u = polygon_bisect(mesh, e_2)?;
-            mesh.set_position(u, finite(DVec3::lerp(mesh.position(b), far, t))?);
+            mesh.set_position(u, finite(DVec3::lerp(mesh.position(b), far_, t))?);
         }
         // Cut the corners around both ends, and along the two sides of the edge.
         for s in mesh.spokes(a).collect::<Vec<_>>() {
@@ -9272,30 +9376,36 @@ pub fn polygon_bevel_edge(mesh: &mut Mesh, e: EdgeId, t: f64) -> Option<FaceId> 
     })
 }
 
-/// Makes a face a hole.
+/// Makes a face a hole, and returns it.
 ///
-/// Where the face lies at the boundary, it joins the hole there: the edges between the two go,
-/// and the vertices that have no other. Refused if two holes would meet at a vertex.
+/// Where the face lies at the boundary, the hole there joins it: the edges between the two go,
+/// and the vertices that have no other. Refused if two holes would meet at a vertex, and if the
+/// face has no other beside it: nothing would be left.
 ///
 /// All or nothing: if a step refuses, what was done is undone.
-pub fn polygon_open_face(mesh: &mut Mesh, f: FaceId) -> bool {
+pub fn polygon_open_face(mesh: &mut Mesh, f: FaceId) -> Option<FaceId> {
     if mesh.is_hole(f) {
-        return false; // the face is a hole already
+        return None; // the face is a hole already
+    }
+    if mesh.face_halfedges(f).map(|h| mesh.edge(h)).all(|e| mesh.is_boundary_edge(e)) {
+        return None; // no face would be left beside the hole
     }
     all_or_nothing(mesh, Level::Surface, |mesh| {
         open(mesh, f)?;
-        for e in mesh.face_halfedges(f).map(|h| mesh.edge(h)).collect::<Vec<_>>() {
-            if !mesh.edge_alive(e) || !mesh.is_boundary_halfedge(mesh.edge_halfedge(e)) || !mesh.is_boundary_halfedge(mesh.twin(mesh.edge_halfedge(e))) {
+        for h in mesh.face_halfedges(f).collect::<Vec<_>>() {
+            if !mesh.halfedge_alive(h) || !mesh.is_boundary_halfedge(mesh.twin(h)) {
                 continue;
             }
-            if remove(mesh, e).is_none() {
-                if !vanish(mesh, e) {
+            let a = if mesh.face(h) != f && mesh.face(mesh.twin(h)) == f { mesh.twin(h) } else { h };
+            if clear(mesh, a).is_none() {
+                let e_2 = mesh.edge(h);
+                if !vanish(mesh, e_2) {
                     return None;
                 }
             }
         }
-        Some(())
-    }).is_some()
+        Some(f)
+    })
 }
 
 /// Shrinks an edge until its ends are one vertex at its midpoint, which is returned.
@@ -9304,7 +9414,7 @@ pub fn polygon_open_face(mesh: &mut Mesh, f: FaceId) -> bool {
 ///      .--P--.                 .--P--.
 ///      |     |                  \   /
 ///      v0-e-v1        ->          v0
-///      |     |                  /   \
+///      |     |                  /   \ .
 ///      '--Q--'                 '--Q--'
 /// ```
 #[allow(non_snake_case)]
@@ -9445,203 +9555,203 @@ fn drop_monogon(mesh: &mut Mesh, f: FaceId) -> bool {
 /// Removes an edge and nothing else, whatever lies on its two sides; returns the loop that is
 /// left there.
 fn remove(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    remove_between_faces(mesh, e).or_else(|| remove_beside_a_hole(mesh, e)).or_else(|| remove_spur(mesh, e)).or_else(|| remove_bridge(mesh, e))
-}
+    #[allow(non_snake_case)]
+    fn rule_between_faces(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
 
-#[allow(non_snake_case)]
-fn remove_between_faces(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != d {
+                mesh.set_face(h, f0);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_face(f1);
+            return Some(f0);
         }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remove_beside_a_hole(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if !mesh.is_hole(f0) {
-            continue; // `f0` is not a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
+    #[allow(non_snake_case)]
+    fn rule_beside_a_hole(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if !mesh.is_hole(f0) {
+                continue; // `f0` is not a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
-        }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != d {
+                mesh.set_face(h, f0);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
 
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_face(f1);
+            return Some(f0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remove_spur(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.next(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(a);
-        let Q_is_empty = Q_first == a;
-        if mesh.twin(a) != d {
-            continue; // `a.twin` is not `d`
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if Q_is_empty {
-            continue; // `f0` would be left without halfedges
-        }
+    #[allow(non_snake_case)]
+    fn rule_spur(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.next(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(a);
+            let Q_is_empty = Q_first == a;
+            if mesh.twin(a) != d {
+                continue; // `a.twin` is not `d`
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if Q_is_empty {
+                continue; // `f0` would be left without halfedges
+            }
 
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_face_halfedge(f0, Q_first);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_face_halfedge(f0, Q_first);
 
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_vertex(v1);
-        return Some(f0);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_vertex(v1);
+            return Some(f0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remove_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(d);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(a);
-        let P_is_empty = P_first == d;
-        let Q_is_empty = Q_first == a;
-        if !mesh.is_hole(f0) {
-            continue; // `f0` is not a hole
-        }
-        if mesh.face(d) != f0 {
-            continue; // `d` does not lie in `f0`
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if P_is_empty {
-            continue; // `f0` would be left without halfedges
-        }
-        if Q_is_empty {
-            continue; // `g` would be left without halfedges
-        }
+    #[allow(non_snake_case)]
+    fn rule_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(d);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(a);
+            let P_is_empty = P_first == d;
+            let Q_is_empty = Q_first == a;
+            if !mesh.is_hole(f0) {
+                continue; // `f0` is not a hole
+            }
+            if mesh.face(d) != f0 {
+                continue; // `d` does not lie in `f0`
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if P_is_empty {
+                continue; // `f0` would be left without halfedges
+            }
+            if Q_is_empty {
+                continue; // `g` would be left without halfedges
+            }
 
-        // 2. Allocate what is new.
-        let g = mesh.add_face();
+            // 2. Allocate what is new.
+            let g = mesh.add_face();
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != a {
-            mesh.set_face(h, g);
-            h = mesh.next(h);
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != a {
+                mesh.set_face(h, g);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, P_first);
+            mesh.set_prev(P_first, P_last);
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
+            mesh.set_face_halfedge(g, Q_first);
+            mesh.set_hole(g, true);
+
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            return Some(f0);
         }
-        mesh.set_next(P_last, P_first);
-        mesh.set_prev(P_first, P_last);
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-        mesh.set_face_halfedge(g, Q_first);
-        mesh.set_hole(g, true);
-
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        return Some(f0);
+        None
     }
-    None
+
+    rule_between_faces(mesh, e).or_else(|| rule_beside_a_hole(mesh, e)).or_else(|| rule_spur(mesh, e)).or_else(|| rule_bridge(mesh, e))
 }
 
 /// Removes a vertex with two edges, which become one; returns it.
@@ -9777,149 +9887,334 @@ fn polygon_bisect(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
 /// Cuts a loop in two, from the corner where `a` starts to the corner where `b` starts; returns
 /// the new edge. Of a hole, the part from `b` on becomes a face.
 fn cut(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
-    cut_face_in_two(mesh, a, b).or_else(|| cut_face_off_a_hole(mesh, a, b))
+    #[allow(non_snake_case)]
+    fn rule_face_in_two(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let f = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        let v2 = mesh.vertex(b);
+        let v3 = mesh.vertex(mesh.next(b));
+        let P_last = mesh.prev(b);
+        let Q_first = mesh.next(b);
+        let Q_last = mesh.prev(a);
+        if mesh.is_hole(f) {
+            return None; // `f` is a hole
+        }
+        if mesh.face(b) != f {
+            return None; // `b` does not lie in `f`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            return None; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            return None; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            return None; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            return None; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            return None; // `v2` and `v3` are one vertex
+        }
+
+        // 2. Allocate what is new.
+        let e = mesh.add_edge();
+        let x = mesh.add_halfedge();
+        let y = mesh.add_halfedge();
+        let g = mesh.add_face();
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != a {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_prev(a, x);
+        mesh.set_next(P_last, x);
+        mesh.set_prev(b, y);
+        mesh.set_face(b, g);
+        mesh.set_next(Q_last, y);
+        mesh.set_next(x, a);
+        mesh.set_prev(x, P_last);
+        mesh.set_twin(x, y);
+        mesh.set_vertex(x, v2);
+        mesh.set_edge(x, e);
+        mesh.set_face(x, f);
+        mesh.set_next(y, b);
+        mesh.set_prev(y, Q_last);
+        mesh.set_twin(y, x);
+        mesh.set_vertex(y, v0);
+        mesh.set_edge(y, e);
+        mesh.set_face(y, g);
+        mesh.set_edge_halfedge(e, x);
+        mesh.set_face_halfedge(f, a);
+        mesh.set_face_halfedge(g, y);
+        Some(e)
+    }
+
+    #[allow(non_snake_case)]
+    fn rule_face_off_a_hole(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let f = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        let v2 = mesh.vertex(b);
+        let v3 = mesh.vertex(mesh.next(b));
+        let P_last = mesh.prev(b);
+        let Q_first = mesh.next(b);
+        let Q_last = mesh.prev(a);
+        if !mesh.is_hole(f) {
+            return None; // `f` is not a hole
+        }
+        if mesh.face(b) != f {
+            return None; // `b` does not lie in `f`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            return None; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            return None; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            return None; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            return None; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            return None; // `v2` and `v3` are one vertex
+        }
+
+        // 2. Allocate what is new.
+        let e = mesh.add_edge();
+        let x = mesh.add_halfedge();
+        let y = mesh.add_halfedge();
+        let g = mesh.add_face();
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != a {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_prev(a, x);
+        mesh.set_next(P_last, x);
+        mesh.set_prev(b, y);
+        mesh.set_face(b, g);
+        mesh.set_next(Q_last, y);
+        mesh.set_next(x, a);
+        mesh.set_prev(x, P_last);
+        mesh.set_twin(x, y);
+        mesh.set_vertex(x, v2);
+        mesh.set_edge(x, e);
+        mesh.set_face(x, f);
+        mesh.set_next(y, b);
+        mesh.set_prev(y, Q_last);
+        mesh.set_twin(y, x);
+        mesh.set_vertex(y, v0);
+        mesh.set_edge(y, e);
+        mesh.set_face(y, g);
+        mesh.set_edge_halfedge(e, x);
+        mesh.set_face_halfedge(f, a);
+        mesh.set_face_halfedge(g, y);
+        Some(e)
+    }
+
+    rule_face_in_two(mesh, a, b).or_else(|| rule_face_off_a_hole(mesh, a, b))
 }
 
-#[allow(non_snake_case)]
-fn cut_face_in_two(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    let f = mesh.face(a);
-    let v0 = mesh.vertex(a);
-    let v1 = mesh.vertex(mesh.next(a));
-    let v2 = mesh.vertex(b);
-    let v3 = mesh.vertex(mesh.next(b));
-    let P_last = mesh.prev(b);
-    let Q_first = mesh.next(b);
-    let Q_last = mesh.prev(a);
-    if mesh.is_hole(f) {
-        return None; // `f` is a hole
-    }
-    if mesh.face(b) != f {
-        return None; // `b` does not lie in `f`
-    }
-    if v0 == v1 {
-        return None; // `v0` and `v1` are one vertex
-    }
-    if v0 == v2 {
-        return None; // `v0` and `v2` are one vertex
-    }
-    if v0 == v3 {
-        return None; // `v0` and `v3` are one vertex
-    }
-    if v1 == v2 {
-        return None; // `v1` and `v2` are one vertex
-    }
-    if v1 == v3 {
-        return None; // `v1` and `v3` are one vertex
-    }
-    if v2 == v3 {
-        return None; // `v2` and `v3` are one vertex
+/// Removes the edge of a halfedge that lies in a hole, and nothing else; that hole is left there.
+fn clear(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+    #[allow(non_snake_case)]
+    fn rule_beside_another(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let f1 = mesh.face(d);
+        let e = mesh.edge(a);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(d);
+        if !mesh.is_hole(f0) {
+            return None; // `f0` is not a hole
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if f0 == f1 {
+            return None; // `f0` and `f1` are one face
+        }
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != d {
+            mesh.set_face(h, f0);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, Q_first);
+        mesh.set_prev(P_first, Q_last);
+        mesh.set_next(Q_last, P_first);
+        mesh.set_prev(Q_first, P_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, P_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_face(f1);
+        Some(f0)
     }
 
-    // 2. Allocate what is new.
-    let e = mesh.add_edge();
-    let x = mesh.add_halfedge();
-    let y = mesh.add_halfedge();
-    let g = mesh.add_face();
+    #[allow(non_snake_case)]
+    fn rule_spur_ahead(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let d = mesh.next(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let e = mesh.edge(a);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(a);
+        let Q_is_empty = Q_first == a;
+        if !mesh.is_hole(f0) {
+            return None; // `f0` is not a hole
+        }
+        if mesh.twin(a) != d {
+            return None; // `a.twin` is not `d`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if Q_is_empty {
+            return None; // `f0` would be left without halfedges
+        }
 
-    // 3. Reassign every pointer that changes.
-    let mut h = Q_first;
-    while h != a {
-        mesh.set_face(h, g);
-        h = mesh.next(h);
-    }
-    mesh.set_prev(a, x);
-    mesh.set_next(P_last, x);
-    mesh.set_prev(b, y);
-    mesh.set_face(b, g);
-    mesh.set_next(Q_last, y);
-    mesh.set_next(x, a);
-    mesh.set_prev(x, P_last);
-    mesh.set_twin(x, y);
-    mesh.set_vertex(x, v2);
-    mesh.set_edge(x, e);
-    mesh.set_face(x, f);
-    mesh.set_next(y, b);
-    mesh.set_prev(y, Q_last);
-    mesh.set_twin(y, x);
-    mesh.set_vertex(y, v0);
-    mesh.set_edge(y, e);
-    mesh.set_face(y, g);
-    mesh.set_edge_halfedge(e, x);
-    mesh.set_face_halfedge(f, a);
-    mesh.set_face_halfedge(g, y);
-    Some(e)
-}
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_face_halfedge(f0, Q_first);
 
-#[allow(non_snake_case)]
-fn cut_face_off_a_hole(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    let f = mesh.face(a);
-    let v0 = mesh.vertex(a);
-    let v1 = mesh.vertex(mesh.next(a));
-    let v2 = mesh.vertex(b);
-    let v3 = mesh.vertex(mesh.next(b));
-    let P_last = mesh.prev(b);
-    let Q_first = mesh.next(b);
-    let Q_last = mesh.prev(a);
-    if !mesh.is_hole(f) {
-        return None; // `f` is not a hole
-    }
-    if mesh.face(b) != f {
-        return None; // `b` does not lie in `f`
-    }
-    if v0 == v1 {
-        return None; // `v0` and `v1` are one vertex
-    }
-    if v0 == v2 {
-        return None; // `v0` and `v2` are one vertex
-    }
-    if v0 == v3 {
-        return None; // `v0` and `v3` are one vertex
-    }
-    if v1 == v2 {
-        return None; // `v1` and `v2` are one vertex
-    }
-    if v1 == v3 {
-        return None; // `v1` and `v3` are one vertex
-    }
-    if v2 == v3 {
-        return None; // `v2` and `v3` are one vertex
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_vertex(v1);
+        Some(f0)
     }
 
-    // 2. Allocate what is new.
-    let e = mesh.add_edge();
-    let x = mesh.add_halfedge();
-    let y = mesh.add_halfedge();
-    let g = mesh.add_face();
+    #[allow(non_snake_case)]
+    fn rule_spur_behind(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let d = mesh.prev(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let e = mesh.edge(a);
+        let Q_first = mesh.next(a);
+        let Q_last = mesh.prev(d);
+        let Q_is_empty = Q_first == d;
+        if !mesh.is_hole(f0) {
+            return None; // `f0` is not a hole
+        }
+        if mesh.twin(a) != d {
+            return None; // `a.twin` is not `d`
+        }
+        if mesh.face(d) != f0 {
+            return None; // `d` does not lie in `f0`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if Q_is_empty {
+            return None; // `f0` would be left without halfedges
+        }
 
-    // 3. Reassign every pointer that changes.
-    let mut h = Q_first;
-    while h != a {
-        mesh.set_face(h, g);
-        h = mesh.next(h);
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v1, Q_first);
+        mesh.set_face_halfedge(f0, Q_first);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        mesh.erase_vertex(v0);
+        Some(f0)
     }
-    mesh.set_prev(a, x);
-    mesh.set_next(P_last, x);
-    mesh.set_prev(b, y);
-    mesh.set_face(b, g);
-    mesh.set_next(Q_last, y);
-    mesh.set_next(x, a);
-    mesh.set_prev(x, P_last);
-    mesh.set_twin(x, y);
-    mesh.set_vertex(x, v2);
-    mesh.set_edge(x, e);
-    mesh.set_face(x, f);
-    mesh.set_next(y, b);
-    mesh.set_prev(y, Q_last);
-    mesh.set_twin(y, x);
-    mesh.set_vertex(y, v0);
-    mesh.set_edge(y, e);
-    mesh.set_face(y, g);
-    mesh.set_edge_halfedge(e, x);
-    mesh.set_face_halfedge(f, a);
-    mesh.set_face_halfedge(g, y);
-    Some(e)
+
+    #[allow(non_snake_case)]
+    fn rule_bridge(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let d = mesh.twin(a);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let e = mesh.edge(a);
+        let P_first = mesh.next(a);
+        let P_last = mesh.prev(d);
+        let Q_first = mesh.next(d);
+        let Q_last = mesh.prev(a);
+        let P_is_empty = P_first == d;
+        let Q_is_empty = Q_first == a;
+        if !mesh.is_hole(f0) {
+            return None; // `f0` is not a hole
+        }
+        if mesh.face(d) != f0 {
+            return None; // `d` does not lie in `f0`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if Q_is_empty {
+            return None; // `f0` would be left without halfedges
+        }
+        if P_is_empty {
+            return None; // `g` would be left without halfedges
+        }
+
+        // 2. Allocate what is new.
+        let g = mesh.add_face();
+
+        // 3. Reassign every pointer that changes.
+        let mut h = P_first;
+        while h != d {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_next(P_last, P_first);
+        mesh.set_prev(P_first, P_last);
+        mesh.set_next(Q_last, Q_first);
+        mesh.set_prev(Q_first, Q_last);
+        mesh.set_vertex_halfedge(v0, Q_first);
+        mesh.set_vertex_halfedge(v1, P_first);
+        mesh.set_face_halfedge(f0, Q_first);
+        mesh.set_face_halfedge(g, P_first);
+        mesh.set_hole(g, true);
+
+        // 4. Erase what is gone.
+        mesh.erase_edge(e);
+        mesh.erase_halfedge(a);
+        mesh.erase_halfedge(d);
+        Some(f0)
+    }
+
+    rule_beside_another(mesh, a).or_else(|| rule_spur_ahead(mesh, a)).or_else(|| rule_spur_behind(mesh, a)).or_else(|| rule_bridge(mesh, a))
 }
 
 /// Removes an edge that is all there is of a piece of the mesh.
@@ -10463,149 +10758,149 @@ fn steps_bisect_heavy(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
 /// Cuts a loop in two, from the corner where `a` starts to the corner where `b` starts; returns
 /// the new edge. Of a hole, the part from `b` on becomes a face.
 fn cut(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
-    cut_face_in_two(mesh, a, b).or_else(|| cut_face_off_a_hole(mesh, a, b))
-}
+    #[allow(non_snake_case)]
+    fn rule_face_in_two(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let f = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        let v2 = mesh.vertex(b);
+        let v3 = mesh.vertex(mesh.next(b));
+        let P_last = mesh.prev(b);
+        let Q_first = mesh.next(b);
+        let Q_last = mesh.prev(a);
+        if mesh.is_hole(f) {
+            return None; // `f` is a hole
+        }
+        if mesh.face(b) != f {
+            return None; // `b` does not lie in `f`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            return None; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            return None; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            return None; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            return None; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            return None; // `v2` and `v3` are one vertex
+        }
 
-#[allow(non_snake_case)]
-fn cut_face_in_two(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    let f = mesh.face(a);
-    let v0 = mesh.vertex(a);
-    let v1 = mesh.vertex(mesh.next(a));
-    let v2 = mesh.vertex(b);
-    let v3 = mesh.vertex(mesh.next(b));
-    let P_last = mesh.prev(b);
-    let Q_first = mesh.next(b);
-    let Q_last = mesh.prev(a);
-    if mesh.is_hole(f) {
-        return None; // `f` is a hole
-    }
-    if mesh.face(b) != f {
-        return None; // `b` does not lie in `f`
-    }
-    if v0 == v1 {
-        return None; // `v0` and `v1` are one vertex
-    }
-    if v0 == v2 {
-        return None; // `v0` and `v2` are one vertex
-    }
-    if v0 == v3 {
-        return None; // `v0` and `v3` are one vertex
-    }
-    if v1 == v2 {
-        return None; // `v1` and `v2` are one vertex
-    }
-    if v1 == v3 {
-        return None; // `v1` and `v3` are one vertex
-    }
-    if v2 == v3 {
-        return None; // `v2` and `v3` are one vertex
-    }
+        // 2. Allocate what is new.
+        let e = mesh.add_edge();
+        let x = mesh.add_halfedge();
+        let y = mesh.add_halfedge();
+        let g = mesh.add_face();
 
-    // 2. Allocate what is new.
-    let e = mesh.add_edge();
-    let x = mesh.add_halfedge();
-    let y = mesh.add_halfedge();
-    let g = mesh.add_face();
-
-    // 3. Reassign every pointer that changes.
-    let mut h = Q_first;
-    while h != a {
-        mesh.set_face(h, g);
-        h = mesh.next(h);
-    }
-    mesh.set_prev(a, x);
-    mesh.set_next(P_last, x);
-    mesh.set_prev(b, y);
-    mesh.set_face(b, g);
-    mesh.set_next(Q_last, y);
-    mesh.set_next(x, a);
-    mesh.set_prev(x, P_last);
-    mesh.set_twin(x, y);
-    mesh.set_vertex(x, v2);
-    mesh.set_edge(x, e);
-    mesh.set_face(x, f);
-    mesh.set_next(y, b);
-    mesh.set_prev(y, Q_last);
-    mesh.set_twin(y, x);
-    mesh.set_vertex(y, v0);
-    mesh.set_edge(y, e);
-    mesh.set_face(y, g);
-    mesh.set_edge_halfedge(e, x);
-    mesh.set_face_halfedge(f, a);
-    mesh.set_face_halfedge(g, y);
-    Some(e)
-}
-
-#[allow(non_snake_case)]
-fn cut_face_off_a_hole(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    let f = mesh.face(a);
-    let v0 = mesh.vertex(a);
-    let v1 = mesh.vertex(mesh.next(a));
-    let v2 = mesh.vertex(b);
-    let v3 = mesh.vertex(mesh.next(b));
-    let P_last = mesh.prev(b);
-    let Q_first = mesh.next(b);
-    let Q_last = mesh.prev(a);
-    if !mesh.is_hole(f) {
-        return None; // `f` is not a hole
-    }
-    if mesh.face(b) != f {
-        return None; // `b` does not lie in `f`
-    }
-    if v0 == v1 {
-        return None; // `v0` and `v1` are one vertex
-    }
-    if v0 == v2 {
-        return None; // `v0` and `v2` are one vertex
-    }
-    if v0 == v3 {
-        return None; // `v0` and `v3` are one vertex
-    }
-    if v1 == v2 {
-        return None; // `v1` and `v2` are one vertex
-    }
-    if v1 == v3 {
-        return None; // `v1` and `v3` are one vertex
-    }
-    if v2 == v3 {
-        return None; // `v2` and `v3` are one vertex
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != a {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_prev(a, x);
+        mesh.set_next(P_last, x);
+        mesh.set_prev(b, y);
+        mesh.set_face(b, g);
+        mesh.set_next(Q_last, y);
+        mesh.set_next(x, a);
+        mesh.set_prev(x, P_last);
+        mesh.set_twin(x, y);
+        mesh.set_vertex(x, v2);
+        mesh.set_edge(x, e);
+        mesh.set_face(x, f);
+        mesh.set_next(y, b);
+        mesh.set_prev(y, Q_last);
+        mesh.set_twin(y, x);
+        mesh.set_vertex(y, v0);
+        mesh.set_edge(y, e);
+        mesh.set_face(y, g);
+        mesh.set_edge_halfedge(e, x);
+        mesh.set_face_halfedge(f, a);
+        mesh.set_face_halfedge(g, y);
+        Some(e)
     }
 
-    // 2. Allocate what is new.
-    let e = mesh.add_edge();
-    let x = mesh.add_halfedge();
-    let y = mesh.add_halfedge();
-    let g = mesh.add_face();
+    #[allow(non_snake_case)]
+    fn rule_face_off_a_hole(mesh: &mut Mesh, a: HalfedgeId, b: HalfedgeId) -> Option<EdgeId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        let f = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(mesh.next(a));
+        let v2 = mesh.vertex(b);
+        let v3 = mesh.vertex(mesh.next(b));
+        let P_last = mesh.prev(b);
+        let Q_first = mesh.next(b);
+        let Q_last = mesh.prev(a);
+        if !mesh.is_hole(f) {
+            return None; // `f` is not a hole
+        }
+        if mesh.face(b) != f {
+            return None; // `b` does not lie in `f`
+        }
+        if v0 == v1 {
+            return None; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            return None; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            return None; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            return None; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            return None; // `v1` and `v3` are one vertex
+        }
+        if v2 == v3 {
+            return None; // `v2` and `v3` are one vertex
+        }
 
-    // 3. Reassign every pointer that changes.
-    let mut h = Q_first;
-    while h != a {
-        mesh.set_face(h, g);
-        h = mesh.next(h);
+        // 2. Allocate what is new.
+        let e = mesh.add_edge();
+        let x = mesh.add_halfedge();
+        let y = mesh.add_halfedge();
+        let g = mesh.add_face();
+
+        // 3. Reassign every pointer that changes.
+        let mut h = Q_first;
+        while h != a {
+            mesh.set_face(h, g);
+            h = mesh.next(h);
+        }
+        mesh.set_prev(a, x);
+        mesh.set_next(P_last, x);
+        mesh.set_prev(b, y);
+        mesh.set_face(b, g);
+        mesh.set_next(Q_last, y);
+        mesh.set_next(x, a);
+        mesh.set_prev(x, P_last);
+        mesh.set_twin(x, y);
+        mesh.set_vertex(x, v2);
+        mesh.set_edge(x, e);
+        mesh.set_face(x, f);
+        mesh.set_next(y, b);
+        mesh.set_prev(y, Q_last);
+        mesh.set_twin(y, x);
+        mesh.set_vertex(y, v0);
+        mesh.set_edge(y, e);
+        mesh.set_face(y, g);
+        mesh.set_edge_halfedge(e, x);
+        mesh.set_face_halfedge(f, a);
+        mesh.set_face_halfedge(g, y);
+        Some(e)
     }
-    mesh.set_prev(a, x);
-    mesh.set_next(P_last, x);
-    mesh.set_prev(b, y);
-    mesh.set_face(b, g);
-    mesh.set_next(Q_last, y);
-    mesh.set_next(x, a);
-    mesh.set_prev(x, P_last);
-    mesh.set_twin(x, y);
-    mesh.set_vertex(x, v2);
-    mesh.set_edge(x, e);
-    mesh.set_face(x, f);
-    mesh.set_next(y, b);
-    mesh.set_prev(y, Q_last);
-    mesh.set_twin(y, x);
-    mesh.set_vertex(y, v0);
-    mesh.set_edge(y, e);
-    mesh.set_face(y, g);
-    mesh.set_edge_halfedge(e, x);
-    mesh.set_face_halfedge(f, a);
-    mesh.set_face_halfedge(g, y);
-    Some(e)
+
+    rule_face_in_two(mesh, a, b).or_else(|| rule_face_off_a_hole(mesh, a, b))
 }
 
 /// Cuts triangles off a face until a triangle is left; how many.
@@ -10642,7 +10937,7 @@ fn slice(mesh: &mut Mesh, h: HalfedgeId) -> Option<FaceId> {
 ///      .--P--.                 .--P--.
 ///      |     |                  \   /
 ///      v0-e-v1        ->          v0
-///      |     |                  /   \
+///      |     |                  /   \ .
 ///      '--Q--'                 '--Q--'
 /// ```
 #[allow(non_snake_case)]
@@ -10695,203 +10990,203 @@ fn contract(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
 /// Removes an edge and nothing else, whatever lies on its two sides; returns the loop that is
 /// left there.
 fn remove(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    remove_between_faces(mesh, e).or_else(|| remove_beside_a_hole(mesh, e)).or_else(|| remove_spur(mesh, e)).or_else(|| remove_bridge(mesh, e))
-}
+    #[allow(non_snake_case)]
+    fn rule_between_faces(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if mesh.is_hole(f0) {
+                continue; // `f0` is a hole
+            }
+            if mesh.is_hole(f1) {
+                continue; // `f1` is a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
 
-#[allow(non_snake_case)]
-fn remove_between_faces(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if mesh.is_hole(f0) {
-            continue; // `f0` is a hole
-        }
-        if mesh.is_hole(f1) {
-            continue; // `f1` is a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != d {
+                mesh.set_face(h, f0);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_face(f1);
+            return Some(f0);
         }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remove_beside_a_hole(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let f1 = mesh.face(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(a);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(d);
-        if !mesh.is_hole(f0) {
-            continue; // `f0` is not a hole
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if f0 == f1 {
-            continue; // `f0` and `f1` are one face
-        }
+    #[allow(non_snake_case)]
+    fn rule_beside_a_hole(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let f1 = mesh.face(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(a);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(d);
+            if !mesh.is_hole(f0) {
+                continue; // `f0` is not a hole
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if f0 == f1 {
+                continue; // `f0` and `f1` are one face
+            }
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != d {
-            mesh.set_face(h, f0);
-            h = mesh.next(h);
-        }
-        mesh.set_next(P_last, Q_first);
-        mesh.set_prev(P_first, Q_last);
-        mesh.set_next(Q_last, P_first);
-        mesh.set_prev(Q_first, P_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != d {
+                mesh.set_face(h, f0);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, Q_first);
+            mesh.set_prev(P_first, Q_last);
+            mesh.set_next(Q_last, P_first);
+            mesh.set_prev(Q_first, P_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
 
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_face(f1);
-        return Some(f0);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_face(f1);
+            return Some(f0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remove_spur(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.next(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(a);
-        let Q_is_empty = Q_first == a;
-        if mesh.twin(a) != d {
-            continue; // `a.twin` is not `d`
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if Q_is_empty {
-            continue; // `f0` would be left without halfedges
-        }
+    #[allow(non_snake_case)]
+    fn rule_spur(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.next(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(a);
+            let Q_is_empty = Q_first == a;
+            if mesh.twin(a) != d {
+                continue; // `a.twin` is not `d`
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if Q_is_empty {
+                continue; // `f0` would be left without halfedges
+            }
 
-        // 3. Reassign every pointer that changes.
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_face_halfedge(f0, Q_first);
+            // 3. Reassign every pointer that changes.
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_face_halfedge(f0, Q_first);
 
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        mesh.erase_vertex(v1);
-        return Some(f0);
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            mesh.erase_vertex(v1);
+            return Some(f0);
+        }
+        None
     }
-    None
-}
 
-#[allow(non_snake_case)]
-fn remove_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
-    // 1. Collect: nothing is written before all of this has passed.
-    // Both directions of e are tried.
-    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
-        let d = mesh.twin(a);
-        let f0 = mesh.face(a);
-        let v0 = mesh.vertex(a);
-        let v1 = mesh.vertex(d);
-        let P_first = mesh.next(a);
-        let P_last = mesh.prev(d);
-        let Q_first = mesh.next(d);
-        let Q_last = mesh.prev(a);
-        let P_is_empty = P_first == d;
-        let Q_is_empty = Q_first == a;
-        if !mesh.is_hole(f0) {
-            continue; // `f0` is not a hole
-        }
-        if mesh.face(d) != f0 {
-            continue; // `d` does not lie in `f0`
-        }
-        if v0 == v1 {
-            continue; // `v0` and `v1` are one vertex
-        }
-        if P_is_empty {
-            continue; // `f0` would be left without halfedges
-        }
-        if Q_is_empty {
-            continue; // `g` would be left without halfedges
-        }
+    #[allow(non_snake_case)]
+    fn rule_bridge(mesh: &mut Mesh, e: EdgeId) -> Option<FaceId> {
+        // 1. Collect: nothing is written before all of this has passed.
+        // Both directions of e are tried.
+        for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+            let d = mesh.twin(a);
+            let f0 = mesh.face(a);
+            let v0 = mesh.vertex(a);
+            let v1 = mesh.vertex(d);
+            let P_first = mesh.next(a);
+            let P_last = mesh.prev(d);
+            let Q_first = mesh.next(d);
+            let Q_last = mesh.prev(a);
+            let P_is_empty = P_first == d;
+            let Q_is_empty = Q_first == a;
+            if !mesh.is_hole(f0) {
+                continue; // `f0` is not a hole
+            }
+            if mesh.face(d) != f0 {
+                continue; // `d` does not lie in `f0`
+            }
+            if v0 == v1 {
+                continue; // `v0` and `v1` are one vertex
+            }
+            if P_is_empty {
+                continue; // `f0` would be left without halfedges
+            }
+            if Q_is_empty {
+                continue; // `g` would be left without halfedges
+            }
 
-        // 2. Allocate what is new.
-        let g = mesh.add_face();
+            // 2. Allocate what is new.
+            let g = mesh.add_face();
 
-        // 3. Reassign every pointer that changes.
-        let mut h = Q_first;
-        while h != a {
-            mesh.set_face(h, g);
-            h = mesh.next(h);
+            // 3. Reassign every pointer that changes.
+            let mut h = Q_first;
+            while h != a {
+                mesh.set_face(h, g);
+                h = mesh.next(h);
+            }
+            mesh.set_next(P_last, P_first);
+            mesh.set_prev(P_first, P_last);
+            mesh.set_next(Q_last, Q_first);
+            mesh.set_prev(Q_first, Q_last);
+            mesh.set_vertex_halfedge(v0, Q_first);
+            mesh.set_vertex_halfedge(v1, P_first);
+            mesh.set_face_halfedge(f0, P_first);
+            mesh.set_face_halfedge(g, Q_first);
+            mesh.set_hole(g, true);
+
+            // 4. Erase what is gone.
+            mesh.erase_edge(e);
+            mesh.erase_halfedge(a);
+            mesh.erase_halfedge(d);
+            return Some(f0);
         }
-        mesh.set_next(P_last, P_first);
-        mesh.set_prev(P_first, P_last);
-        mesh.set_next(Q_last, Q_first);
-        mesh.set_prev(Q_first, Q_last);
-        mesh.set_vertex_halfedge(v0, Q_first);
-        mesh.set_vertex_halfedge(v1, P_first);
-        mesh.set_face_halfedge(f0, P_first);
-        mesh.set_face_halfedge(g, Q_first);
-        mesh.set_hole(g, true);
-
-        // 4. Erase what is gone.
-        mesh.erase_edge(e);
-        mesh.erase_halfedge(a);
-        mesh.erase_halfedge(d);
-        return Some(f0);
+        None
     }
-    None
+
+    rule_between_faces(mesh, e).or_else(|| rule_beside_a_hole(mesh, e)).or_else(|| rule_spur(mesh, e)).or_else(|| rule_bridge(mesh, e))
 }
 
 /// Splits a face into triangles around a new vertex.
@@ -11015,6 +11310,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("remesh_collapse", &[Element(x0), Real(x1)]) => { let r = drawn::remesh_collapse(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("remesh_flip", &[Element(x0)]) => (drawn::remesh_flip(mesh, EdgeId(x0)), None),
         ("split_split", &[Element(x0)]) => { let r = drawn::split_split(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
+        ("tutorial_flip", &[Element(x0)]) => { let r = drawn::tutorial_flip(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_bisect", &[Element(x0)]) => { let r = drawn::polygon_bisect(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_connect", &[Element(x0), Element(x1)]) => { let r = drawn::polygon_connect(mesh, HalfedgeId(x0), HalfedgeId(x1)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_dissolve_edge", &[Element(x0)]) => { let r = drawn::polygon_dissolve_edge(mesh, EdgeId(x0)); (r.is_some(), r.map(|r| r.0)) },
@@ -11088,7 +11384,7 @@ pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) 
         ("polygon_dissolve_vertex", &[Element(x0)]) => { let r = polygon_in_steps::polygon_dissolve_vertex(mesh, VertexId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_bevel_vertex", &[Element(x0), Real(x1)]) => { let r = polygon_in_steps::polygon_bevel_vertex(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("polygon_bevel_edge", &[Element(x0), Real(x1)]) => { let r = polygon_in_steps::polygon_bevel_edge(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
-        ("polygon_open_face", &[Element(x0)]) => (polygon_in_steps::polygon_open_face(mesh, FaceId(x0)), None),
+        ("polygon_open_face", &[Element(x0)]) => { let r = polygon_in_steps::polygon_open_face(mesh, FaceId(x0)); (r.is_some(), r.map(|r| r.0)) },
         ("steps_divide", &[Element(x0), Int(x1)]) => { let r = steps_in_steps::steps_divide(mesh, EdgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("steps_halve", &[Element(x0), Real(x1)]) => { let r = steps_in_steps::steps_halve(mesh, HalfedgeId(x0), x1); (r.is_some(), r.map(|r| r.0)) },
         ("steps_halve_around", &[Element(x0), Real(x1)]) => { let r = steps_in_steps::steps_halve_around(mesh, VertexId(x0), x1); (r.is_some(), r.map(|r| r.0)) },

@@ -44,6 +44,7 @@ fn every_proved_operation_is_emitted() {
                 proved: &analysis.proved,
                 sources: &sources,
                 ops: &[at],
+                exhaustive: false,
             };
             let made = [cpp(&selection, &Style::default()), rust(&selection)];
             for failure in made.into_iter().filter_map(Result::err) {

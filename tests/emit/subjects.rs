@@ -46,7 +46,13 @@ impl Emission {
     }
 
     fn of<'e>(&'e self, ops: &'e [usize]) -> Selection<'e> {
-        Selection { program: &self.program, proved: &self.proved, sources: &self.sources, ops }
+        Selection {
+            program: &self.program,
+            proved: &self.proved,
+            sources: &self.sources,
+            ops,
+            exhaustive: false,
+        }
     }
 
     /// Why an operation cannot be emitted, if it cannot.

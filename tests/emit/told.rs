@@ -15,6 +15,7 @@ fn refused(text: &str) -> (String, String) {
         proved: &analysis.proved,
         sources: &sources,
         ops: &[0],
+        exhaustive: false,
     };
     let told = cpp(&selection, &Style::default()).expect_err("it cannot be emitted");
     assert_eq!(rust(&selection), Err(told.clone()));

@@ -171,7 +171,8 @@ fn take_through(text: &str, count: &mut Count) {
             continue;
         }
         let proved = &analysis.proved;
-        let selection = Selection { program, proved, sources: &sources, ops: &[at] };
+        let selection =
+            Selection { program, proved, sources: &sources, ops: &[at], exhaustive: false };
         let _ = cpp(&selection, &Style::default());
         let _ = rust(&selection);
         count.emitted += 1;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::action::Action;
-use super::super::lines::Lines;
+use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::spell::{Level, Spelled, spell};
@@ -14,18 +14,22 @@ use super::style::Style;
 use super::support;
 use super::types::types;
 use crate::diagram::Type;
+use crate::source::Span;
 
 /// Operations as C++17, with the functions that they call. What an operation refuses is
 /// `std::nullopt`; one without a result tells whether it applied.
 ///
 /// # Errors
-/// [`NotEmitted`] for what has no place in such a function.
+/// [`NotEmitted`] for what has no place in such a function, and for a style that cannot compile
+/// with it.
 pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitted> {
     let conventions = build::Conventions {
         prev: style.has_prev(),
         isolated_vertices: false,
         columns: false,
         undoes: false,
+        exhaustive: selection.exhaustive,
+        kept: &style.kept(),
     };
     let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {
@@ -39,8 +43,8 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         is_noted: false,
         sheet: None,
     };
-    let called = called.iter();
-    let called: Vec<_> = called.map(|(home, item)| printer.called(home, item)).collect();
+    let outside = called.iter().map(|(home, item)| printer.called(home, item));
+    let outside: Vec<_> = outside.collect();
     for (at, op) in ops.iter().enumerate() {
         if at > 0 {
             printer.lines.line("");
@@ -48,11 +52,22 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         let alone = ops.len() == 1;
         match op {
             Item::Function(_) => {}
+            Item::Drawn(routine) if style.gives_back() => {
+                printer.routine(&routine.clone().giving_back(), alone);
+            }
             Item::Drawn(routine) => printer.routine(routine, alone),
+            Item::Steps(whole) if style.gives_back() => {
+                printer.whole(&whole.clone().giving_back(), alone);
+            }
             Item::Steps(whole) => printer.whole(whole, alone),
         }
     }
-    Ok(printer.finish(&called))
+    if let Some(why) = printer.is_blind(&outside) {
+        let first = selection.ops.first().and_then(|&op| selection.program.ops.get(op));
+        let span = first.map_or(Span::default(), |op| op.span);
+        return Err(NotEmitted::because("this style", why, span));
+    }
+    Ok(printer.finish(&outside))
 }
 
 pub(super) struct Printer<'s> {
@@ -73,6 +88,33 @@ pub(super) struct Printer<'s> {
 }
 
 impl Printer<'_> {
+    /// Why what stands beside the operations cannot compile: it does not see the mesh that the
+    /// style needs there, or does not tell elements apart.
+    fn is_blind(&self, outside: &[String]) -> Option<String> {
+        if let Some([one, other]) = self.style.one_type()
+            && (self.used.contains(&"Journal") || self.used.contains(&"Sheet"))
+        {
+            return Some(format!(
+                "`{one}` and `{other}` are one type, and overloads tell elements apart by theirs"
+            ));
+        }
+        let (pattern, word) = self.style.needs_mesh()?;
+        let mut needed = support::needed(&self.used).into_iter();
+        let whose = match (outside.is_empty(), needed.find(|name| support::looks_at_mesh(name))) {
+            (_, Some(name)) => format!("`{}`", name.trim_end_matches(".n")),
+            (false, None) => "what they call".to_string(),
+            (true, None) => return None,
+        };
+        let advice = match self.style.is_member() {
+            true => format!("write `::{word}`, or where else a free function of it stands"),
+            false => "elements have to lead to what the pattern wants by themselves".to_string(),
+        };
+        let advice = if word == "this" { "there is no `this`".to_string() } else { advice };
+        Some(format!(
+            "the pattern of `{pattern}` takes `{word}` from where it stands, and {whose}, beside the operations, does not know it: {advice}"
+        ))
+    }
+
     fn finish(self, helpers: &[String]) -> String {
         let needed = support::needed(&self.used);
         let mut headers = self.headers;
@@ -85,33 +127,8 @@ impl Printer<'_> {
             functions.push_str(helper);
         }
         let body = self.lines.finish();
-        for (word, header) in [
-            ("std::vector", "vector"),
-            ("std::find", "algorithm"),
-            ("std::m", "algorithm"),
-            ("std::reverse", "algorithm"),
-            ("std::rotate", "algorithm"),
-            ("std::pair", "utility"),
-            ("std::swap", "utility"),
-            ("std::tuple", "tuple"),
-            ("std::function", "functional"),
-            ("std::count_if", "algorithm"),
-            ("std::is_permutation", "algorithm"),
-            ("std::sqrt", "cmath"),
-            ("std::atan2", "cmath"),
-            ("std::isfinite", "cmath"),
-            ("std::fabs", "cmath"),
-            ("std::array", "array"),
-            ("std::decay_t", "type_traits"),
-            ("std::numeric_limits", "limits"),
-            ("std::swap", "utility"),
-            ("std::size_t", "cstddef"),
-            ("std::domain_error", "stdexcept"),
-        ] {
-            if functions.contains(word) || body.contains(word) {
-                headers.insert(header);
-            }
-        }
+        headers.extend(super::headers::headers(&functions));
+        headers.extend(super::headers::headers(&body));
         let headers: String =
             headers.iter().map(|header| format!("#include <{header}>\n")).collect();
         let fields = self.fields.iter();
@@ -120,14 +137,22 @@ impl Printer<'_> {
             true => headers,
             false => format!("// Elements have these attributes:\n{fields}\n{headers}"),
         };
-        match functions.is_empty() {
-            true => format!("{headers}\n{body}"),
-            false => {
-                format!(
-                    "{headers}\nnamespace hedgerow {{\n{functions}\n}}  // namespace hedgerow\n\n{body}"
-                )
-            }
+        let include = self.style.include();
+        let headers = match include.is_empty() {
+            true => headers,
+            false => format!("{include}\n{headers}"),
+        };
+        if functions.is_empty() {
+            return format!("{headers}\n{body}");
         }
+        // What members call is nobody else's.
+        let (begin, end) = match self.style.is_member() {
+            true => ("namespace {\n", "\n}  // namespace"),
+            false => ("", ""),
+        };
+        format!(
+            "{headers}\n{begin}namespace hedgerow {{\n{functions}\n}}  // namespace hedgerow{end}\n\n{body}"
+        )
     }
 
     /// What operations call, as text; it comes from a file.
@@ -228,7 +253,13 @@ impl Printer<'_> {
             types(&rule.body, &mut |ty| seen.push(ty));
         }
         self.head(
-            Head { name: &routine.name, params: &routine.params, result: routine.result, alone },
+            Head {
+                name: &routine.name,
+                declared: &routine.declared,
+                params: &routine.params,
+                result: routine.result,
+                alone,
+            },
             &used,
             &seen,
         );
@@ -246,7 +277,10 @@ impl Printer<'_> {
                         || format!("rule_{}", at + 1),
                         |label| format!("rule_{label}"),
                     );
-                    let name = name.replace('\'', "_");
+                    let mut name = name.replace('\'', "_");
+                    while routine.params.iter().any(|param| param.name == name) {
+                        name.push('_');
+                    }
                     self.lines.blank();
                     self.lines.open(&format!("auto {name} = [&]() -> {inner} {{"));
                     self.alternative(&rule.body, routine);
@@ -268,20 +302,10 @@ impl Printer<'_> {
         self.lines.close("}");
     }
 
-    /// A doc comment. A line that ends with a backslash would swallow the next one, but not
-    /// in a block.
+    /// A doc comment.
     pub fn docs(&mut self, docs: &[String]) {
-        if docs.iter().any(|line| line.trim_end().ends_with('\\')) {
-            for (at, line) in docs.iter().enumerate() {
-                let mark = if at == 0 { "/**" } else { " *" };
-                let line = line.replace("*/", "* /");
-                self.lines.line(format!("{mark} {line}").trim_end());
-            }
-            self.lines.line(" */");
-        } else {
-            for line in docs {
-                self.lines.line(format!("/// {line}").trim_end());
-            }
+        for line in docs {
+            self.lines.line(&comment("///", line));
         }
     }
 
@@ -289,7 +313,7 @@ impl Printer<'_> {
     /// have no place where a member of a class is defined.
     fn first_default(&self, params: &[Parameter]) -> usize {
         let constant = params.iter().rev().take_while(|param| param.has_constant());
-        match self.is_noted || self.style.is_member() {
+        match self.is_noted || self.style.is_member() || self.style.fixes_defaults() {
             true => params.len(),
             false => params.len() - constant.count(),
         }
@@ -298,9 +322,12 @@ impl Printer<'_> {
     /// A doc comment that tells the defaults which do not stand in the signature.
     pub(super) fn docs_of_defaults(&mut self, params: &[Parameter]) {
         let first = self.first_default(params);
-        let told = params[..first].iter();
-        let told: Vec<_> = told
+        let told: Vec<_> = params[..first]
+            .iter()
             .filter_map(|param| {
+                if self.is_fixed(param) {
+                    return None;
+                }
                 let default = self.text(param.default.as_ref()?);
                 Some(format!("`{} = {default}`", param.name))
             })
@@ -320,14 +347,17 @@ impl Printer<'_> {
             None => "bool".into(),
         };
         let other = self.style.name("function");
-        let name = match head.alone && !other.is_empty() {
-            true => other.to_string(),
-            false => head.name.to_string(),
+        let name = match self.style.function(head.declared) {
+            Some(name) if !self.is_noted => name.to_string(),
+            _ if head.alone && !other.is_empty() => other.to_string(),
+            _ => head.name.to_string(),
         };
         let member = self.style.is_member() && !self.is_noted;
         let first = self.first_default(head.params);
+        let (taken, fixed): (Vec<_>, Vec<_>) =
+            head.params.iter().partition(|param| !self.is_fixed(param));
         let mut params = Vec::new();
-        for (at, param) in head.params.iter().enumerate() {
+        for (at, param) in taken.into_iter().enumerate() {
             let ty = match member {
                 true => self.ty(param.ty),
                 false => self.outer_type(param.ty),
@@ -360,6 +390,7 @@ impl Printer<'_> {
         };
         self.lines.open(&format!("{result} {name}({}) {{", params.join(", ")));
         if member {
+            self.fixed(&fixed, used);
             return;
         }
         let seen: BTreeSet<_> = seen.iter().map(|&ty| self.ty(ty)).collect();
@@ -377,6 +408,31 @@ impl Printer<'_> {
         }
         if !aliases.is_empty() {
             self.lines.blank();
+        }
+        self.fixed(&fixed, used);
+    }
+
+    /// Whether a parameter always is what it is by default.
+    fn is_fixed(&self, param: &Parameter) -> bool {
+        self.style.fixes_defaults() && !self.is_noted && param.default.is_some()
+    }
+
+    /// Parameters that always are what they are by default, as far as they are asked for.
+    fn fixed(&mut self, params: &[&Parameter], used: &BTreeSet<String>) {
+        // One may speak of one before it.
+        let mut used = used.clone();
+        let mut kept = Vec::new();
+        for param in params.iter().rev() {
+            if used.contains(&param.name)
+                && let Some(default) = &param.default
+            {
+                default.names(&mut |name| _ = used.insert(name.to_string()));
+                kept.push((param.name.clone(), param.ty, default));
+            }
+        }
+        for (name, ty, default) in kept.into_iter().rev() {
+            let (ty, value) = (self.ty(ty), self.text(default));
+            self.lines.line(&format!("const {ty} {name} = {value};"));
         }
     }
 
@@ -425,13 +481,16 @@ impl Printer<'_> {
 fn once(name: &str, text: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-    let guard = format!("HEDGEROW_{}", words.join("_").to_uppercase());
+    // Names that differ in their capitals are two.
+    let guard = format!("HEDGEROW_{}", words.join("_"));
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }
 
 /// What the signature of an operation says.
 pub(super) struct Head<'h> {
     pub name: &'h str,
+    /// What the program calls it.
+    pub declared: &'h str,
     pub params: &'h [Parameter],
     pub result: Option<Type>,
     /// Whether no other operation is emitted.

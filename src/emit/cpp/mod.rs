@@ -1,6 +1,8 @@
 //! Routines as C++17.
 
 mod function;
+mod headers;
+mod pattern;
 mod sheet;
 mod spelling;
 mod statement;
@@ -11,5 +13,6 @@ mod types;
 mod wide;
 
 pub use function::cpp;
-pub use style::{Style, StyleError};
+pub use pattern::StyleError;
+pub use style::Style;
 pub(super) use support::is_written_out;

@@ -1,22 +1,34 @@
 //! Terms as C++.
 
 use super::super::names::invoked;
-use super::super::spell::{Language, Level, Spelled, number, spell};
+use super::super::spell::{Language, Level, Spelled, number, short_number, spell};
 use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
 use super::super::wide::is_wide;
 use super::function::Printer;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
+/// From here on a number is written as a long one.
+const SHORT: i64 = 1 << 15;
+
 impl Language for Printer<'_> {
     fn real(&self, value: f64) -> Spelled {
-        number(value)
+        let real = self.style.name("real");
+        let limit = |what| format!("std::numeric_limits<{real}>::{what}()");
+        let [infinite, none] = ["infinity", "quiet_NaN"].map(limit);
+        match real {
+            // What is computed of a long one is long, too.
+            "float" => short_number(value, [&infinite, &none]),
+            _ => number(value, [&infinite, &none]),
+        }
     }
 
     fn int(&self, value: i64) -> Spelled {
         match value {
-            i64::MIN => Spelled::new("(-9223372036854775807 - 1)", Level::Whole),
-            0.. => Spelled::whole(value.to_string()),
-            _ => Spelled::new(value.to_string(), Level::Prefix),
+            i64::MIN => Spelled::whole("(-9223372036854775807LL - 1)"),
+            // What is computed of larger ones may be more than an `int` holds.
+            0..SHORT => Spelled::whole(value.to_string()),
+            SHORT.. => Spelled::whole(format!("{value}LL")),
+            _ => Spelled::new(format!("-{}", self.int(-value).text), Level::Prefix),
         }
     }
 
@@ -51,7 +63,8 @@ impl Language for Printer<'_> {
 
     fn vector(&mut self, parts: [Spelled; 3]) -> Spelled {
         let parts = parts.map(|part| part.text).join(", ");
-        Spelled::whole(format!("{}({parts})", self.style.name("Vector")))
+        self.used.push("vector");
+        Spelled::whole(format!("hedgerow::vector({parts})"))
     }
 
     fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled {
@@ -220,7 +233,7 @@ impl Language for Printer<'_> {
             all = self.support("only", vec![all, format!("{head} {{ return {filter}; }}")]);
         }
         let zero = match fold.ty {
-            Type::Vec3 => format!("{}(0, 0, 0)", self.style.name("Vector")),
+            Type::Vec3 => self.support("vector", vec!["0, 0, 0".into()]),
             Type::Int => "0LL".into(),
             ty => format!("{}(0)", self.ty(ty)),
         };

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::lines::Lines;
+use super::super::lines::{Lines, comment};
 use super::super::routine::{Statement, Step, Walk};
 use super::super::term::{Term, Turns};
 use super::function::Printer;
@@ -35,15 +35,14 @@ impl Printer<'_> {
                 self.attempt(*kind, element, halfedge, body)
             }
             Statement::Refuse { when: Term::Bool(true), reason } if self.is_noted => {
-                let (refusal, reason) = (self.refusal, reason.replace('\n', " "));
-                self.lines.line(&format!("{refusal}  // {reason}"));
+                let (refusal, reason) = (self.refusal, comment("//", reason));
+                self.lines.line(&format!("{refusal}  {reason}"));
             }
             Statement::Refuse { when, reason } => {
                 let when = self.text(when);
                 let line = format!("if ({when}) {}", self.refusal);
-                let reason = reason.replace('\n', " ");
                 match line.len() + reason.len() < 92 {
-                    true => self.lines.line(&format!("{line}  // {reason}")),
+                    true => self.lines.line(&format!("{line}  {}", comment("//", reason))),
                     false => {
                         self.lines.comment("//", &format!("Refused: {reason}."));
                         self.lines.line(&line);

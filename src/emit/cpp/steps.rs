@@ -27,7 +27,13 @@ impl Printer<'_> {
         types(&whole.asks, &mut |ty| seen.push(ty));
         types(&whole.body, &mut |ty| seen.push(ty));
         self.head(
-            Head { name: &whole.name, params: &whole.params, result: whole.result, alone },
+            Head {
+                name: &whole.name,
+                declared: &whole.declared,
+                params: &whole.params,
+                result: whole.result,
+                alone,
+            },
             &used,
             &seen,
         );

@@ -3,103 +3,22 @@
 //! Everything is a pattern with a name. A pattern may speak of `{of}`, the element; `{pointer}`,
 //! the name of the pointer or attribute; and `{value}`.
 
-use std::fmt;
-
+use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, understand};
 use crate::diagram::{Kind, Pointer};
-
-/// Patterns and names, each with what it is for as long as nobody says otherwise, and with what
-/// meshes with accessors have.
-const PATTERNS: &[(&str, &str, Option<&str>)] = &[
-    ("read", "{of}->{pointer}", Some("{of}->{pointer}()")),
-    ("write", "{of}->{pointer} = {value}", Some("{of}->{pointer}() = {value}")),
-    ("next", "next", None),
-    ("prev", "", None),
-    ("twin", "twin", None),
-    ("vertex", "vertex", None),
-    ("edge", "edge", None),
-    ("face", "face", None),
-    ("halfedge", "halfedge", None),
-    ("boundary", "{of}->boundary", Some("{of}->is_boundary()")),
-    ("set_boundary", "{of}->boundary = {value}", None),
-    ("position", "{of}->position", Some("{of}->pos")),
-    ("attribute", "{of}->{pointer}", None),
-    ("mesh", "Mesh", Some("Halfedge_Mesh")),
-    ("nested", "yes", None),
-    ("member", "no", None),
-    ("function", "", None),
-    ("Vertex", "VertexRef", None),
-    ("Halfedge", "HalfedgeRef", None),
-    ("Edge", "EdgeRef", None),
-    ("Face", "FaceRef", None),
-    ("Vector", "Vec3", None),
-    ("Vector2", "", None),
-    ("Vector4", "", None),
-    ("Matrix3", "", None),
-    ("Matrix4", "", None),
-    ("real", "double", Some("float")),
-    ("new_vertex", "new_vertex()", None),
-    ("new_halfedge", "new_halfedge()", None),
-    ("new_edge", "new_edge()", None),
-    ("new_face", "new_face()", None),
-    ("erase_vertex", "erase({of})", None),
-    ("erase_halfedge", "erase({of})", None),
-    ("erase_edge", "erase({of})", None),
-    ("erase_face", "erase({of})", None),
-];
 
 /// How C++ spells what a mesh class has its own ways for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Style {
     patterns: Vec<String>,
+    /// What operations are called, each with its name in the program.
+    functions: Vec<(String, String)>,
 }
 
 impl Default for Style {
     /// Fields: `h->next`.
     fn default() -> Self {
-        Self { patterns: PATTERNS.iter().map(|(_, fields, _)| fields.to_string()).collect() }
-    }
-}
-
-/// Why a style is not understood.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum StyleError {
-    /// Neither a name of a style nor `NAME=PATTERN`.
-    NotAStyle(String),
-    /// There is no such pattern.
-    Unknown(String),
-    /// A pattern leaves out what it has to speak of.
-    Lacks {
-        /// The pattern.
-        name: String,
-        /// `{of}`
-        part: &'static str,
-    },
-    /// A name would not be one in C++.
-    NotAName {
-        /// The pattern.
-        name: String,
-        /// What it was to be.
-        value: String,
-    },
-}
-
-impl fmt::Display for StyleError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotAStyle(text) => {
-                write!(f, "`{text}` is no style: write fields, accessors, or NAME=PATTERN")
-            }
-            Self::Unknown(name) => {
-                let names: Vec<_> = PATTERNS.iter().map(|(name, _, _)| *name).collect();
-                write!(f, "a style has no `{name}`; it has {}", names.join(", "))
-            }
-            Self::Lacks { name, part } => {
-                write!(f, "the pattern of `{name}` has to speak of `{part}`")
-            }
-            Self::NotAName { name, value } => {
-                write!(f, "`{name}` is to be a name in C++, and `{value}` is none")
-            }
-        }
+        let patterns = PATTERNS.iter().map(|(_, _, fields, _)| fields.to_string()).collect();
+        Self { patterns, functions: Vec::new() }
     }
 }
 
@@ -108,12 +27,12 @@ impl Style {
     ///
     /// # Errors
     /// [`StyleError`] for what is neither, for a pattern that there is not, and for one that
-    /// leaves out the element or the value.
+    /// cannot compile.
     pub fn set(&mut self, text: &str) -> Result<(), StyleError> {
         match text {
             "fields" => *self = Self::default(),
             "accessors" => {
-                for (pattern, (_, _, accessors)) in self.patterns.iter_mut().zip(PATTERNS) {
+                for (pattern, (.., accessors)) in self.patterns.iter_mut().zip(PATTERNS) {
                     if let Some(accessors) = accessors {
                         *pattern = accessors.to_string();
                     }
@@ -122,9 +41,19 @@ impl Style {
             _ => {
                 let (name, value) =
                     text.split_once('=').ok_or_else(|| StyleError::NotAStyle(text.to_string()))?;
+                if let Some(op) = name.strip_prefix("function.") {
+                    understand(name, Form::Name, value)?;
+                    if !is_word(value) {
+                        let (name, value) = (name.to_string(), value.to_string());
+                        return Err(StyleError::NotAName { name, value });
+                    }
+                    self.functions.retain(|(known, _)| known != op);
+                    self.functions.push((op.to_string(), value.to_string()));
+                    return Ok(());
+                }
                 let at = PATTERNS
                     .iter()
-                    .position(|(known, _, _)| *known == name)
+                    .position(|(known, ..)| *known == name)
                     .ok_or_else(|| StyleError::Unknown(name.to_string()))?;
                 understand(name, PATTERNS[at].1, value)?;
                 self.patterns[at] = value.to_string();
@@ -133,8 +62,125 @@ impl Style {
         Ok(())
     }
 
+    /// Changes a style as the text of a target says, a line each; an empty line and one that
+    /// begins with `//` says nothing.
+    ///
+    /// # Errors
+    /// The first line that is not understood, by its number from 1, and why.
+    pub fn set_lines(&mut self, text: &str) -> Result<(), (usize, StyleError)> {
+        for (at, line) in text.lines().enumerate() {
+            let line = line.trim();
+            if !line.is_empty() && !line.starts_with("//") {
+                self.set(line).map_err(|error| (at + 1, error))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether all patterns can compile together.
+    ///
+    /// # Errors
+    /// [`StyleError`] for patterns that contradict each other.
+    pub fn check(&self) -> Result<(), StyleError> {
+        let mut code = self.code().filter(|_| self.is_member());
+        match code.find(|(_, pattern)| free_words(pattern).iter().any(|(word, _)| *word == "mesh"))
+        {
+            Some((name, _)) => Err(StyleError::MemberWithoutMesh(name.to_string())),
+            None => Ok(()),
+        }
+    }
+
+    /// The patterns that are code, with their names.
+    fn code(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let all = PATTERNS.iter().zip(&self.patterns);
+        let code = all.filter(|((_, form, ..), _)| matches!(form, Form::Code(_)));
+        code.map(|((name, ..), pattern)| (*name, pattern.as_str()))
+    }
+
+    /// A pattern that cannot be where no mesh is in sight, as in functions beside the operation,
+    /// and the word in it that needs one.
+    pub(in crate::emit) fn needs_mesh(&self) -> Option<(&'static str, &str)> {
+        let is_member = self.is_member();
+        self.code().find_map(|(name, pattern)| {
+            let is_call_of_mesh = name.starts_with("new_") || name.starts_with("erase_");
+            let words = free_words(pattern).into_iter();
+            let mut needing = words.filter(|(word, is_called)| match is_member {
+                true => *word == "this" || *is_called && !is_call_of_mesh,
+                false => *word == "mesh",
+            });
+            needing.next().map(|(word, _)| (name, word))
+        })
+    }
+
+    /// Two kinds of elements that are of one type.
+    pub(in crate::emit) fn one_type(&self) -> Option<[&'static str; 2]> {
+        let kinds = ["Vertex", "Halfedge", "Edge", "Face"];
+        let mut pairs = kinds
+            .iter()
+            .enumerate()
+            .flat_map(|(at, one)| kinds[at + 1..].iter().map(move |other| [*one, *other]));
+        pairs.find(|[one, other]| self.pattern(one) == self.pattern(other))
+    }
+
+    /// Words that the patterns use, so that nothing else may be called so.
+    pub(in crate::emit) fn kept(&self) -> Vec<String> {
+        let mut kept: Vec<String> = Vec::new();
+        // Pointers stand behind an arrow, where a name of the drawing may be alike.
+        let free = ["next", "prev", "twin", "vertex", "edge", "face", "halfedge", "function"];
+        let all = PATTERNS.iter().zip(&self.patterns);
+        for ((_, form, ..), pattern) in all.filter(|((name, ..), _)| !free.contains(name)) {
+            let words: Vec<&str> = match form {
+                Form::Code(_) => free_words(pattern).into_iter().map(|(word, _)| word).collect(),
+                Form::Name | Form::NameOrNone => pattern.split("::").collect(),
+                _ => continue,
+            };
+            kept.extend(words.into_iter().map(String::from));
+        }
+        kept.retain(|word| is_word(word) && word != "pointer");
+        kept
+    }
+
+    /// What a target calls an operation, if it says so.
+    pub fn function(&self, op: &str) -> Option<&str> {
+        let found = self.functions.iter().find(|(known, _)| known == op);
+        found.map(|(_, name)| name.as_str())
+    }
+
+    /// Whether a target names operations, so that others are not its own.
+    pub fn names_functions(&self) -> bool {
+        !self.functions.is_empty()
+    }
+
+    /// Whether an operation without a result gives back the element that it was given.
+    pub(in crate::emit) fn gives_back(&self) -> bool {
+        self.pattern("result") == "given"
+    }
+
+    /// Whether parameters with a default are no parameters.
+    pub(in crate::emit) fn fixes_defaults(&self) -> bool {
+        self.pattern("defaults") == "fixed"
+    }
+
+    /// What stands before everything, so that the mesh class is known: the first of the files
+    /// that there is.
+    pub(in crate::emit) fn include(&self) -> String {
+        let files: Vec<_> = self.pattern("include").split_whitespace().collect();
+        let Some((last, others)) = files.split_last() else {
+            return String::new();
+        };
+        let mut text = String::new();
+        for (at, file) in others.iter().enumerate() {
+            let word = if at == 0 { "if" } else { "elif" };
+            text.push_str(&format!("#{word} __has_include(\"{file}\")\n#include \"{file}\"\n"));
+        }
+        match others.is_empty() {
+            true => format!("#include \"{last}\"\n"),
+            false => format!("{text}#else\n#include \"{last}\"\n#endif\n"),
+        }
+    }
+
     fn pattern(&self, name: &str) -> &str {
-        let at = PATTERNS.iter().position(|(known, _, _)| *known == name);
+        let at = PATTERNS.iter().position(|(known, ..)| *known == name);
         at.map_or("", |at| &self.patterns[at])
     }
 
@@ -312,33 +358,6 @@ fn fill(pattern: &str, of: &str, pointer: &str, value: &str) -> String {
         }
     }
     text + rest
-}
-
-/// Whether a value can be what the pattern is for.
-fn understand(name: &str, usual: &str, value: &str) -> Result<(), StyleError> {
-    for part in ["{of}", "{pointer}", "{value}"] {
-        if usual.contains(part) && !value.contains(part) {
-            let name = name.to_string();
-            return Err(StyleError::Lacks { name, part });
-        }
-    }
-    let is_call = usual.contains('{') || usual.contains('(');
-    let may_be_empty = usual.is_empty();
-    let is_name = |text: &str| {
-        let parts = text.split("::");
-        parts.into_iter().all(|part| {
-            let word = part.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-            word && part.chars().next().is_some_and(|c| !c.is_ascii_digit())
-        })
-    };
-    let known = match name {
-        "member" | "nested" => value == "yes" || value == "no",
-        _ => is_call || (may_be_empty && value.is_empty()) || is_name(value),
-    };
-    if known && !value.contains('\n') {
-        return Ok(());
-    }
-    Err(StyleError::NotAName { name: name.to_string(), value: value.to_string() })
 }
 
 #[cfg(test)]

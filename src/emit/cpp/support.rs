@@ -4,6 +4,9 @@
 //! `[f.boundary]` for those, `[h.next := n]` for what sets them; `$Vertex` and the like for types.
 //! A line behind `?prev` is there if halfedges know the one before them.
 
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
 use super::style::Style;
 
 /// Each behind a line with its name; that of a template whose first parameter is a size ends
@@ -29,7 +32,15 @@ fn text(name: &str) -> Option<&'static str> {
 
 /// Whether there is a function of that name.
 pub(in crate::emit) fn is_written_out(name: &str) -> bool {
-    functions().any(|(known, _)| known.trim_end_matches(".n") == name)
+    static NAMES: LazyLock<BTreeSet<&str>> =
+        LazyLock::new(|| functions().map(|(known, _)| known.trim_end_matches(".n")).collect());
+    NAMES.contains(name)
+}
+
+/// Whether a function follows pointers, or calls one that does.
+pub(super) fn looks_at_mesh(name: &str) -> bool {
+    let mut opened = text(name).unwrap_or("").split('[').skip(1);
+    opened.any(|rest| rest.split(']').next().is_some_and(|inside| inside.contains('.')))
 }
 
 /// The names of the functions that these need, themselves included, each behind those it calls.

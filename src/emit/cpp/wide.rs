@@ -45,7 +45,7 @@ impl Printer<'_> {
             Operation::Operator(Binary::Transform) if ty == Type::Mat3 => {
                 args[1] = self.parts(Type::Vec3, args[1].clone());
                 let image = self.sized("transform.n", size, &args);
-                self.support("vector", vec![image])
+                self.support("vector_of", vec![image])
             }
             Operation::Operator(operator) => {
                 let name = match operator {
@@ -126,7 +126,7 @@ impl Printer<'_> {
             Builtin::Solve if size == 3 => {
                 args[1] = self.parts(Type::Vec3, args[1].clone());
                 let solution = self.sized("solve.n", size, &args);
-                return self.support("vector", vec![solution]);
+                return self.support("vector_of", vec![solution]);
             }
             // Nothing else is computed of such values.
             _ => "solve.n",

@@ -23,7 +23,7 @@ pub(super) fn tests(
     drawing: &Drawing,
     guard: &[Obligation],
     names: &mut Names,
-    conventions: Conventions,
+    conventions: Conventions<'_>,
 ) -> Vec<Statement> {
     if !guard.iter().any(Obligation::is_test) {
         return Vec::new();

@@ -19,14 +19,15 @@ pub(super) fn tests(
     drawing: &Drawing,
     guard: &[Obligation],
     names: &Names,
-    conventions: Conventions,
+    conventions: Conventions<'_>,
 ) -> Vec<Statement> {
     // What is named within the block is free again behind it.
     let names = &mut names.clone();
     let rule = drawing.rule;
     let name = names.fresh("sheet");
     let mut body = allocation(rule, names);
-    body.extend(reassign::statements(drawing, names, conventions));
+    let changes = Conventions { exhaustive: false, ..conventions };
+    body.extend(reassign::statements(drawing, names, changes));
     let mut sheet = Sheet {
         drawing,
         names,

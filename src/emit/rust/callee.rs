@@ -1,7 +1,7 @@
 //! Functions of the program as Rust.
 
 use super::super::action::Action;
-use super::super::lines::Lines;
+use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Statement};
 use super::function::{Printer, names, ty};
@@ -34,7 +34,7 @@ impl Printer {
         let body = std::mem::replace(&mut self.lines, outer).finish();
         (self.gives_option, self.is_asked) = (false, false);
         for line in &helper.docs {
-            self.lines.line(format!("/// {line}").trim_end());
+            self.lines.line(&comment("///", line));
         }
         let mesh = if names(&body, "mesh") { "mesh" } else { "_mesh" };
         let mesh = match helper.changes {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::lines::Lines;
+use super::super::lines::{Lines, comment};
 use super::super::routine::{Routine, Statement};
 use super::super::spell::spell;
 use super::super::steps::{Item, Items, items};
@@ -17,8 +17,14 @@ use crate::diagram::Type;
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
 pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
-    let conventions =
-        build::Conventions { prev: true, isolated_vertices: true, columns: true, undoes: true };
+    let conventions = build::Conventions {
+        prev: true,
+        isolated_vertices: true,
+        columns: true,
+        undoes: true,
+        exhaustive: selection.exhaustive,
+        kept: &[],
+    };
     let Items { called, ops } = items(selection, conventions)?;
     let mut printer = Printer {
         lines: Lines::new(4),
@@ -115,7 +121,7 @@ impl Printer {
     /// A doc comment, which tells the defaults, too: Rust has none.
     pub fn docs(&mut self, docs: &[String], name: &str, params: &[Parameter]) {
         for line in docs {
-            self.lines.line(format!("/// {line}").trim_end());
+            self.lines.line(&comment("///", line));
         }
         if docs.is_empty() {
             self.lines.line(&format!("/// The operation `{name}`."));
@@ -158,7 +164,10 @@ impl Printer {
         let mut bodies = Vec::new();
         for (at, rule) in routine.rules.iter().enumerate() {
             let label = rule.label.clone().unwrap_or_else(|| format!("{}", at + 1));
-            let name = format!("{}_{}", routine.name, label.replace('\'', "_"));
+            let mut name = format!("rule_{}", label.replace('\'', "_"));
+            while all.contains(&name) {
+                name.push('_');
+            }
             let mut used = BTreeSet::new();
             rule.body.iter().for_each(|statement| {
                 statement.names(&mut |name| {
@@ -171,6 +180,13 @@ impl Printer {
             bodies.push((name, params(&used), rule));
         }
         self.lines.open(&head);
+        for (name, params, rule) in bodies {
+            self.allow(&rule.body, &routine.params);
+            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
+            self.alternative(&rule.body, routine);
+            self.lines.close("}");
+            self.lines.line("");
+        }
         let chain = match routine.result {
             Some(_) => {
                 let mut calls = calls.into_iter();
@@ -182,13 +198,6 @@ impl Printer {
         };
         self.lines.line(&chain);
         self.lines.close("}");
-        for (name, params, rule) in bodies {
-            self.lines.line("");
-            self.allow(&rule.body, &routine.params);
-            self.lines.open(&format!("fn {name}(mesh: &mut Mesh{params}) -> {result} {{"));
-            self.alternative(&rule.body, routine);
-            self.lines.close("}");
-        }
     }
 
     /// The names of the drawing stay, also where Rust would have them in small letters.

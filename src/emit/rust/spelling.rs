@@ -8,7 +8,7 @@ use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
 impl Language for Printer {
     fn real(&self, value: f64) -> Spelled {
-        number(value)
+        number(value, ["f64::INFINITY", "f64::NAN"])
     }
 
     fn int(&self, value: i64) -> Spelled {

@@ -1,5 +1,6 @@
 //! Statements as Rust.
 
+use super::super::lines::comment;
 use super::super::routine::{Statement, Step, Walk};
 use super::super::spell::field;
 use super::super::term::{Term, Turns};
@@ -87,13 +88,13 @@ impl Printer {
                 self.refusal = outer;
             }
             Statement::Refuse { when, reason } if always(when) => {
-                let (refusal, reason) = (self.refusal, reason.replace('\n', " "));
-                self.lines.line(&format!("{refusal} // {reason}"));
+                let (refusal, reason) = (self.refusal, comment("//", reason));
+                self.lines.line(&format!("{refusal} {reason}"));
             }
             Statement::Refuse { when, reason } => {
                 let when = self.text(when);
                 self.lines.open(&format!("if {when} {{"));
-                self.lines.line(&format!("{} // {}", self.refusal, reason.replace('\n', " ")));
+                self.lines.line(&format!("{} {}", self.refusal, comment("//", reason)));
                 self.lines.close("}");
             }
             Statement::List { ty, name, items } => self.list(*ty, "let mut", name, items),

@@ -34,7 +34,9 @@ pub(super) struct Surroundings<'s> {
     pub deeds: &'s AllDeeds,
     /// What the operations are called in code.
     pub op_names: &'s [String],
-    pub conventions: Conventions,
+    pub conventions: Conventions<'s>,
+    /// What the functions are called in code.
+    pub function_names: &'s [String],
 }
 
 /// Writes the statements of one body.

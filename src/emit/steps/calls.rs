@@ -83,7 +83,7 @@ impl Writer<'_> {
         let wanted = called.params.iter().map(|param| param.name.as_str());
         let deeds = self.known.deeds.function(function);
         Ok(Call {
-            name: called.name.clone(),
+            name: self.known.function_names[function as usize].clone(),
             args: self.arguments(args, wanted, out)?,
             of: match deeds.is_some_and(|deeds| deeds.refuses) {
                 true => Called::Refusing,

@@ -7,9 +7,11 @@ use super::super::action::Whole;
 use super::super::build::{self, Conventions, columns};
 use super::super::callee;
 use super::super::expression::{is_spelled, parameters};
-use super::super::names::{Names, invoked, unreserved};
+use super::super::names::{Names, invoked};
+use super::super::reserved::{plain, unreserved};
 use super::super::routine::{Helper, Routine, Statement, without_unread};
 use super::super::selection::Selection;
+use super::super::term::Parameter;
 use super::super::value::callees;
 use super::body::{Ending, Surroundings, Writer};
 use super::deeds::AllDeeds;
@@ -41,20 +43,22 @@ pub(in crate::emit) struct Items {
 /// What is emitted for the operations of a selection.
 pub(in crate::emit) fn items(
     selection: &Selection<'_>,
-    conventions: Conventions,
+    conventions: Conventions<'_>,
 ) -> Result<Items, NotEmitted> {
     let deeds = AllDeeds::of(selection);
     let callees = callees(selection.program);
+    let (op_names, function_names) = called(selection, deeds.ops.len(), conventions.kept);
     let values = deeds.functions.iter().zip(&selection.program.functions);
-    let values = values.map(|(deeds, function)| {
+    let values = values.zip(&function_names).map(|((deeds, function), name)| {
         let computes = !deeds.changes && !deeds.refuses && function.result.is_some();
-        computes.then(|| function.name.clone())
+        computes.then(|| name.clone())
     });
     let mut builder = Builder {
         selection,
         conventions,
         values: values.collect(),
-        op_names: op_names(selection, deeds.ops.len()),
+        op_names,
+        function_names,
         deeds,
         callees,
         begun: BTreeSet::new(),
@@ -73,25 +77,28 @@ pub(in crate::emit) fn items(
     Ok(Items { called: builder.called, ops })
 }
 
-/// What the operations are called: those of the selection come first.
-fn op_names(selection: &Selection<'_>, count: usize) -> Vec<String> {
-    let mut names = vec![String::new(); count];
+/// What the operations and the functions are called: operations of the selection come first.
+fn called(selection: &Selection<'_>, count: usize, kept: &[String]) -> (Vec<String>, Vec<String>) {
     let mut taken = BTreeSet::new();
-    for op in selection.ops.iter().copied().chain(0..count) {
-        if op >= count || !names[op].is_empty() {
-            continue;
-        }
-        let wanted = unreserved(&selection.name(op).replace('\'', "_"));
+    // Files that do not see each other may use one name twice.
+    let mut free = |name: &str| {
+        let wanted = unreserved(&plain(name), kept);
         let mut name = wanted.clone();
         let mut number = 2;
-        // Files that do not see each other may use one name twice.
         while !taken.insert(name.clone()) {
-            name = format!("{wanted}_{number}");
+            name = format!("{}_{number}", wanted.trim_end_matches('_'));
             number += 1;
         }
-        names[op] = name;
+        name
+    };
+    let mut ops = vec![String::new(); count];
+    for op in selection.ops.iter().copied().chain(0..count) {
+        if op < count && ops[op].is_empty() {
+            ops[op] = free(selection.name(op));
+        }
     }
-    names
+    let functions = selection.program.functions.iter();
+    (ops, functions.map(|function| free(&function.name)).collect())
 }
 
 /// Something that is called.
@@ -103,12 +110,13 @@ enum Need {
 
 struct Builder<'s> {
     selection: &'s Selection<'s>,
-    conventions: Conventions,
+    conventions: Conventions<'s>,
     deeds: AllDeeds,
     callees: Vec<Option<Callee>>,
     /// The functions that compute a value, by number.
     values: Vec<Option<String>>,
     op_names: Vec<String>,
+    function_names: Vec<String>,
     begun: BTreeSet<Need>,
     done: BTreeSet<Need>,
     called: Vec<(String, Item)>,
@@ -185,14 +193,14 @@ impl Builder<'_> {
             sources: self.selection.sources,
             deeds: &self.deeds,
             op_names: &self.op_names,
+            function_names: &self.function_names,
             conventions: self.conventions,
         }
     }
 
     /// Names for a body, in which no variable hides what is called.
     fn names(&self, body: &Body, params: &[Param]) -> Names {
-        let functions = self.selection.program.functions.iter();
-        let functions = functions.map(|function| invoked(&function.name));
+        let functions = self.function_names.iter().map(|name| invoked(name));
         let taken = match self.conventions.undoes {
             true => self.op_names.iter().cloned().chain(functions).collect(),
             // What is called is named with its namespace.
@@ -203,7 +211,7 @@ impl Builder<'_> {
             params.len(),
             &self.values,
             &self.selection.program.attributes,
-            taken.into_iter(),
+            (self.conventions.kept, taken.into_iter()),
         )
     }
 
@@ -237,8 +245,12 @@ impl Builder<'_> {
             let seen = seen.flat_map(|deeds| deeds.attributes.iter().copied());
             asks.splice(0..0, columns(&names, seen.collect()));
         }
+        let erases = |param: &Parameter| self.deeds.ops[op].erases.contains(param.ty.word());
+        let outlives = |param: &&Parameter| param.ty.is_element() && !erases(param);
         let whole = Whole {
             name: self.op_names[op].clone(),
+            declared: resolved.name.clone(),
+            given: params.iter().find(outlives).cloned(),
             docs: all_or_nothing(&steps.docs),
             params,
             result: resolved.result,
@@ -256,7 +268,8 @@ impl Builder<'_> {
             && !deeds.changes
             && deeds.attributes.is_empty()
         {
-            let (helper, calls) = callee::helper(callee, &self.values)?;
+            let callee = (callee, self.function_names[number as usize].as_str());
+            let (helper, calls) = callee::helper(callee, &self.values, self.conventions.kept)?;
             let needs = calls.into_iter().map(Need::Function).collect();
             return Ok((Item::Function(helper), needs));
         }
@@ -283,7 +296,7 @@ impl Builder<'_> {
             written.splice(0..0, columns(&names, BTreeSet::new()));
         }
         let helper = Helper {
-            name: function.name.clone(),
+            name: self.function_names[number as usize].clone(),
             docs: function.docs.clone(),
             params,
             result: function.result,

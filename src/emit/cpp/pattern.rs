@@ -1,0 +1,318 @@
+//! What a style is made of: patterns with names, and which texts can be one.
+//!
+//! A pattern may speak of `{of}`, the element; `{pointer}`, the name of the pointer or attribute;
+//! and `{value}`.
+
+use std::fmt;
+
+use super::super::reserved::is_keyword_of_cpp;
+
+/// What a pattern is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Code that speaks of all of these parts.
+    Code(&'static [&'static str]),
+    /// A name, perhaps with a namespace.
+    Name,
+    /// A name, or nothing.
+    NameOrNone,
+    /// One of some words.
+    Word(&'static [&'static str]),
+    /// Names of files, the first that there is; or nothing.
+    Files,
+}
+
+use Form::{Code, Files, Name, NameOrNone, Word};
+
+const OF: Form = Code(&["{of}"]);
+const ATTRIBUTE: Form = Code(&["{of}", "{pointer}"]);
+
+/// Patterns and names, each with what it is for as long as nobody says otherwise, and with what
+/// meshes with accessors have.
+pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
+    ("read", ATTRIBUTE, "{of}->{pointer}", Some("{of}->{pointer}()")),
+    (
+        "write",
+        Code(&["{of}", "{pointer}", "{value}"]),
+        "{of}->{pointer} = {value}",
+        Some("{of}->{pointer}() = {value}"),
+    ),
+    ("next", Name, "next", None),
+    ("prev", NameOrNone, "", None),
+    ("twin", Name, "twin", None),
+    ("vertex", Name, "vertex", None),
+    ("edge", Name, "edge", None),
+    ("face", Name, "face", None),
+    ("halfedge", Name, "halfedge", None),
+    ("boundary", OF, "{of}->boundary", Some("{of}->is_boundary()")),
+    ("set_boundary", Code(&["{of}", "{value}"]), "{of}->boundary = {value}", None),
+    ("position", OF, "{of}->position", Some("{of}->pos")),
+    ("attribute", ATTRIBUTE, "{of}->{pointer}", None),
+    ("mesh", Name, "Mesh", Some("Halfedge_Mesh")),
+    ("include", Files, "", None),
+    ("nested", Word(&["yes", "no"]), "yes", None),
+    ("member", Word(&["yes", "no"]), "no", None),
+    ("result", Word(&["bool", "given"]), "bool", None),
+    ("defaults", Word(&["kept", "fixed"]), "kept", None),
+    ("function", NameOrNone, "", None),
+    ("Vertex", Name, "VertexRef", None),
+    ("Halfedge", Name, "HalfedgeRef", None),
+    ("Edge", Name, "EdgeRef", None),
+    ("Face", Name, "FaceRef", None),
+    ("Vector", Name, "Vec3", None),
+    ("Vector2", NameOrNone, "", None),
+    ("Vector4", NameOrNone, "", None),
+    ("Matrix3", NameOrNone, "", None),
+    ("Matrix4", NameOrNone, "", None),
+    ("real", Name, "double", Some("float")),
+    ("new_vertex", Code(&[]), "new_vertex()", None),
+    ("new_halfedge", Code(&[]), "new_halfedge()", None),
+    ("new_edge", Code(&[]), "new_edge()", None),
+    ("new_face", Code(&[]), "new_face()", None),
+    ("erase_vertex", OF, "erase({of})", None),
+    ("erase_halfedge", OF, "erase({of})", None),
+    ("erase_edge", OF, "erase({of})", None),
+    ("erase_face", OF, "erase({of})", None),
+];
+
+/// Why a style is not understood, or cannot compile.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum StyleError {
+    /// Neither a name of a style nor `NAME=PATTERN`.
+    NotAStyle(String),
+    /// There is no such pattern.
+    Unknown(String),
+    /// A pattern leaves out what it has to speak of.
+    Lacks {
+        /// The pattern.
+        name: String,
+        /// `{of}`
+        part: &'static str,
+    },
+    /// A pattern speaks of what it is not given.
+    Foreign {
+        /// The pattern.
+        name: String,
+        /// `{value}`
+        part: String,
+    },
+    /// A pattern is no expression.
+    NotCode {
+        /// The pattern.
+        name: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// A name would not be one in C++.
+    NotAName {
+        /// The pattern.
+        name: String,
+        /// What it was to be.
+        value: String,
+    },
+    /// It is one of some words, and not this one.
+    NotAWord {
+        /// The pattern.
+        name: String,
+        /// The words.
+        words: &'static [&'static str],
+    },
+    /// In a member of the mesh class there is no `mesh`.
+    MemberWithoutMesh(String),
+}
+
+impl fmt::Display for StyleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotAStyle(text) => {
+                write!(f, "`{text}` is no style: write fields, accessors, or NAME=PATTERN")
+            }
+            Self::Unknown(name) => {
+                let names: Vec<_> = PATTERNS.iter().map(|(name, ..)| *name).collect();
+                write!(f, "a style has no `{name}`; it has {}", names.join(", "))
+            }
+            Self::Lacks { name, part } => {
+                write!(f, "the pattern of `{name}` has to speak of `{part}`")
+            }
+            Self::Foreign { name, part } => {
+                let known = PATTERNS.iter().find(|(known, ..)| known == name);
+                match known.map(|(_, form, ..)| form) {
+                    Some(Code(parts @ [_, ..])) => write!(
+                        f,
+                        "the pattern of `{name}` knows {}, and no `{part}`",
+                        quoted(parts)
+                    ),
+                    _ => write!(f, "the pattern of `{name}` knows of nothing, and no `{part}`"),
+                }
+            }
+            Self::NotCode { name, why } => write!(f, "the pattern of `{name}` {why}"),
+            Self::NotAName { name, value } => {
+                write!(f, "`{name}` is to be a name in C++, and `{value}` is none")
+            }
+            Self::NotAWord { name, words } => {
+                write!(f, "`{name}` is one of {}", quoted(words))
+            }
+            Self::MemberWithoutMesh(name) => write!(
+                f,
+                "the pattern of `{name}` speaks of `mesh`, and in a member of the class, as `member=yes` says, there is none"
+            ),
+        }
+    }
+}
+
+fn quoted(words: &[&str]) -> String {
+    let words: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
+    words.join(" and ").replacen(" and ", ", ", words.len().saturating_sub(2))
+}
+
+/// Whether a text can be what the pattern is for.
+pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), StyleError> {
+    let not_a_name = || StyleError::NotAName { name: name.into(), value: value.into() };
+    let fits = match form {
+        Code(parts) => return understand_code(name, parts, value),
+        Word(words) if words.contains(&value) => true,
+        Word(words) => return Err(StyleError::NotAWord { name: name.into(), words }),
+        Files => !value.contains(['"', '<', '>', '\\']) && !value.contains(char::is_control),
+        NameOrNone if value.is_empty() => true,
+        Name | NameOrNone => {
+            let is_number = name == "real" && ["float", "double"].contains(&value);
+            is_number || value.split("::").all(is_word)
+        }
+    };
+    if fits { Ok(()) } else { Err(not_a_name()) }
+}
+
+/// Whether a text is one word that C++ leaves free.
+pub(super) fn is_word(text: &str) -> bool {
+    let mut letters = text.chars();
+    letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
+        && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && !is_keyword_of_cpp(text)
+}
+
+fn understand_code(
+    name: &str,
+    parts: &'static [&'static str],
+    value: &str,
+) -> Result<(), StyleError> {
+    let of = || name.to_string();
+    if let Some(part) = parts.iter().find(|part| !value.contains(**part)) {
+        return Err(StyleError::Lacks { name: of(), part });
+    }
+    let not_code = |why| Err(StyleError::NotCode { name: name.to_string(), why });
+    let mut open = Vec::new();
+    let mut rest = value;
+    while let Some(c) = rest.chars().next() {
+        if let Some(part) = parts.iter().find(|part| rest.starts_with(**part)) {
+            rest = &rest[part.len()..];
+            continue;
+        }
+        if let Some(end) = rest.find('}').filter(|&end| c == '{' && is_word(&rest[1..end])) {
+            return Err(StyleError::Foreign { name: of(), part: rest[..=end].into() });
+        }
+        match c {
+            '(' => open.push(')'),
+            '[' => open.push(']'),
+            '{' => open.push('}'),
+            ')' | ']' | '}' if open.pop() != Some(c) => {
+                return not_code("has a bracket that does not match another");
+            }
+            ';' | '#' | '\\' => {
+                return not_code("is an expression: no `;`, no `#` and no `\\` stands in it");
+            }
+            '"' | '\'' => return not_code("is an expression without quotes"),
+            c if c.is_control() => return not_code("stands on one line"),
+            _ if rest.starts_with("//") || rest.starts_with("/*") => {
+                return not_code("has no comment in it");
+            }
+            _ => {}
+        }
+        rest = &rest[c.len_utf8()..];
+    }
+    match (open.is_empty(), value.trim().is_empty()) {
+        (false, _) => not_code("has a bracket that does not match another"),
+        (_, true) => not_code("is empty"),
+        _ => Ok(()),
+    }
+}
+
+/// The words of a pattern that it takes from where it stands, each with whether it is called;
+/// what stands behind a dot, an arrow or a namespace is not among them.
+pub(super) fn free_words(pattern: &str) -> Vec<(&str, bool)> {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut words = Vec::new();
+    let mut at = 0;
+    while let Some(begin) = pattern[at..].find(is_letter).map(|found| at + found) {
+        let rest = &pattern[begin..];
+        let length = rest.find(|c| !is_letter(c)).unwrap_or(rest.len());
+        let (word, behind) = rest.split_at(length);
+        let mut before = &pattern[..begin];
+        let is_filled = before.ends_with('{') && behind.starts_with('}');
+        let mut behind = behind.trim_start_matches("{pointer}");
+        if is_filled {
+            (before, behind) = (&pattern[..begin - 1], behind.trim_start_matches('}'));
+        }
+        let is_called = behind.trim_start().starts_with('(');
+        let is_part = [".", "->", "::"].iter().any(|sign| before.ends_with(sign));
+        let is_word = is_word(word) && !behind.starts_with("::") && (!is_filled || is_called);
+        let is_glued = is_filled && before.ends_with(is_letter);
+        if !is_part && !is_glued && is_word || word == "this" {
+            words.push((word, is_called));
+        }
+        at = begin + length;
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_compile_is_no_pattern() {
+        let why = |name: &str, value: &str| {
+            let (_, form, ..) = PATTERNS.iter().find(|(known, ..)| *known == name).unwrap();
+            understand(name, *form, value).err().map(|error| error.to_string())
+        };
+        for (name, value) in [
+            ("read", "{of}.at(\"{pointer}\")"),
+            ("read", "{of}->{pointer}("),
+            ("read", "{of}->{pointer}; // x"),
+            ("read", "{of}->{pointer} + {value}"),
+            ("boundary", "{of}->{form}"),
+            ("new_vertex", "make({of})"),
+            ("Vertex", "class"),
+            ("Vertex", "3d"),
+            ("mesh", ""),
+            ("member", "maybe"),
+            ("include", "a\"b"),
+        ] {
+            assert!(why(name, value).is_some(), "{name}={value}");
+        }
+        for (name, value) in [
+            ("read", "(*{of}).get_{pointer}()"),
+            ("write", "set({of}->{pointer}, T{{value}})"),
+            ("new_vertex", "add<Vertex>()"),
+            ("prev", ""),
+            ("real", "float"),
+            ("Vertex", "a::b::Vertex"),
+            ("include", "halfedge.h geometry/halfedge.h"),
+        ] {
+            assert_eq!(why(name, value), None, "{name}={value}");
+        }
+        assert_eq!(
+            why("write", "{of}->{pointer} = {value} + {what}").as_deref(),
+            Some("the pattern of `write` knows `{of}`, `{pointer}` and `{value}`, and no `{what}`")
+        );
+    }
+
+    #[test]
+    fn a_pattern_takes_words_from_where_it_stands() {
+        assert_eq!(free_words("{of}->{pointer}()"), []);
+        assert_eq!(free_words("mesh.next[{of}]"), [("mesh", false)]);
+        assert_eq!(free_words("is_hole({of}) && !ns::is({of})"), [("is_hole", true)]);
+        assert_eq!(free_words("this->next({of})"), [("this", false)]);
+        assert_eq!(free_words("get_{pointer}({of})"), [("get_", true)]);
+        assert_eq!(free_words("{pointer}({of})"), [("pointer", true)]);
+    }
+}
