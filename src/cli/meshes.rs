@@ -4,10 +4,10 @@ use std::path::Path;
 
 use super::failure::Failure;
 use super::files;
-use super::output::complain;
+use super::output::{complain, is_standard, pour};
 use crate::mesh::{
     Dump, Level, Mesh, Obj, Places, WrittenNumbers, expect_writable, read_dump, read_obj, validate,
-    validate_level, write_dump, write_obj,
+    validate_level, write_dump, write_obj, write_obj_to,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -77,8 +77,14 @@ pub(super) fn write(
                 other.display()
             )));
         }
-        files::expect_waiting(path);
-        write_obj(path, obj).map_err(Failure::usage)?;
+        if is_standard(path) {
+            let mut bytes = Vec::new();
+            write_obj_to(&mut bytes, obj).map_err(Failure::usage)?;
+            pour(&bytes)?;
+        } else {
+            files::expect_waiting(path);
+            write_obj(path, obj).map_err(Failure::usage)?;
+        }
         tell_unheld(path, obj);
         tell_bare(path, obj);
         return Ok(());
@@ -167,6 +173,9 @@ pub(super) fn numbers(path: &Path, obj: &Obj) -> WrittenNumbers {
 
 /// Whether a mesh can: its name tells how it is written.
 pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
+    if is_standard(path) {
+        return Ok(());
+    }
     if !is_tables(path) && !may_be_obj(path) {
         let shown = path.display();
         let message = format!("{shown}: a mesh is written as .obj or .halfedges");
