@@ -1,12 +1,12 @@
 //! One operation, proved and compiled, or told why not.
 
-use std::sync::Arc;
-
 use crate::check::{Counterexample, Outcome, Proved, examine};
 use crate::compile::compile;
 use crate::diagnostic::Diagnostic;
+use crate::diagram;
 use crate::resolve::ResolvedOp;
-use crate::rewrite::{Function, Plan};
+use crate::rewrite::Plan;
+use crate::run::Functions;
 use crate::source::{Sources, Span};
 
 /// What came of one operation.
@@ -20,6 +20,8 @@ pub struct Examined {
     pub counterexamples: Vec<Counterexample>,
     /// The laws it breaks.
     pub diagnostics: Vec<Diagnostic>,
+    /// What it depends on that has an error: then it is not even looked at.
+    pub lacks: Option<String>,
 }
 
 impl Examined {
@@ -32,7 +34,7 @@ impl Examined {
         op: &ResolvedOp,
         told: &[Diagnostic],
         sources: &Sources,
-        functions: &Arc<[Function]>,
+        functions: &Functions,
     ) -> Self {
         let whole = op.diagram.as_ref().filter(|diagram| {
             let inside = |error: &Diagnostic| {
@@ -42,9 +44,13 @@ impl Examined {
             !told.iter().any(|told| told.is_error() && inside(told))
         });
         let mut found = Self::default();
+        if let Some(lacks) = whole.and_then(|diagram| functions.lacking(values(diagram))) {
+            found.lacks = Some(lacks.to_owned());
+            return found;
+        }
         match whole.map(examine) {
             Some(Ok(proof)) => {
-                match compile(&proof, sources, functions) {
+                match compile(&proof, sources, &functions.code) {
                     Ok(plan) => found.plan = Some(plan),
                     Err(_) => found.diagnostics.push(too_large(op.span, &op.name)),
                 }
@@ -63,6 +69,14 @@ impl Examined {
         }
         found
     }
+}
+
+/// What an op asks and sets.
+fn values(op: &diagram::Op) -> impl Iterator<Item = &diagram::Expr> {
+    op.rules.iter().flat_map(|rule| {
+        let asked = rule.requires.iter().map(|require| &require.condition);
+        asked.chain(rule.assignments.iter().map(|set| &set.value))
+    })
 }
 
 fn too_large(span: Span, name: &str) -> Diagnostic {

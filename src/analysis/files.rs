@@ -195,6 +195,45 @@ impl Part {
     }
 }
 
+/// What the resolver says, without what only follows from items that cannot be read: what is
+/// wrong in them, and that there is nothing of their name.
+pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
+    let unread: Vec<(Span, bool)> = parts.iter().flat_map(unread).collect();
+    let names = unread.iter().filter(|(_, is_lost)| *is_lost);
+    let names: Vec<&str> = names
+        .flat_map(|(span, _)| {
+            let head = sources.slice(*span).split('{').next().unwrap_or("");
+            head.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+        })
+        .collect();
+    told.retain(|told| {
+        let place = told.span();
+        let inside = unread
+            .iter()
+            .any(|(item, _)| item.file == place.file && item.touches(place.start as usize));
+        let is_unknown = matches!(
+            told.code,
+            "unknown-op" | "unknown-function" | "unknown-attribute" | "unknown-field"
+        );
+        let is_lost = is_unknown && names.contains(&sources.slice(place));
+        !inside && !is_lost
+    });
+}
+
+/// The items of a file that cannot be read as they are, and whether their names are lost too.
+fn unread(part: &Part) -> Vec<(Span, bool)> {
+    let errors = part.parsed.diagnostics.iter().filter(|told| told.is_error());
+    let errors: Vec<Span> = errors.map(Diagnostic::span).collect();
+    let items = part.parsed.tree.items.iter();
+    let unread = items.filter_map(|item| {
+        let span = item.span();
+        let is_lost = matches!(item, Item::Broken(_));
+        let is_wrong = errors.iter().any(|error| span.touches(error.start as usize));
+        (is_lost || is_wrong).then_some((span, is_lost))
+    });
+    unread.collect()
+}
+
 /// The files of a program, the root first, and what is wrong with their `use`.
 #[derive(Default)]
 pub(super) struct Parts {

@@ -8,6 +8,7 @@ mod aliases;
 mod argument;
 mod completion;
 mod demand;
+mod depends;
 mod disk;
 pub mod element;
 mod examined;

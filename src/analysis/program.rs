@@ -1,7 +1,8 @@
 //! From a text to proved and compiled operations.
 
 use super::Examined;
-use super::files::{Absent, Part, Parts, Reader, fetch};
+use super::depends::tell_what_is_lacking;
+use super::files::{Absent, Part, Parts, Reader, fetch, without_consequences};
 use super::readings::Readings;
 use super::shelves::tell_where;
 use crate::check::{Counterexample, Proved};
@@ -24,6 +25,9 @@ pub struct Analysis {
     pub proved: Vec<Option<Proved>>,
     /// For each op of the program, its plan, if it is proved.
     pub plans: Plans,
+    /// For each op of the program what it depends on that is broken, if that is why it is not
+    /// proved.
+    pub lacks: Vec<Option<String>>,
     /// A small mesh for each rejected rule that breaks one.
     pub counterexamples: Vec<Counterexample>,
     /// Everything that is wrong, file by file in the order of the text.
@@ -55,7 +59,8 @@ impl Analysis {
     ) -> Self {
         let Parts { parts, mut diagnostics, .. } = Parts::of(sources, file, absent, readings);
         let units: Vec<_> = parts.iter().map(Part::unit).collect();
-        let resolved = resolve_all(&units);
+        let mut resolved = resolve_all(&units);
+        without_consequences(&parts, &mut resolved.diagnostics, sources);
         for part in &parts {
             diagnostics.extend(part.parsed.diagnostics.iter().cloned());
         }
@@ -70,15 +75,18 @@ impl Analysis {
         diagnostics.extend(too_large);
         let mut proved = Vec::new();
         let mut plans = Vec::new();
+        let mut lacks = Vec::new();
         let mut counterexamples = Vec::new();
         for op in &program.ops {
-            let examined = Examined::of(op, &diagnostics, sources, &functions.code);
+            let examined = Examined::of(op, &diagnostics, sources, &functions);
             diagnostics.extend(examined.diagnostics);
             counterexamples.extend(examined.counterexamples);
             proved.push(examined.proved);
             plans.push(examined.plan);
+            lacks.push(examined.lacks);
         }
         diagnostics.extend(plan_steps(&program, &functions, &mut plans));
+        tell_what_is_lacking(&program, &parts, sources, (&plans, &diagnostics), &mut lacks);
         diagnostics.sort_by_key(|diagnostic| {
             let Span { file, start, .. } = diagnostic.span();
             (file, start)
@@ -88,7 +96,7 @@ impl Analysis {
             (next.code, &next.message, next.span()) == (last.code, &last.message, last.span())
         });
         let plans = plans.into();
-        Self { file, seen, program, proved, plans, counterexamples, diagnostics }
+        Self { file, seen, program, proved, plans, lacks, counterexamples, diagnostics }
     }
 
     /// Whether nothing in the file is an error.

@@ -89,7 +89,8 @@ impl Snapshot {
             Parts::of(&sources, file, &absent, readings)
         };
         let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
-        let resolved = resolve_all(&units);
+        let mut resolved = resolve_all(&units);
+        files::without_consequences(&parts, &mut resolved.diagnostics, &sources);
         told.extend(resolved.diagnostics);
         tell_where(&mut told, &sources);
         drop(units);
@@ -253,7 +254,8 @@ impl Snapshot {
         let proved = known.and_then(|at| self.examined(at).proved.as_ref());
         let steps = known.filter(|_| op.steps.is_some());
         let steps = steps.and_then(|at| StepsVerdict::of(&self.program, &self.planned().plans, at));
-        Verdict::of(&op.name.text, proved, steps)
+        let lacks = known.and_then(|at| self.examined(at).lacks.clone());
+        Verdict::of(&op.name.text, proved, steps, lacks)
     }
 
     /// An example of an op in steps that is proved; `None` of any other op.
@@ -304,7 +306,7 @@ impl Snapshot {
         if let Some(known) = known.filter(|_| op.diagram.is_some()) {
             return known;
         }
-        let examined = Rc::new(Examined::of(op, &self.told, &self.sources, &self.functions.code));
+        let examined = Rc::new(Examined::of(op, &self.told, &self.sources, &self.functions));
         let labels = examined.diagnostics.iter().flat_map(|told| &told.labels);
         let is_alone = labels.map(|label| label.span).all(|label| {
             label.file == span.file && span.start <= label.start && label.end <= span.end

@@ -19,6 +19,9 @@ pub struct Verdict {
     pub proved: bool,
     /// For each alternative what was established; empty if it was not proved.
     pub rules: Vec<RuleVerdict>,
+    /// What it depends on that is broken, if that is why it is not proved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lacks: Option<String>,
     /// If it is an op in steps, what it calls and which level it keeps. All it calls is proved.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps: Option<StepsVerdict>,
@@ -193,7 +196,7 @@ pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
     let ops = ops.filter(|(_, op)| op.span.file == analysis.file);
     let verdict = |(at, op): (usize, &ResolvedOp)| {
         let steps = StepsVerdict::of(&analysis.program, &analysis.plans, at);
-        Verdict::of(&op.name, analysis.proved[at].as_ref(), steps)
+        Verdict::of(&op.name, analysis.proved[at].as_ref(), steps, analysis.lacks[at].clone())
     };
     ops.map(verdict).collect()
 }
@@ -211,10 +214,17 @@ impl StepsVerdict {
 
 impl Verdict {
     /// The verdict on one op, given its proof; on one in steps, given what they lead to.
-    pub(super) fn of(op: &str, proved: Option<&Proved>, steps: Option<StepsVerdict>) -> Self {
+    pub(super) fn of(
+        op: &str,
+        proved: Option<&Proved>,
+        steps: Option<StepsVerdict>,
+        lacks: Option<String>,
+    ) -> Self {
+        let is_proved = proved.is_some() || steps.is_some();
         Self {
             op: op.to_owned(),
-            proved: proved.is_some() || steps.is_some(),
+            lacks: lacks.filter(|_| !is_proved),
+            proved: is_proved,
             rules: proved.into_iter().flat_map(rules).collect(),
             steps,
         }

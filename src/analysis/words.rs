@@ -14,6 +14,7 @@ pub struct Word {
 /// What each keyword, kind, property and pointer means.
 const MEANINGS: &[(&str, &str)] = &[
     ("use", "takes in what another file declares"),
+    ("steps", "what an operation calls in place of a drawing, all or nothing: `steps { … }`"),
     ("private", "an attribute that is never saved"),
     ("attr", "a value stored with each element of a kind"),
     ("fn", "a function: computes a value from elements and values"),
@@ -79,6 +80,30 @@ const MEANINGS: &[(&str, &str)] = &[
     ("mod", "what `div` leaves; it has the sign of the divisor"),
     ("true", "holds"),
     ("false", "does not hold"),
+    ("refuses", "in a test, whether an operation refuses: `assert refuses(flip(e), \"…\")`"),
+    ("load", "the mesh of a file beside the test: `mesh = load(\"cube.obj\")`"),
+    ("mesh", "the mesh of a test: `mesh = cube()` makes it, `let start = mesh` keeps it"),
+    ("full", "prints all digits of a number: `{x:full}`"),
+    ("tetrahedron", "a mesh for tests: four triangles, closed"),
+    ("cube", "a mesh for tests: six quads, closed"),
+    ("octahedron", "a mesh for tests: eight triangles, closed"),
+    ("icosahedron", "a mesh for tests: twenty triangles, closed"),
+    (
+        "icosphere",
+        "a mesh for tests: an icosahedron, each triangle split in four so many times over",
+    ),
+    ("grid", "a mesh for tests: so many by so many unit squares in the plane"),
+    ("triangle_grid", "a mesh for tests: a `grid` with each square cut in two"),
+    ("torus", "a mesh for tests: so many by so many quads around a torus"),
+    ("triangle_torus", "a mesh for tests: a `torus` with each quad cut in two"),
+    ("cylinder", "a mesh for tests: so many quads around and so many along, open at both ends"),
+    ("disk", "a mesh for tests: so many triangles around a vertex"),
+    ("polygon", "a mesh for tests: one face with so many sides"),
+    ("pillow", "a mesh for tests: two faces with so many sides, back to back"),
+    ("x", "the first component of a vector, or column of a matrix"),
+    ("y", "the second component of a vector, or column of a matrix"),
+    ("z", "the third component of a vector, or column of a matrix"),
+    ("w", "the fourth component of a vector, or column of a matrix"),
     ("next", "the halfedge that follows in the loop"),
     ("prev", "the halfedge that precedes in the loop"),
     ("twin", "the halfedge on the other side of the edge"),
@@ -231,6 +256,32 @@ pub fn a_type(ty: crate::diagram::Type) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagram::{Property, Type};
+    use crate::resolve::{fields, mesh_and_constant_words, sequence_words};
+    use crate::syntax::TokenKind;
+
+    #[test]
+    fn every_word_is_explained() {
+        let types = Type::ALL.iter().map(|ty| ty.word());
+        let fields = Type::ALL.iter().flat_map(|ty| fields(*ty)).map(|field| field.name);
+        let keywords = TokenKind::KEYWORDS.iter().map(|(word, _)| *word);
+        let properties = Property::ALL.iter().map(|property| property.word());
+        let mut count = 0;
+        for word in keywords
+            .chain(function_words())
+            .chain(mesh_and_constant_words())
+            .chain(sequence_words())
+            .chain(types)
+            .chain(fields)
+            .chain(properties)
+            .chain(["map", "surface", "simple"])
+        {
+            let found = meaning(word).unwrap_or_default();
+            assert!(!found.is_empty(), "`{word}` is not explained");
+            count += 1;
+        }
+        assert!(count > 150, "only {count} words");
+    }
 
     #[test]
     fn every_function_is_explained_once() {

@@ -4,7 +4,9 @@
 use super::problem::{Problem, Remedy, enumerate};
 use super::taken::Taken;
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::diagram::{Drawing, Edge, Kind, NameId, Ref, Rule, Spoke, Star};
+use crate::diagram::{
+    Drawing, Edge, Kind, LoopItem, LoopKind, Name, NameId, Ref, Role, Rule, Spoke, Star,
+};
 use crate::source::Span;
 
 /// Adds to each problem the fix that removes it and brings no new one, if just one does.
@@ -30,7 +32,11 @@ pub(super) fn add_fixes(
         // wrong: nothing is erased before all the rest is right.
         let good = match remedy {
             Remedy::Erase(_) => left.is_empty(),
-            Remedy::Keep(_) | Remedy::Take(_) | Remedy::Pair { .. } => left.iter().all(known),
+            Remedy::Keep(_)
+            | Remedy::Take(_)
+            | Remedy::Pair { .. }
+            | Remedy::PairAll(_)
+            | Remedy::Draw { .. } => left.iter().all(known),
             // Names that nothing knows are new for sure if nothing is missing but what a new
             // element is given.
             Remedy::Create(_) => {
@@ -87,6 +93,30 @@ impl Remedy {
                 mended.after.stars.retain(|star| star.vertex.name != taker);
                 mended.after.stars.push(taken.after);
             }
+            Remedy::PairAll(pairs) => {
+                let words = edge_names(rule, pairs.len());
+                for (&halfedges, text) in pairs.iter().zip(words) {
+                    let edge = NameId(u32::try_from(mended.names.len()).ok()?);
+                    let (kind, role) = (Kind::Edge, Role::Single);
+                    mended.names.push(Name { text, kind, named: true, role, span });
+                    let mention = |name| Ref::plain(name, span);
+                    mended.created.push(mention(edge));
+                    let halfedges = halfedges.map(mention);
+                    mended.after.edges.push(Edge { edge: mention(edge), halfedges, span });
+                }
+            }
+            Remedy::Draw { face, items } => {
+                let mut drawn = Drawing::new(rule).before.loop_of_face(*face)?.clone();
+                let mention = |name| Ref::plain(name, span);
+                let item = |&(from, item): &(NameId, NameId)| LoopItem {
+                    from: mention(from),
+                    item: mention(item),
+                };
+                drawn.items = items.iter().map(item).collect();
+                drawn.end = mention(items.first()?.0);
+                drawn.span = span;
+                mended.after.loops.push(drawn);
+            }
             Remedy::Pair { edge, halfedges } => {
                 let mention = |name| Ref::plain(name, span);
                 let halfedges = halfedges.map(mention);
@@ -132,6 +162,28 @@ impl Remedy {
                 names => (format!("keep {}", words(names)), end_of_after(rule)?),
             },
             Remedy::Take(erased) => return take(rule, *erased),
+            Remedy::PairAll(pairs) => return pair_all(rule, pairs),
+            Remedy::Draw { face, items } => {
+                let word = |name: NameId| &rule.name(name).text;
+                let kind = match Drawing::new(rule).before.loop_of_face(*face)?.kind {
+                    LoopKind::Face => "face",
+                    LoopKind::Hole => "hole",
+                    LoopKind::Any => "loop",
+                };
+                if items.iter().any(|&(_, item)| !rule.name(item).named) {
+                    return None;
+                }
+                let mut drawn = String::new();
+                for &(from, item) in items {
+                    let arrow = match rule.kind(item) {
+                        Kind::Path => format!("={}=>", word(item)),
+                        _ => format!("-{}->", word(item)),
+                    };
+                    drawn.push_str(&format!("{} {arrow} ", word(from)));
+                }
+                let (first, _) = items.first()?;
+                (format!("{kind} {}: {drawn}{}", word(*face), word(*first)), end_of_after(rule)?)
+            }
             Remedy::Pair { edge, halfedges } => {
                 let [left, right] = halfedges.map(|half| &rule.name(half).text);
                 (format!("edge {}: {left} | {right}", rule.name(*edge).text), end_of_after(rule)?)
@@ -140,6 +192,34 @@ impl Remedy {
         let text = format!("\n    {statement}");
         Some(Fix { title: format!("insert `{statement}`"), edits: vec![Edit { span: edit, text }] })
     }
+}
+
+/// Names for new edges that are not taken.
+fn edge_names(rule: &Rule, count: usize) -> Vec<String> {
+    let free = (1..).map(|number| format!("e{number}"));
+    let is_free = |word: &String| rule.names.iter().all(|name| name.text != *word);
+    free.filter(is_free).take(count).collect()
+}
+
+/// The statements that pair new halfedges, and the names of their edges in `new`.
+fn pair_all(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Fix> {
+    let words = edge_names(rule, pairs.len());
+    let word = |name: NameId| &rule.name(name).text;
+    let statements = pairs.iter().zip(&words).map(|([one, other], edge)| {
+        format!("\n    edge {edge}: {} | {}", word(*one), word(*other))
+    });
+    let statements: String = statements.collect();
+    let listed = list_in_new(rule, &words.join(" "))?;
+    let end = Edit { span: end_of_after(rule)?, text: statements };
+    let edits = match listed.span == end.span {
+        true => vec![Edit { span: end.span, text: format!("{}{}", listed.text, end.text) }],
+        false => vec![listed, end],
+    };
+    let title = match words.as_slice() {
+        [only] => format!("pair them in a new edge `{only}`"),
+        _ => format!("pair them by their ends in new edges `{}`", words.join("`, `")),
+    };
+    Some(Fix { title, edits })
 }
 
 /// The statements that carry off the spokes of an erased vertex.

@@ -177,6 +177,15 @@ impl Law<'_> {
         };
         diagnostic = diagnostic.note(Stale::of_loop(drawing, &names).sentence());
         let mut remedies = vec![Remedy::Erase(names.clone())];
+        let lost = drawing.rule.before.loops.iter().map(|orbit| orbit.face.name);
+        let mut lost = lost
+            .filter(|&face| drawing.survives(face) && drawing.after.loop_of_face(face).is_none());
+        if let (Some(face), None) = (lost.next(), lost.next())
+            && let Some(items) = around(drawing, &names)
+            && rule.cycle.is_none()
+        {
+            remedies.push(Remedy::Draw { face, items });
+        }
         if orbits.len() == 1 {
             remedies.push(Remedy::Keep(vec![face]));
         }
@@ -355,6 +364,9 @@ impl Law<'_> {
                 self.problems.push(diagnostic.into());
             }
             if drawing.after.pairing(name).is_none() && !self.explained.contains(&name) {
+                if self.all_unpaired(name, created.span) {
+                    continue;
+                }
                 let diagnostic =
                     lacks("edge of `after`", format!("`{word}.twin` and `{word}.edge`"));
                 let remedies = self.pairings(None);
@@ -367,6 +379,86 @@ impl Law<'_> {
             }
         }
     }
+}
+
+impl Law<'_> {
+    /// Tells of all new halfedges without an edge together, if there are several beside this one
+    /// and no name of an edge is left over for them; says whether it did.
+    fn all_unpaired(&mut self, first: NameId, span: Span) -> bool {
+        let drawing = self.drawing;
+        let rule = drawing.rule;
+        let is_open =
+            |half: &NameId| drawing.created(*half).is_some() && !self.explained.contains(half);
+        let open: Vec<_> = self.unpaired().into_iter().filter(is_open).collect();
+        if rule.cycle.is_some() || open.len() < 2 || !self.pairings(None).is_empty() {
+            return false;
+        }
+        let list = enumerate(rule, &open);
+        let message = format!("the new halfedges {list} stand in no edge of `after`");
+        let word = &rule.name(first).text;
+        let mut diagnostic = Diagnostic::error("missing-reassignment", message, span)
+            .saying(format!("`{word}.twin` and `{word}.edge` would be unset"));
+        for other in open.iter().filter(|&&other| other != first) {
+            if let Some(listed) = drawing.created(*other) {
+                diagnostic = diagnostic.label(listed, "");
+            }
+        }
+        let pairs = by_ends(drawing, &self.unpaired());
+        let remedies = pairs.map(Remedy::PairAll).into_iter().collect();
+        self.explained.extend(open);
+        self.problems.push(Problem { diagnostic, remedies });
+        true
+    }
+}
+
+/// Pairs of halfedges that run between the same vertices in opposite directions, if each has
+/// just one such other.
+fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId; 2]>> {
+    let ends =
+        |half: NameId| Some((drawing.after.loop_origin(half)?, drawing.after.loop_target(half)?));
+    let mut pairs: Vec<[NameId; 2]> = Vec::new();
+    for &half in open {
+        let (from, to) = ends(half)?;
+        let mut others =
+            open.iter().filter(|&&other| ends(other) == Some((to, from)) && other != half);
+        let (Some(&other), None) = (others.next(), others.next()) else {
+            return None;
+        };
+        if pairs.iter().all(|pair| !pair.contains(&half)) {
+            pairs.push([half, other]);
+        }
+    }
+    Some(pairs)
+}
+
+/// The loop that some items make by their ends: where they start after, or else did before; if
+/// there is just one way around.
+fn around(drawing: &Drawing, items: &[NameId]) -> Option<Vec<(NameId, NameId)>> {
+    let ends = |item: NameId| {
+        let twin = drawing.after.pairing(item).and_then(|edge| {
+            let mut halves = edge.halfedges.iter().map(|half| half.name);
+            halves.find(|&half| half != item)
+        });
+        let across = twin.and_then(|twin| {
+            Some((drawing.after.loop_target(twin)?, drawing.after.loop_origin(twin)?))
+        });
+        across.or_else(|| Some((drawing.before.loop_origin(item)?, drawing.target_before(item)?)))
+    };
+    let all: Vec<_> = items.iter().map(|&item| Some((item, ends(item)?))).collect::<Option<_>>()?;
+    let (first, (start, mut to)) = *all.first()?;
+    let mut around = vec![(start, first)];
+    while to != start {
+        let mut next = all.iter().filter(|(_, (from, _))| *from == to);
+        let (Some(&(item, (from, end))), None) = (next.next(), next.next()) else {
+            return None;
+        };
+        if around.len() >= all.len() {
+            return None;
+        }
+        around.push((from, item));
+        to = end;
+    }
+    (around.len() == all.len()).then_some(around)
 }
 
 /// Tells that names of one kind are drawn before, and nowhere after.

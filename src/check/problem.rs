@@ -26,6 +26,10 @@ pub(super) enum Remedy {
     Take(NameId),
     /// `edge e: x | y`
     Pair { edge: NameId, halfedges: [NameId; 2] },
+    /// An edge with a new name for each of these pairs, listed in `new`.
+    PairAll(Vec<[NameId; 2]>),
+    /// The loop of a face that is missing: each item behind the vertex where it starts.
+    Draw { face: NameId, items: Vec<(NameId, NameId)> },
 }
 
 impl From<Diagnostic> for Problem {

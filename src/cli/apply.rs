@@ -3,10 +3,11 @@
 use serde::Serialize;
 
 use super::arguments::{ApplyArguments, Format};
+use super::check::depends;
 use super::counts::Counts;
 use super::failure::Failure;
 use super::meshes;
-use super::output::{complain, complain_of, say, say_json};
+use super::output::{complain, complain_json, complain_of, is_standard, say, say_json};
 use super::place::{self, Found, Place};
 use super::program::settings;
 use super::program::{self, Program};
@@ -25,6 +26,10 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     let op = program::find_op(&program, name)?;
     let Some(plan) = &program.analysis.plans[op] else {
         complain_of(&program.analysis.diagnostics, &program.sources);
+        if let Some(lacks) = &program.analysis.lacks[op] {
+            let name = &program.analysis.program.ops[op].name;
+            complain(&format!("`{name}` is not proved: it {}", depends(lacks)));
+        }
         return Err(Failure::NotProved);
     };
     meshes::expect_mesh(&arguments.output)?;
@@ -57,9 +62,11 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
                 repaired: obj.repaired,
                 ..Report::nothing(plan, before)
             };
-            match arguments.format {
-                Format::Json => say_json(&report)?,
-                Format::Human => say(&report.show()),
+            match (arguments.format, is_standard(&arguments.output)) {
+                (Format::Json, false) => say_json(&report)?,
+                (Format::Json, true) => complain_json(&report)?,
+                (Format::Human, false) => say(&report.show()),
+                (Format::Human, true) => complain(&report.show()),
             }
             Ok(())
         }

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::arguments::{CheckArguments, Format};
 use super::failure::Failure;
+use super::fix;
 use super::output::{complain_of, say, say_json, table};
 use super::program;
 use super::witness::Witnesses;
@@ -23,7 +24,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<(), Failure> {
     let mut files = Vec::new();
     let mut witnesses = Witnesses::default();
     for path in &arguments.files {
-        let program = match program::read(path) {
+        let program = match arguments.fix {
+            true => fix::mended(path),
+            false => program::read(path),
+        };
+        let program = match program {
             Ok(program) => program,
             Err(failure) => {
                 // The other files are still worth a look.
@@ -90,7 +95,9 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     let mut below = Vec::new();
     for verdict in verdicts {
         if !verdict.proved {
-            rows.push(vec!["  not proved".to_string(), verdict.op.clone()]);
+            let mut row = vec!["  not proved".to_string(), verdict.op.clone()];
+            row.extend(verdict.lacks.iter().map(|lacks| depends(lacks)));
+            rows.push(row);
             below.push(Vec::new());
         }
         if let Some(steps) = &verdict.steps {
@@ -117,6 +124,14 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     let lines = rows.lines().map(String::from).zip(below);
     let lines = lines.flat_map(|(line, below)| std::iter::once(line).chain(below));
     std::iter::once(file.to_string()).chain(lines).collect::<Vec<_>>().join("\n")
+}
+
+/// Why something is not proved that is not wrong itself.
+pub(super) fn depends(lacks: &str) -> String {
+    match lacks.contains(' ') {
+        true => format!("depends on {lacks}"),
+        false => format!("depends on `{lacks}`, which has an error"),
+    }
 }
 
 /// What a rule keeps, and how degrees and sizes change, on lines of their own.

@@ -8,7 +8,7 @@ use super::check::show_rule;
 use super::failure::Failure;
 use super::files::write;
 use super::meshes::expect_place;
-use super::output::{complain_of, say};
+use super::output::{complain_of, is_standard, say};
 use super::plan::show as show_plan;
 use super::program::{self, Program};
 use crate::analysis::{Analysis, Verdict, example, verdicts};
@@ -176,6 +176,7 @@ fn show_verdict(verdict: &Verdict) -> String {
 pub(super) fn expect_picture(path: &Path) -> Result<(), Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str());
     match extension {
+        _ if is_standard(path) => Ok(()),
         Some("svg" | "png") => expect_place(path),
         _ => Err(no_kind(path)),
     }
@@ -192,7 +193,9 @@ fn no_kind(path: &Path) -> Failure {
 pub(super) fn write_picture(picture: &Picture, path: &Path, pixels: f64) -> Result<(), Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str());
     match extension {
+        // What has no name is a picture that any tool reads.
         Some("svg") => write(path, picture.svg().as_bytes()),
+        None if is_standard(path) => write(path, picture.svg().as_bytes()),
         Some("png") => write(path, &picture.png(pixels).map_err(Failure::usage)?),
         _ => Err(no_kind(path)),
     }

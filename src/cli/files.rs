@@ -5,10 +5,14 @@ use std::path::Path;
 use super::failure::Failure;
 use super::interrupt;
 use super::meshes::expect_place;
+use super::output::{is_standard, pour};
 use crate::mesh::{FileReason, replace_file};
 
 /// Writes a file.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    if is_standard(path) {
+        return pour(bytes);
+    }
     expect_place(path)?;
     expect_waiting(path);
     replace_file(path, |output| output.write_all(bytes).map_err(FileReason::Io))

@@ -5,10 +5,15 @@ use std::path::Path;
 use super::arguments::{EncodingArguments, RepairArguments};
 use super::failure::Failure;
 use super::files;
-use super::output::complain;
+use super::output::{complain, is_standard, pour};
 use crate::mesh::{
+<<<<<<< HEAD
     Dump, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers, expect_writable,
     read_dump, read_mesh, write_mesh,
+=======
+    Dump, Level, Mesh, Obj, Places, WrittenNumbers, expect_writable, read_dump, read_obj, validate,
+    validate_level, write_dump, write_obj, write_obj_to,
+>>>>>>> main
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -77,10 +82,35 @@ pub(super) fn write(
     encoding: &EncodingArguments,
     blame: impl FnOnce() -> Option<String>,
 ) -> Result<(), Failure> {
+<<<<<<< HEAD
     let shown = path.display();
     let format = format(path)?;
     if format != FileFormat::Obj {
         file.bring_all();
+=======
+    if !is_tables(path) {
+        if !obj.mesh.is_polygons() {
+            let shown = path.display();
+            let other = path.with_extension("halfedges");
+            return Err(Failure::usage(format!(
+                "{shown}: no list of polygons holds this mesh{}{}; write it to `{}`",
+                below_simple(&obj.mesh),
+                blame().map(|blame| format!("; {blame}")).unwrap_or_default(),
+                other.display()
+            )));
+        }
+        if is_standard(path) {
+            let mut bytes = Vec::new();
+            write_obj_to(&mut bytes, obj).map_err(Failure::usage)?;
+            pour(&bytes)?;
+        } else {
+            files::expect_waiting(path);
+            write_obj(path, obj).map_err(Failure::usage)?;
+        }
+        tell_unheld(path, obj);
+        tell_bare(path, obj);
+        return Ok(());
+>>>>>>> main
     }
     if let Some(encoding) = encoding.encoding {
         file.encoding = encoding.encoding();
@@ -176,7 +206,18 @@ pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
 
 /// Whether a mesh can: its name tells how it is written.
 pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
+<<<<<<< HEAD
     format(path)?;
+=======
+    if is_standard(path) {
+        return Ok(());
+    }
+    if !is_tables(path) && !may_be_obj(path) {
+        let shown = path.display();
+        let message = format!("{shown}: a mesh is written as .obj or .halfedges");
+        return Err(Failure::usage(message));
+    }
+>>>>>>> main
     expect_place(path)
 }
 

@@ -14,6 +14,7 @@ mod draw;
 mod explain;
 mod failure;
 mod files;
+mod fix;
 mod fmt;
 mod info;
 mod interrupt;

@@ -2,6 +2,7 @@
 //! is one, which is told when the command ends.
 
 use std::io::{self, IsTerminal, Write, stderr, stdout};
+use std::path::Path;
 use std::sync::Mutex;
 
 use serde::Serialize;
@@ -29,6 +30,30 @@ pub(super) fn say_exactly(text: &str) {
         && let Ok(mut lost) = LOST.lock()
     {
         lost.get_or_insert(error);
+    }
+}
+
+/// Whether a file is standard output: `-o -`.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Prints data as JSON to standard error, where standard output takes the result itself.
+pub(super) fn complain_json(data: &impl Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(data).map_err(Failure::usage)?;
+    complain(&text);
+    Ok(())
+}
+
+/// Writes a result to standard output, as it is.
+pub(super) fn pour(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = stdout().lock();
+    let written = out.write_all(bytes).and_then(|()| out.flush());
+    match written {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::usage(format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -48,11 +48,18 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         };
         Failure::usage(format!("cannot read `{shown}`: {why}{advice}"))
     })?;
-    let mut sources = Sources::new();
     let name = of_library.map_or(shown, |file| file.name.to_owned());
-    let file = sources.add(name, text);
-    let analysis = Analysis::with(&mut sources, file, &mut Disk);
-    Ok(Program { sources, analysis })
+    Ok(Program::of(name, text))
+}
+
+impl Program {
+    /// The program that a text of this name is.
+    pub(super) fn of(name: String, text: String) -> Self {
+        let mut sources = Sources::new();
+        let file = sources.add(name, text);
+        let analysis = Analysis::with(&mut sources, file, &mut Disk);
+        Self { sources, analysis }
+    }
 }
 
 /// Which of the ops that were applied may have left a mesh that is not simple, and what would

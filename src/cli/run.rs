@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::interrupt;
 use super::memory;
 use super::meshes;
-use super::output::{complain, complain_of, say, say_json, table};
+use super::output::{complain, complain_json, complain_of, is_standard, say, say_json, table};
 use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
@@ -55,7 +55,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let started = Instant::now();
     let name = program.analysis.program.scripts[script].name.clone();
     interrupt::listen();
-    let mut progress = Progress::new(&name, arguments.format == Format::Json);
+    let results = [arguments.output.as_deref(), arguments.picture.as_deref()];
+    let poured = results.into_iter().flatten().any(is_standard);
+    let mut progress = Progress::new(&name, poured || arguments.format == Format::Json);
     let report = run::run(&prepared, &mut obj.mesh, &values, &mut progress);
     progress.finish();
     let report = report.map_err(|failure| {
@@ -94,9 +96,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         seconds: Seconds { load, compile, run, save },
     };
     match arguments.format {
+        Format::Json if poured => complain_json(&report),
         Format::Json => say_json(&report),
         Format::Human => {
-            say(&report.show());
+            match poured {
+                true => complain(&report.show()),
+                false => say(&report.show()),
+            }
             if arguments.output.is_none() && arguments.picture.is_none() {
                 complain("the result is not kept; `-o FILE` writes it");
             }

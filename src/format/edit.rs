@@ -1,5 +1,6 @@
 //! The white space that formatting exchanges, gap by gap, as editors want it.
 
+use super::commas::without_commas;
 use super::safe::{Refusal, kept};
 use super::words::Words;
 use crate::source::{FileId, LineTable, Span};
@@ -24,8 +25,9 @@ pub struct Edit {
 /// somebody waits; [`format`](super::format) looks.)
 pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, Refusal> {
     let (formatted, again) = kept(file, source, parsed)?;
+    let (plain, said) = without_commas(source, parsed);
     let (old, new) = (
-        gaps(source, Words::of(source, parsed)),
+        gaps(&plain, Words::of(&plain, &said)),
         gaps(&formatted, Words::lexed(&formatted, &again)),
     );
     let pairs = old.into_iter().zip(new);

@@ -26,6 +26,8 @@ mod item;
 
 mod remark;
 
+mod commas;
+
 mod words;
 
 mod file;

@@ -1,5 +1,6 @@
 //! The door: nothing is answered that lost a word, or that would look different next time.
 
+use super::commas::without_commas;
 use super::file::formatted;
 use super::words::Words;
 use crate::diagnostic::Diagnostic;
@@ -60,9 +61,10 @@ pub(super) fn kept(
     source: &str,
     parsed: &Parsed,
 ) -> Result<(String, Lexed), Refusal> {
-    let text = formatted(source, parsed);
+    let (source, parsed) = without_commas(source, parsed);
+    let text = formatted(&source, &parsed);
     let again = lex(file, &text);
-    let (old, new) = (Words::of(source, parsed), Words::lexed(&text, &again));
+    let (old, new) = (Words::of(&source, &parsed), Words::lexed(&text, &again));
     if let Some(place) = first_difference(old, new) {
         return Err(Refusal::WouldChange(place));
     }

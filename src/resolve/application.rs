@@ -84,10 +84,17 @@ impl Scripting<'_> {
             tree::ExprKind::Call { function, .. } if self.is_op_call(expr) => {
                 let word = &function.text;
                 let message = format!("`{word}` may be refused, and then there is no value");
-                let error = Diagnostic::error("needs-must", message, expr.span)
-                    .note(format!("`if let x = {word}(…)` asks, `must {word}(…)` stops the script"))
-                    .fix("write `must`", expr.span.before(), "must ");
-                self.typing.report.add(error);
+                let error = Diagnostic::error("needs-must", message, expr.span).note(format!(
+                    "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
+                ));
+                let called = self.typing.declared.op(word).and_then(|op| self.ops.get(op));
+                let gives = called.filter(|op| op.result != Returned::Nothing);
+                self.typing.report.add(match gives {
+                    Some(_) => error.fix("write `must`", expr.span.before(), "must "),
+                    None => error.note(format!(
+                        "`{word}` returns nothing; whether it applied is asked by `if {word}(…) {{ … }}`"
+                    )),
+                });
                 Some(None)
             }
             _ => None,

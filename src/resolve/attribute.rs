@@ -46,6 +46,18 @@ pub(super) fn head(
 ) -> Option<Head> {
     let mut report = Report::default();
     let (element, ty) = (type_named(&attr.kind, &mut report), type_named(&attr.ty, &mut report));
+    if let (Some(element), Some(value)) = (element, ty)
+        && !element.is_element()
+        && value.is_element()
+    {
+        let message =
+            format!("the kind of element stands first: `{} {}`", value.word(), element.word());
+        let both = attr.kind.span.to(attr.ty.span);
+        let ours = format!("{} {}", value.word(), element.word());
+        let error = Diagnostic::error("attribute-type", message, both);
+        diagnostics.push(error.fix(format!("write `{ours}`"), both, ours));
+        return None;
+    }
     if let Some(element) = element {
         if !element.is_element() {
             let message = format!(

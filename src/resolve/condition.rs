@@ -7,13 +7,14 @@ use crate::diagram::{Access, Alias, Assignment, Kind, Level, NameId, Ref, Requir
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
-use super::field::{attribute, attributes_of};
+use super::elsewhere::{self, Here};
+use super::field::{attribute, attributes_of, is_taken};
 use super::lists::mention;
 use super::lookup::element_type;
 use super::names::Names;
 use super::report::Report;
 use super::suggestion::suggest;
-use super::typing::Typing;
+use super::typing::{Place, Typing};
 use super::words::{a_type, quoted};
 
 /// What a rule of `op` requires.
@@ -248,17 +249,69 @@ impl Typing<'_> {
             self.report.fail();
             return None;
         }
+        if let Some(declared) = self.declared.hidden_attribute(ty, &name.text) {
+            self.report.add(private(name, declared));
+            return None;
+        }
+        if let Some(how) = self.not_assigned(ty, &name.text) {
+            if self.report.says(how) {
+                self.report.fail();
+                return None;
+            }
+            let message = format!("`{}` is a pointer, and pointers are not assigned", name.text);
+            self.report.add(Diagnostic::error("unknown-attribute", message, name.span).note(how));
+            return None;
+        }
         let element = a_type(ty);
         let message = format!("{element} has no attribute `{}`", name.text);
         let error = Diagnostic::error("unknown-attribute", message, name.span);
         let known = attributes_of(ty).into_iter();
         let known: Vec<&str> = known.chain(self.declared.attributes_of(ty)).collect();
-        let error = suggest(error, &name.text, name.span, known.iter().copied());
+        let here = elsewhere::field(ty, &name.text);
+        let here = here.filter(|here| match here {
+            Here::Written(ours) => known.contains(ours),
+            Here::Said(_) => true,
+        });
+        let word = (name.text.as_str(), name.span);
+        let error = elsewhere::tell(error, word, here, known.iter().copied());
         let error = match known.as_slice() {
             [] => error.note(format!("{element} has none that can be set")),
-            known => error.note(format!("{element} has {}", quoted(known))),
+            known => error.note(format!(
+                "{element} has {}; an attribute of one's own is declared: `attr {}: {} real = 0`",
+                quoted(known),
+                name.text,
+                ty.word()
+            )),
         };
         self.report.add(error);
         None
     }
+
+    /// How that comes about which a pointer of an element would say, if the word is one.
+    fn not_assigned(&self, ty: Type, word: &str) -> Option<&'static str> {
+        let foreign = match elsewhere::field(ty, word) {
+            Some(Here::Written(ours)) => ours,
+            _ => word,
+        };
+        if !is_taken(ty, foreign.split('.').next().unwrap_or(foreign))
+            || attribute(ty, foreign).is_some()
+        {
+            return None;
+        }
+        Some(match self.place {
+            Place::Script => "what changes a mesh is an operation, called like `flip(e)`",
+            Place::Rule(_) | Place::Default => {
+                "`next`, `prev` and `face` follow from the loops that `after` draws, `twin` and \
+                 `edge` from its edge statements, `vertex` from both"
+            }
+        })
+    }
+}
+
+/// An attribute of another file that keeps it to itself.
+pub(super) fn private(name: &Ident, declared: Span) -> Diagnostic {
+    let message = format!("`{}` is private to the file that declares it", name.text);
+    Diagnostic::error("unknown-attribute", message, name.span)
+        .label(declared, "it is declared here")
+        .note("without `private` all files see it that use that one")
 }

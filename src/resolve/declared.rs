@@ -64,6 +64,8 @@ pub(super) struct Declared {
     attributes: Vec<Head>,
     /// The names of those that could not be understood.
     lost_attributes: HashSet<String>,
+    /// The attributes of used files that only those see.
+    hidden: Vec<Head>,
     /// Whether some of what is used is not known.
     lacks: bool,
 }
@@ -213,6 +215,7 @@ impl Declared {
                 _ => self.attributes.push(head.clone()),
             }
         }
+        self.hidden.extend(used.attributes.iter().filter(|head| head.private).cloned());
         let lost = used.lost_attributes.iter().cloned();
         self.lost_attributes.extend(lost);
     }
@@ -292,6 +295,13 @@ impl Declared {
     /// seen yet.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
         self.lacks || self.lost_attributes.contains(name)
+    }
+
+    /// Where a used file declares an attribute of this name that only it sees.
+    pub(super) fn hidden_attribute(&self, element: Type, name: &str) -> Option<Span> {
+        let mut hidden = self.hidden.iter();
+        let head = hidden.find(|head| head.element == element && head.name == name)?;
+        Some(head.span)
     }
 
     /// The attribute of this name of elements of a type, and the type of its values.

@@ -48,9 +48,20 @@ pub(super) fn type_word(word: &str) -> Option<&'static str> {
         "vector2" | "float2" | "point2" => "vec2",
         "matrix4" => "mat4",
         "matrix3" => "mat3",
-        "he" | "half_edge" | "dart" => "halfedge",
-        "vert" | "node" => "vertex",
-        "polygon" | "triangle" | "quad" | "facet" | "cell" => "face",
+        "he"
+        | "half_edge"
+        | "dart"
+        | "halfedgeref"
+        | "halfedgecref"
+        | "halfedgeiter"
+        | "halfedge_handle"
+        | "halfedge_descriptor"
+        | "halfedges" => "halfedge",
+        "vert" | "node" | "vertexref" | "vertexcref" | "vertexiter" | "vertex_handle"
+        | "vertex_descriptor" | "vertices" => "vertex",
+        "edgeref" | "edgecref" | "edgeiter" | "edge_handle" | "edge_descriptor" => "edge",
+        "polygon" | "triangle" | "quad" | "facet" | "cell" | "faceref" | "facecref"
+        | "faceiter" | "face_handle" | "face_descriptor" | "faces" => "face",
         _ => return None,
     })
 }
@@ -123,6 +134,13 @@ pub(super) fn function(word: &str) -> Option<Here> {
         "int" | "real" | "float" | "double" => CONVERTED,
         "printf" | "println" | "echo" | "str" | "format" => PRINTED,
         "exit" | "panic" | "error" | "throw" | "raise" => STOPPED,
+        "assert_eq" | "assertEqual" | "expect" => Said("it is `assert x == y`"),
+        "enumerate" | "zip" | "map" | "filter" | "sorted" => {
+            Said("a loop is `for v in vertices where … { … }`; `drain` takes the least first")
+        }
+        "getattr" | "get" | "at" => {
+            Said("attributes and pointers stand behind a dot: `v.position`")
+        }
         "clamp" => Said("it is `min(max(x, low), high)`"),
         "sqr" | "square" => Said("it is `x * x`"),
         "rand" | "randint" | "rnd" | "uniform" => Written("random"),
@@ -146,7 +164,19 @@ pub(super) fn name(word: &str) -> Option<Here> {
         "null" | "nil" | "None" | "none" | "nullptr" | "NULL" => NOTHING,
         _ if declares(word) => DECLARED,
         "switch" | "match" | "case" | "unless" => BRANCHED,
-        "try" | "catch" | "except" | "throw" => ASKED,
+        "try" | "catch" | "except" => ASKED,
+        "throw" | "raise" | "panic" => STOPPED,
+        "pass" => Said("an empty block is `{ }`"),
+        "import" | "include" => {
+            Said("files are used at the head of a file: `use \"std/smooth.hedge\"`")
+        }
+        "math" | "Math" | "np" | "numpy" | "std" => {
+            Said("functions and constants stand alone: `sqrt(x)`, `pi`")
+        }
+        "self" | "this" => {
+            Said("there are no objects: an op is given its element, `op flip(e: edge)`")
+        }
+        "end" | "done" | "fi" => Said("a block ends with `}`"),
         "foreach" | "do" | "until" | "loop" => VISITED,
         "mesh" => Said(
             "a script has one mesh, which has no name: `vertices` and `edges` are its own; a test \

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{Wanted, overloads};
+use super::condition::private;
 use super::elsewhere::{self, Here};
 use super::sequence::sequences_of;
 use super::typing::{Typing, typed};
@@ -164,6 +165,10 @@ impl Typing<'_> {
         if self.declared.has_attribute(&field.text) {
             // The declaration has been refused already.
             self.report.fail();
+            return;
+        }
+        if let Some(declared) = self.declared.hidden_attribute(ty, &field.text) {
+            self.report.add(private(field, declared));
             return;
         }
         let known: Vec<&str> = fields_of(ty)

@@ -11,6 +11,7 @@ use super::elsewhere;
 use super::sequence::{fold_names, is_sequence};
 use super::testing::mesh_maker;
 use super::typing::{Place, Typing, to_real, typed};
+use super::vocabulary::signatures;
 use super::words::{a_type, arguments, either, subject};
 
 /// How well a type fits what is wanted.
@@ -134,7 +135,19 @@ impl Typing<'_> {
         };
         let message =
             format!("`{}` takes {}, but {given} {verb} given", function.text, arguments(wanted));
-        self.report.add(Diagnostic::error("wrong-count", message, span));
+        let ways = signatures(&function.text).into_iter();
+        let ways: Vec<_> =
+            ways.map(|way| format!("`{}({})`", function.text, way.takes.join(", "))).collect();
+        let error = Diagnostic::error("wrong-count", message, span);
+        let error = match ways.is_empty() {
+            true => error,
+            false => error.note(format!("it is {}", either(&ways))),
+        };
+        let is_distance = function.text == "length" && given == "2";
+        self.report.add(match is_distance {
+            true => error.note("how far two points are apart is `distance(v, w)`"),
+            false => error,
+        });
         None
     }
 

@@ -14,7 +14,7 @@ use super::sequence::WHOLE_MESH;
 use super::typing::{Place, Typing, typed};
 
 /// The constants of the language.
-const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("infinity", f64::INFINITY)];
+pub(super) const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("infinity", f64::INFINITY)];
 
 /// The type of the element that a name stands for.
 pub(super) fn element_type(kind: Kind) -> Option<Type> {
@@ -61,7 +61,9 @@ impl Typing<'_> {
         let (word, span) = (name.ident.text.as_str(), name.span);
         let Place::Rule(names) = self.place else {
             let message = "subscripts stand in the drawings of an op, and in what it asks and sets";
-            self.report.add(Diagnostic::error("wrong-subscript", message, index.span));
+            self.report.add(Diagnostic::error("wrong-subscript", message, index.span).note(
+                "a component is `p.x`; an element is found by a loop, or by `argmin(length(e) for e in edges)`",
+            ));
             return None;
         };
         let Some(id) = names.find(word) else {
@@ -135,7 +137,8 @@ impl Typing<'_> {
         None
     }
 
-    fn unknown_name(&mut self, word: &str, span: Span) {
+    /// Says that a name is not known, and what it may have been meant to be.
+    pub(super) fn unknown_name(&mut self, word: &str, span: Span) {
         if WHOLE_MESH.iter().any(|(known, _)| *known == word) {
             let message =
                 format!("`{word}` is a sequence; it can stand after `in` or in `count({word})`");

@@ -65,6 +65,6 @@ pub use program::{
     Steps, Test, TestMesh, Variable,
 };
 pub use vocabulary::{
-    FieldWord, Signature, fields, function_words, is_function, sequence_words, signatures,
-    type_with_article,
+    FieldWord, Signature, fields, function_words, is_function, mesh_and_constant_words,
+    sequence_words, signatures, type_with_article,
 };

@@ -181,13 +181,20 @@ fn kinds<'a>(
             kinds.entry(param.name.clone()).or_insert(origin);
         }
     }
+    let mut last = None;
     for mention in mentions {
         let Some(kind) = mention.kind else { continue };
         let first = kinds.entry(mention.text.as_ref().to_owned());
         let first = first.or_insert(Origin { kind: Ok(kind), span: mention.span, told: false });
         if first.kind != Ok(kind) && !first.told {
             first.told = true;
-            report.add(two_kinds(mention, kind, first));
+            // Ends for halfedges in an edge are one mistake, not two.
+            let mistaken = (first.kind, kind);
+            match last == Some(mistaken) {
+                true => report.fail(),
+                false => report.add(two_kinds(mention, kind, first)),
+            }
+            last = Some(mistaken);
         }
     }
     kinds
@@ -209,9 +216,17 @@ fn two_kinds(mention: &Mention, kind: Kind, first: &Origin) -> Diagnostic {
             (message, ty)
         }
     };
-    Diagnostic::error("two-kinds", message, mention.span)
-        .saying(format!("used as {used}"))
-        .label(first.span, format!("here it is {first_is}"))
+    let error = Diagnostic::error("two-kinds", message, mention.span);
+    let error = match (first.kind, kind) {
+        (Ok(Kind::Vertex), Kind::Halfedge) => error.note(
+            "an edge names its halfedges, `edge e: a | d`; a vertex its spokes, `vertex v: a *S b`",
+        ),
+        (Ok(Kind::Halfedge), Kind::Vertex) => {
+            error.note("a loop has vertices, and halfedges in its arrows: `v0 -a-> v1`")
+        }
+        _ => error,
+    };
+    error.saying(format!("used as {used}")).label(first.span, format!("here it is {first_is}"))
 }
 
 /// The kind of the elements of a type.

@@ -8,6 +8,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
 use super::declared::{Declared, duplicate};
+use super::elsewhere;
 use super::family::{is_family, read_index};
 use super::lookup::element_type;
 use super::names::Names;
@@ -238,7 +239,16 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         let message = format!("`{word}` is returned, but it is drawn nowhere");
         let error = Diagnostic::error("unknown-result", message, name.span);
         let drawn = rules.iter().flat_map(Names::words);
-        report.add(suggest(error, word, name.span, drawn));
+        let error = match Type::ALL.iter().any(|ty| ty.word() == word)
+            || elsewhere::type_word(word).is_some()
+        {
+            true => error.note(
+                "an op names the element that it returns, `-> m`; whether it applied is asked by \
+                 `if flip(e) { … }`",
+            ),
+            false => suggest(error, word, name.span, drawn),
+        };
+        report.add(error);
         return None;
     };
     if let Some(other) = kinds.iter().find(|kind| **kind != first) {

@@ -20,6 +20,11 @@ impl Report {
         self.diagnostics.push(diagnostic);
     }
 
+    /// Whether something has been said with this note.
+    pub(super) fn says(&self, note: &str) -> bool {
+        self.diagnostics.iter().any(|told| told.notes.iter().any(|known| known == note))
+    }
+
     /// Loses the item without a word, since the reason stands elsewhere.
     pub(super) fn fail(&mut self) {
         self.failed = true;

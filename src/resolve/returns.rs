@@ -22,12 +22,14 @@ pub(super) struct Returns {
     first: Option<Span>,
     /// Whether the type must be written for a value to be returned.
     cycles: bool,
+    /// Where the type can be written, if it is not.
+    pub(super) head: Option<Span>,
 }
 
 impl Returns {
     /// Nothing: the statements of a script.
     pub(super) fn nothing() -> Self {
-        Self { function: None, value: Value::Nothing, first: None, cycles: false }
+        Self { function: None, value: Value::Nothing, first: None, cycles: false, head: None }
     }
 
     /// What a function says.
@@ -39,6 +41,7 @@ impl Returns {
                 value => value,
             },
             first: None,
+            head: None,
             cycles,
         }
     }
@@ -115,7 +118,8 @@ impl Scripting<'_> {
                 None => Some(StatementKind::Return(None)),
                 Some(value) => {
                     let message = "a script returns nothing";
-                    let error = Diagnostic::error("script-returns", message, value.span);
+                    let error = Diagnostic::error("script-returns", message, value.span)
+                        .note("`return` alone ends it; a value is printed, or given by a `fn`");
                     self.typing.report.add(error);
                     None
                 }
@@ -174,6 +178,16 @@ impl Scripting<'_> {
                 let message =
                     format!("`{name}` gives {}, but this is {}", a_type(ty), a_type(value.ty));
                 let error = Diagnostic::error("type-mismatch", message, written.span);
+                let error = match (ty, value.ty, self.returns.head) {
+                    (Type::Int, Type::Real, Some(head)) => error
+                        .note(format!(
+                            "where real is written, an int stands for one: `fn {name}(…) -> real`"
+                        ))
+                        .fix("write `-> real` behind the parameters", head, "-> real "),
+                    (Type::Int, Type::Real, None) => error
+                        .note(format!("`round(x)` makes an int; or write `fn {name}(…) -> real`")),
+                    _ => error,
+                };
                 self.typing.report.add(match first == written.span {
                     true => error,
                     false => error.label(first, format!("this is {}", a_type(ty))),

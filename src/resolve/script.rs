@@ -124,9 +124,20 @@ impl Scripting<'_> {
     }
 
     pub(super) fn actions(&mut self, actions: &[Action], statements: &mut Block) {
+        let mut foreign = 0;
         for (at, action) in actions.iter().enumerate() {
+            if foreign > 0 {
+                foreign -= 1;
+                continue;
+            }
+            if self.declared_elsewhere(action, actions.get(at + 1)) {
+                continue;
+            }
+            if let Some(beside) = self.foreign_words(action, &actions[at + 1..]) {
+                foreign = beside;
+                continue;
+            }
             match &action.kind {
-                _ if self.declared_elsewhere(action, actions.get(at + 1)) => {}
                 // A block in a block is nothing but a scope.
                 ActionKind::Block(inner) => statements.extend(self.block(inner)),
                 _ if self.testing.is_some() => {

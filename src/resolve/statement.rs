@@ -95,6 +95,38 @@ impl Scripting<'_> {
         true
     }
 
+    /// Words of another language that read as statements of their own, one behind the other on a
+    /// line: `throw "no"`, `-- a comment`. Tells of the first, and how many of the `rest` go with
+    /// it.
+    pub(super) fn foreign_words(&mut self, action: &Action, rest: &[Action]) -> Option<usize> {
+        let mut end = action.span.end;
+        let beside = rest.iter().take_while(|next| {
+            let touches = next.span.start <= end + 1;
+            end = next.span.end;
+            touches
+        });
+        let beside = beside.count();
+        let ActionKind::Expr(first) = &action.kind else {
+            return None;
+        };
+        if let tree::ExprKind::Unary(tree::UnaryOp::Negate, inner) = &first.kind
+            && let tree::ExprKind::Unary(tree::UnaryOp::Negate, _) = &inner.kind
+            && inner.span.start == first.span.start + 1
+        {
+            let signs = Span { end: first.span.start + 2, ..first.span };
+            let error = Diagnostic::error("unused-value", "a comment begins with `//`", first.span);
+            self.typing.report.add(error.fix("write `//`", signs, "//"));
+            return Some(beside);
+        }
+        let word = plain_name(first)?;
+        let is_known = self.typing.scopes.find(&word.text).is_some();
+        if beside == 0 || is_known || elsewhere::declares(&word.text) {
+            return None;
+        }
+        self.typing.unknown_name(&word.text, word.span);
+        Some(beside)
+    }
+
     /// Declares what was taken for a variable, so that it is told once only that it is none.
     fn assumed(&mut self, name: &Ident, ty: Option<Type>) {
         self.typing.scopes.declare(Local {

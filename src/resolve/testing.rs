@@ -24,7 +24,7 @@ use super::suggestion::suggest;
 use super::words::{arguments, quoted};
 
 /// What makes a mesh: its name, and the least that each of its sizes can be.
-const CONSTRUCTORS: [(&str, &[i64]); 13] = [
+pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("tetrahedron", &[]),
     ("cube", &[]),
     ("octahedron", &[]),

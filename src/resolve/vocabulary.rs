@@ -4,7 +4,9 @@ use crate::diagram::Type;
 
 use super::builtin::{SHUFFLE, Wanted, function_names, overloads};
 use super::field::{Entry, entries_of};
+use super::lookup::CONSTANTS;
 use super::sequence::{WHOLE_MESH, fold_names, sequences_of};
+use super::testing::CONSTRUCTORS;
 use super::words::a_type;
 
 /// One way to call a function.
@@ -94,6 +96,12 @@ pub fn fields(ty: Type) -> Vec<FieldWord> {
 /// The sequences of the whole mesh: `vertices`, `edges`, …
 pub fn sequence_words() -> impl Iterator<Item = &'static str> {
     WHOLE_MESH.iter().map(|(word, _)| *word)
+}
+
+/// The words that make a mesh of a test, and the constants.
+pub fn mesh_and_constant_words() -> impl Iterator<Item = &'static str> {
+    let constants = CONSTANTS.iter().map(|(word, _)| *word);
+    CONSTRUCTORS.iter().map(|(word, _)| *word).chain(["load", "refuses", "mesh"]).chain(constants)
 }
 
 /// A type with its article.

@@ -25,7 +25,11 @@ impl Display for RealText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(real, digits) = *self;
         match digits {
-            RealDigits::Behind(count) => write!(f, "{real:.0$}", usize::from(count)),
+            RealDigits::Behind(count) => {
+                let text = format!("{real:.0$}", usize::from(count));
+                let is_zero = !text.contains(|c: char| matches!(c, '1'..='9') || c.is_alphabetic());
+                f.write_str(text.strip_prefix('-').filter(|_| is_zero).unwrap_or(&text))
+            }
             RealDigits::All => write_all(f, real),
             RealDigits::Few => write_all(f, rounded(real)),
         }
@@ -33,6 +37,8 @@ impl Display for RealText {
 }
 
 fn write_all(f: &mut fmt::Formatter<'_>, real: f64) -> fmt::Result {
+    // Zero has no sign for a reader.
+    let real = if real == 0.0 { 0.0 } else { real };
     let size = real.abs();
     // Written out, such numbers would be mostly zeros.
     match size != 0.0 && size.is_finite() && !(1e-5..1e16).contains(&size) {
@@ -112,6 +118,7 @@ mod tests {
             (2.0, "2"),
             (0.1 + 0.2, "0.3"),
             (-1.0 / 3.0, "-0.333333"),
+            (-0.0, "0"),
             (2.0 / 3.0 * 1e-9, "6.66667e-10"),
             (12345.678, "12345.7"),
             (123456.78, "123457"),

@@ -9,6 +9,7 @@ use super::live::Exits;
 use super::lower::{Lowering, Routine};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, ExprKind};
 use crate::resolve::{self, Program, Script};
 use crate::rewrite::{self, Code};
 use crate::source::Span;
@@ -95,6 +96,21 @@ impl Functions {
             }
         }
         (0..seen.len()).filter(|&at| seen[at]).collect()
+    }
+
+    /// The name of the first function without code that an expression needs, directly or through
+    /// others.
+    pub fn lacking<'e>(&self, exprs: impl IntoIterator<Item = &'e Expr>) -> Option<&str> {
+        let mut called = Vec::new();
+        for expr in exprs {
+            expr.each(&mut |part| {
+                if let ExprKind::Invoke(function, _) = part.kind {
+                    called.push(function as usize);
+                }
+            });
+        }
+        let missing = self.first_missing(&self.reached(&called))?;
+        self.code.get(missing).map(|function| function.name.as_str())
     }
 
     /// Of those the first that has no code.

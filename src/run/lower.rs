@@ -3,7 +3,7 @@
 use super::call::FunctionCall;
 use super::live::{Exits, Liveness, calls};
 use crate::compile::{Scope, attribute, copy, lower, lower_into, width};
-use crate::diagram::{Access, Expr, ExprKind, NameId, Param};
+use crate::diagram::{Access, Expr, ExprKind, NameId, Param, Type};
 use crate::resolve::{Statement, StatementKind, Variable};
 use crate::rewrite::{Assembler, Inst, Label, Phase, Refusal, Reg};
 use crate::source::Span;
@@ -15,6 +15,8 @@ pub(super) struct Lowering<'p> {
     liveness: Liveness<'p>,
     /// The loops around the statement, the innermost last.
     pub(super) loops: Vec<Loop>,
+    /// The variables of the loops around it that visit elements, the innermost last.
+    visited: Vec<u32>,
     /// How many drains run around the statement.
     pub(super) drains: u32,
     /// Where the running `update` keeps its writes back.
@@ -162,6 +164,7 @@ impl<'p> Lowering<'p> {
             called: Vec::new(),
             functions: Vec::new(),
             assertions: Vec::new(),
+            visited: Vec::new(),
             ending: Ending::Script,
         };
         for param in routine.params {
@@ -209,6 +212,13 @@ impl<'p> Lowering<'p> {
     }
 
     fn statement(&mut self, statement: &Statement, exits: Option<&Exits>) {
+        let outside = self.visited.len();
+        if let StatementKind::For { variable, .. }
+        | StatementKind::Update { variable, .. }
+        | StatementKind::Drain { variable, .. } = &statement.kind
+        {
+            self.visited.push(*variable);
+        }
         let mark = self.asm.mark();
         let span = statement.span;
         match &statement.kind {
@@ -280,6 +290,28 @@ impl<'p> Lowering<'p> {
             StatementKind::Return(value) => self.leave(value.as_ref(), exits),
         }
         self.asm.release(mark);
+        self.visited.truncate(outside);
+    }
+
+    /// The variables that tell where a condition is asked: those of the loops around it, and
+    /// the elements that it reads; each with its name and its type.
+    pub(super) fn whereabouts(&self, condition: &Expr) -> Vec<(u32, &'p str, Type)> {
+        let mut numbers = self.visited.clone();
+        condition.each(&mut |part| {
+            if let ExprKind::Local(number) = part.kind {
+                numbers.push(number);
+            }
+        });
+        let mut known: Vec<(u32, &str, Type)> = Vec::new();
+        for number in numbers {
+            let variable = self.liveness.variables.get(number as usize);
+            if let Some(variable) = variable.filter(|variable| variable.ty.is_element())
+                && known.iter().all(|(other, ..)| *other != number)
+            {
+                known.push((number, variable.name.as_str(), variable.ty));
+            }
+        }
+        known
     }
 
     /// The exits of the body of a loop that has these exits.

@@ -72,7 +72,7 @@ pub(super) fn prepare_script(
     lowering.body(routine(script));
     let reached = functions.reached(&lowering.functions);
     if let Some(missing) = functions.first_missing(&reached) {
-        return Err(vec![not_understood(program, missing)]);
+        return Err(vec![not_understood(program, missing, script.span)]);
     }
     let mut called = lowering.called;
     for &function in &reached {
@@ -125,10 +125,13 @@ fn not_proved(program: &Program, op: usize, call: Span) -> Diagnostic {
     }
 }
 
-fn not_understood(program: &Program, function: usize) -> Diagnostic {
-    let span = program.functions.get(function).map(|function| function.span);
-    let message = "what is called has an error, so it cannot be called";
-    Diagnostic::error("unproved-op", message, span.unwrap_or_default())
+fn not_understood(program: &Program, function: usize, by: Span) -> Diagnostic {
+    let known = program.functions.get(function);
+    let name = known.map_or("", |function| &function.name);
+    let message = format!("`{name}` has an error, and this depends on it: it cannot run");
+    let span = known.map(|function| function.span);
+    Diagnostic::error("unproved-op", message, by)
+        .label(span.unwrap_or_default(), "this function has an error")
 }
 
 fn does_not_fit(script: &Script, too_large: TooLarge) -> Diagnostic {

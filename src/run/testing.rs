@@ -86,7 +86,8 @@ fn constructed(constructor: &str, sizes: &[u32]) -> Mesh {
 }
 
 impl Lowering<'_> {
-    /// `assert c`; of a comparison that does not hold both sides are shown.
+    /// `assert c`; of a comparison that does not hold both sides are shown, and always the
+    /// elements it is about.
     pub(super) fn assert(&mut self, condition: &Expr, reason: &str, span: Span) {
         let mark = self.asm.mark();
         let test = self.value(condition);
@@ -95,6 +96,13 @@ impl Lowering<'_> {
         if let Some([left, right]) = sides(condition) {
             self.show("the left side is ", left);
             self.show(", the right side ", right);
+        }
+        let mut before = if sides(condition).is_some() { ", where " } else { "where " };
+        for (variable, name, ty) in self.whereabouts(condition) {
+            self.print_text(&format!("{before}`{name}` is "));
+            let from = self.names.local(variable);
+            self.asm.emit(super::print::print_value(ty, from, Digits::All));
+            before = ", ";
         }
         self.fail(reason, span);
         self.asm.bind(to);

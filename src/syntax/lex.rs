@@ -133,10 +133,21 @@ impl Lexed {
         let kind = match kind {
             TokenKind::BadNumber => {
                 let message = format!("`{word}` is neither a number nor a name");
-                let space = "put a space or an operator before the letters";
                 let found = Diagnostic::error("malformed-number", message, span);
-                self.diagnostics.push(found.note(space));
-                TokenKind::Int
+                let digits = word.trim_end_matches(|c: char| c.is_alphabetic());
+                let marked = matches!(&word[digits.len()..], "f" | "F" | "d" | "l" | "L" | "u");
+                self.diagnostics.push(match marked {
+                    true => found.note("a number has no letter for its type behind it").fix(
+                        format!("write `{digits}`"),
+                        span,
+                        digits,
+                    ),
+                    false => found.note("put a space or an operator before the letters"),
+                });
+                match digits.contains(['.', 'e', 'E']) && marked {
+                    true => TokenKind::Real,
+                    false => TokenKind::Int,
+                }
             }
             TokenKind::Int if word.parse::<i64>().is_err() => {
                 self.too_large(
@@ -211,10 +222,7 @@ fn report_unknown(text: &str, unknown: &[Span], diagnostics: &mut Vec<Diagnostic
         let found = Diagnostic::error("unknown-character", message, span);
         diagnostics.push(match usual(first) {
             Some(usual) => found.note(format!("here it is written `{usual}`")),
-            None => match other_habit(first) {
-                Some(note) => found.note(note),
-                None => found,
-            },
+            None => found,
         });
     }
     if let [_, ..] = unknown.get(MOST_UNKNOWN..).unwrap_or_default() {
@@ -236,30 +244,8 @@ fn shown(character: char) -> String {
 /// What stands on a keyboard for a sign that is typeset.
 fn usual(character: char) -> Option<&'static str> {
     Some(match character {
-        '\u{2192}' => "->",
-        '\u{21D2}' => "=>",
         '\u{2032}' | '\u{2019}' | '\u{2018}' => "'",
         '\u{201C}' | '\u{201D}' => "\"",
-        '\u{2212}' | '\u{2013}' | '\u{2014}' => "-",
-        '\u{00D7}' | '\u{00B7}' | '\u{2217}' => "*",
-        '\u{2264}' => "<=",
-        '\u{2265}' => ">=",
-        '\u{2260}' => "!=",
-        '&' => "and",
-        '!' => "not",
-        '%' => "mod",
-        _ => return None,
-    })
-}
-
-/// How to say here what a character says in other languages.
-fn other_habit(character: char) -> Option<&'static str> {
-    Some(match character {
-        ';' => "a statement ends where the next one begins",
-        '#' => "a comment begins with `//`",
-        '^' => "a power is `pow(x, y)`",
-        '?' => "a choice is `if c { x } else { y }`",
-        '\'' => "a text stands in double quotes",
         _ => return None,
     })
 }

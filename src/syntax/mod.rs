@@ -16,6 +16,8 @@ mod parts;
 
 mod place;
 
+mod habit;
+
 mod parse;
 
 pub use lex::{Comment, CommentKind, Lexed, lex};

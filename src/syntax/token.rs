@@ -45,7 +45,17 @@ macro_rules! token_kinds {
             /// A number grown together with a name: `2x`.
             #[regex(r"[0-9]+(\.[0-9]+)?\p{XID_Start}\p{XID_Continue}*", priority = 4)]
             #[regex(r"[0-9]+(\.[0-9]+)?_\p{XID_Continue}*", priority = 4)]
+            #[regex(r"[0-9]+(\.[0-9]+)?[eE][+-]?[0-9]+\p{XID_Start}\p{XID_Continue}*", priority = 6)]
             BadNumber,
+            /// A sign, a comment, a text or a number of other languages; no rule of the grammar
+            /// takes it.
+            #[regex(r"[;!%^?&∧∨¬≤≥≠×·∗−–—─→⟶➔⇒…∈]|&&", priority = 1)]
+            #[regex(r"#[^\n]*", allow_greedy = true)]
+            #[regex(r"/\*([^*]|\*+[^*/])*\*+/")]
+            #[regex(r"'[^'\r\n]*'")]
+            #[regex(r"“[^”\r\n]*”")]
+            #[regex(r"\.[0-9]+")]
+            Foreign,
             /// `"text"`
             #[regex(r#""([^"\\\r\n]|\\[^\r\n])*""#)]
             Text,
@@ -139,6 +149,7 @@ impl fmt::Display for TokenKind {
             Self::Text | Self::OpenText => f.write_str("a text in quotes"),
             Self::TextHead => f.write_str("a text with values in it"),
             Self::TextMiddle | Self::TextTail => f.write_str("the end of a value in a text"),
+            Self::Foreign => f.write_str("a sign of another language"),
             Self::Comment => f.write_str("a comment"),
             fixed => write!(f, "`{}`", fixed.spelling().unwrap_or_default()),
         }

@@ -1,7 +1,7 @@
 //! One side of an op: the statements of a drawing.
 
 use super::expression::broken_value;
-use super::failure::Phrase;
+use super::failure::{Failure, Mistake, Phrase};
 use super::habit;
 use super::input::{Extra, Rule, Scene, Tokens};
 use super::name::{ident, listed_name, name, word};
@@ -136,17 +136,26 @@ fn edge_statement<'t>() -> Rule<'t, Statement> {
         .then(halfedge())
         .then_ignore(just(T::Bar))
         .then(halfedge())
-        .map_with(|((name, one), other), scene| Statement::Edge {
-            name,
-            halfedges: [one, other],
-            span: scene.span(),
+        .validate(|((name, one), other), scene, emitter| {
+            for halfedge in [&one, &other] {
+                if habit::is_nothing(&halfedge.ident.text) {
+                    emitter.emit(Failure::mistake(Mistake::NoTwin, halfedge.span));
+                }
+            }
+            Statement::Edge { name, halfedges: [one, other], span: scene.span() }
         })
         .boxed()
 }
 
 /// `vertex v: a b *S` or `vertex v: each i { h[i] }`
 fn star_statement<'t>() -> Rule<'t, Star> {
-    let spokes = || spoke().repeated().at_least(1).collect::<Vec<_>>();
+    let next = || just(T::Comma).or_not().ignore_then(spoke()).repeated().collect::<Vec<_>>();
+    let spokes = || {
+        spoke().then(next()).map(|(first, mut spokes)| {
+            spokes.insert(0, first);
+            spokes
+        })
+    };
     let period = each(spokes()).map(|(variable, spokes)| (Some(variable), spokes));
     let run = spokes().map(|spokes| (None, spokes));
     just(T::Vertex)
@@ -168,10 +177,15 @@ fn spoke<'t>() -> Rule<'t, Spoke> {
     choice((listed_name().map(Spoke::Halfedge), named, unnamed)).labelled(Phrase::Spoke).boxed()
 }
 
-/// `new m p q`
+/// `new m p q`, also `new m, p, q`
 fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
     let kind = habit::kind_in_list().repeated();
-    let list = kind.ignore_then(listed_name()).repeated().at_least(1).collect();
+    let name = kind.ignore_then(listed_name()).boxed();
+    let next = just(T::Comma).or_not().ignore_then(name.clone());
+    let list = name.then(next.repeated().collect::<Vec<_>>()).map(|(first, mut list)| {
+        list.insert(0, first);
+        list
+    });
     just(keyword).ignore_then(list).map_with(|names, scene| (names, scene.span())).boxed()
 }
 

@@ -137,6 +137,8 @@ pub(super) enum Mistake {
     KindInList,
     /// The path of a `use` without quotes.
     BarePath,
+    /// `edge e: a | null`: there is no halfedge without a twin.
+    NoTwin,
     /// `rule` beside parts that stand in none.
     RuleAmongParts,
 }

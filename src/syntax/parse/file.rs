@@ -3,16 +3,17 @@
 use super::again::Known;
 use super::cut::cut;
 use super::depth::{DEEPEST, too_deep};
+use super::failure::Failure;
 use super::input::{self, Rule, Source};
 use super::item::item;
-use super::report::{Around, report};
+use super::report::{Around, report_all};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
+use crate::syntax::habit::{Found, Mended, mend, tell};
 use crate::syntax::lex::{Comment, CommentKind, Lexed, lex};
 use crate::syntax::token::Token;
 use crate::syntax::tree::{File, Item};
 use chumsky::Parser;
-use std::ops::Range;
 
 /// What a text says, and what is wrong with it.
 #[derive(Clone, Debug)]
@@ -52,19 +53,26 @@ fn items(
     known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
-    let mut reading = Reading { text, tokens, grammar: &grammar, diagnostics };
+    let mut reading = Reading { text, grammar: &grammar, diagnostics, found: Vec::new() };
     let mut docs = Docs { text, comments, next: 0 };
     let mut items = Vec::new();
     for range in cut(text, tokens) {
         let first = tokens[range.start].span;
         let before = range.start.checked_sub(1).map(|at| tokens[at].span);
-        let docs = docs.of_item(before, first);
         let whole = first.to(tokens[range.end - 1].span);
-        let known = known.item(text, whole);
-        let mut item = known.unwrap_or_else(|| reading.item(range));
-        document(&mut item, docs);
-        items.push(item);
+        if let Some(mut item) = known.item(text, whole) {
+            document(&mut item, docs.of_item(before, first));
+            items.push(item);
+            continue;
+        }
+        let next = tokens.get(range.end).copied();
+        for (first, mut item) in reading.items(&tokens[range], next) {
+            document(&mut item, docs.of_item(before, first));
+            items.push(item);
+        }
     }
+    let told = tell(text, std::mem::take(&mut reading.found));
+    diagnostics.extend(told);
     items
 }
 
@@ -81,39 +89,87 @@ fn file_docs(text: &str, tokens: &[Token], comments: &[Comment]) -> Vec<String> 
 
 struct Reading<'t, 'g> {
     text: &'t str,
-    tokens: &'t [Token],
     grammar: &'g Rule<'t, Item>,
     diagnostics: &'g mut Vec<Diagnostic>,
+    /// What was found in the ways of other languages.
+    found: Vec<Found>,
 }
 
-impl Reading<'_, '_> {
-    fn item(&mut self, range: Range<usize>) -> Item {
-        let inside = &self.tokens[range.clone()];
-        let whole = match inside {
-            [first, .., last] => first.span.to(last.span),
-            [only] => only.span,
-            [] => Span::default(),
-        };
-        if let Some(token) = too_deep(inside) {
+impl<'t> Reading<'t, '_> {
+    /// The items that some tokens are, mostly one, each with the place of its first token.
+    fn items(&mut self, tokens: &'t [Token], next: Option<Token>) -> Vec<(Span, Item)> {
+        let whole = whole(tokens);
+        let first = tokens.first().map_or(whole, |token| token.span);
+        if let Some(token) = too_deep(tokens) {
             let message = format!("this nests deeper than {DEEPEST} levels");
             let found = Diagnostic::error("nesting-too-deep", message, token.span);
             let counted = "open brackets, chained operators, dots and branches all count";
             self.diagnostics.push(found.note(counted));
-            return Item::Broken(whole);
+            return vec![(first, Item::Broken(whole))];
         }
-        let mut source = Source::from(self.text);
-        let input = input::tokens(inside, whole.after());
-        let (item, failures) =
-            self.grammar.parse_with_state(input, &mut source).into_output_errors();
+        let (as_it_is, failures) = read(self.grammar, self.text, tokens);
         if failures.is_empty() {
-            return item.unwrap_or(Item::Broken(whole));
+            return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
         }
-        let next = self.tokens.get(range.end).copied();
-        let around = Around::new(self.text, inside, next);
-        let told = failures.into_iter().map(|failure| report(failure, &around));
-        self.diagnostics.extend(told);
-        item.unwrap_or(Item::Broken(whole))
+        let Mended { tokens: mended, found } = mend(self.text, tokens);
+        if found.is_empty() {
+            let around = Around::new(self.text, tokens, next);
+            self.diagnostics.extend(report_all(failures, &around));
+            return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
+        }
+        let mut items = Vec::new();
+        // What was put into other words does not live as long as the text.
+        let grammar = item();
+        for range in cut(self.text, &mended) {
+            let inside = &mended[range];
+            let here = self::whole(inside);
+            let (item, failures) = match too_deep(inside) {
+                None => read(&grammar, self.text, inside),
+                Some(_) => (None, Vec::new()),
+            };
+            let around = Around::new(self.text, inside, next);
+            let told = report_all(failures, &around).into_iter();
+            self.diagnostics.extend(told.filter(|told| !is_consequence(self.text, told, &found)));
+            items.push((here.before(), item.unwrap_or(Item::Broken(here))));
+        }
+        if items.is_empty() {
+            items.push((first, Item::Broken(whole)));
+        }
+        self.found.extend(found);
+        items
     }
+}
+
+fn read<'t>(
+    grammar: &Rule<'t, Item>,
+    text: &'t str,
+    tokens: &'t [Token],
+) -> (Option<Item>, Vec<Failure>) {
+    let mut source = Source::from(text);
+    let input = input::tokens(tokens, whole(tokens).after());
+    grammar.parse_with_state(input, &mut source).into_output_errors()
+}
+
+fn whole(tokens: &[Token]) -> Span {
+    match tokens {
+        [first, .., last] => first.span.to(last.span),
+        [only] => only.span,
+        [] => Span::default(),
+    }
+}
+
+/// Whether something is wrong only since something else is: on the line of a way of writing
+/// that is foreign, or behind one that leaves open what was meant.
+fn is_consequence(text: &str, told: &Diagnostic, found: &[Found]) -> bool {
+    let at = told.span().start;
+    found.iter().any(|found| {
+        let between = match found.span.start <= at {
+            true => text.get(found.span.start as usize..at as usize),
+            false => text.get(at as usize..found.span.start as usize),
+        };
+        let same_line = between.is_some_and(|between| !between.contains('\n'));
+        same_line || found.ends && found.span.start <= at
+    })
 }
 
 /// Gives doc comments to what they are about. Both lists are in order, so one walk is enough.

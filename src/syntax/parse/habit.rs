@@ -66,6 +66,12 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
             told.note("there are no ranges; `repeat n { … }` does something `n` times")
         }
         T::Colon if failure.wanted.has(T::LeftBrace) => told.note("a block stands in braces"),
+        _ if failure.wanted.has(T::LeftBrace) && failure.wanted.phrases().next().is_none() => {
+            told.note("a block stands in braces: `{ … }`")
+        }
+        _ if failure.wanted.has(T::Else) && is_value_of_if(before) => {
+            told.note("an `if` that is a value says what it is otherwise: `if c { x } else { y }`")
+        }
         T::Arrow if failure.wanted.phrases().any(|phrase| phrase == Phrase::Arrow) => {
             told.note("an arrow has the name of its halfedge: `v0 -a-> v1`")
         }
@@ -108,6 +114,11 @@ pub(super) fn kind_in_list<'t>() -> Rule<'t, ()> {
         emitter.emit(Failure::mistake(Mistake::KindInList, scene.span()));
     })
     .boxed()
+}
+
+/// Whether a word stands elsewhere for what is not there.
+pub(super) fn is_nothing(word: &str) -> bool {
+    matches!(word, "null" | "nullptr" | "None" | "nil" | "NULL" | "Null")
 }
 
 /// Nothing where the type of a parameter should stand: a mistake, and a type without a word.
@@ -189,6 +200,13 @@ fn changed<'t>(before: &[Token], text: &'t str) -> Option<&'t str> {
 /// Whether the last of these tokens is a word behind a dot.
 fn is_field(before: &[Token]) -> bool {
     matches!(before, [.., dot, word] if dot.kind == T::Dot && word.kind.is_wordlike())
+}
+
+/// Whether these tokens end with the block of an `if`.
+fn is_value_of_if(before: &[Token]) -> bool {
+    let mut near = before.iter().rev().take(FARTHEST);
+    near.next().is_some_and(|last| last.kind == T::RightBrace)
+        && near.any(|token| token.kind == T::If)
 }
 
 /// Whether an item should have begun.

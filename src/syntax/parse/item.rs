@@ -10,8 +10,8 @@ use super::recover;
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{
-    Attr, Block, Condition, Expr, Fn, Ident, Item, Op, Param, Rule as Alternative, Script, Side,
-    Steps, Test, Use,
+    Attr, Block, Condition, Expr, Fn, Ident, Item, Name, Op, Param, Rule as Alternative, Script,
+    Side, Steps, Test, Use,
 };
 use chumsky::input::Emitter;
 use chumsky::prelude::*;
@@ -273,7 +273,12 @@ fn condition<'t>(expression: &Rule<'t, Expr>) -> Rule<'t, Condition> {
         .ignore_then(ident())
         .map_with(|level, scene| Condition::Guard { level, span: scene.span() });
     let alias = just(T::Alias)
-        .ignore_then(name().repeated().at_least(2).collect())
+        .ignore_then(name())
+        .then(just(T::Comma).or_not().ignore_then(name()).repeated().at_least(1).collect())
+        .map(|(first, mut names): (Name, Vec<Name>)| {
+            names.insert(0, first);
+            names
+        })
         .map_with(|names, scene| Condition::Alias { names, span: scene.span() });
     choice((require, guard, alias)).boxed()
 }

@@ -52,8 +52,34 @@ fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
     at
 }
 
+/// Tells the failures of an item in words, but not what follows from others: a second one on a
+/// line, a closing brace that is left over, the same again.
+pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnostic> {
+    let mut told: Vec<Diagnostic> = Vec::new();
+    for failure in failures {
+        let is_mistake = failure.mistake.is_some();
+        let leftover = failure.found == Some(T::RightBrace) && wanted(&failure).is_empty();
+        let said = report(failure, around);
+        let follows = told.iter().any(|other| {
+            let same = !said.notes.is_empty()
+                && said.notes == other.notes
+                && said.labels[0].text == other.labels[0].text;
+            leftover || same || same_line(around.text, other.span(), said.span())
+        });
+        if is_mistake || !follows {
+            told.push(said);
+        }
+    }
+    told
+}
+
+fn same_line(text: &str, one: Span, other: Span) -> bool {
+    let (start, end) = (one.start.min(other.start), one.start.max(other.start));
+    text.get(start as usize..end as usize).is_some_and(|between| !between.contains('\n'))
+}
+
 /// Tells a failure in words.
-pub(super) fn report(failure: Failure, around: &Around) -> Diagnostic {
+fn report(failure: Failure, around: &Around) -> Diagnostic {
     match failure.mistake {
         Some(mistake) => mistaken(mistake, failure.span, around.text),
         None => unexpected(failure, around),
@@ -123,6 +149,13 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
             let found = Diagnostic::error("syntax-error", message, span);
             found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are")
         }
+        Mistake::NoTwin => {
+            let message = "every halfedge has a twin";
+            Diagnostic::error("syntax-error", message, span).note(
+                "beyond a boundary lies a hole, drawn `hole f: …`; an edge that is not drawn stays \
+                 as it is",
+            )
+        }
         Mistake::RuleAmongParts => {
             let message = "an op has either rules or drawings of its own";
             let found = Diagnostic::error("misplaced-part", message, span);
@@ -163,7 +196,30 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
         Some(open) if closes => told.label(open.span, "this `{` is not closed"),
         _ => told,
     };
-    told_here(told, &failure, around)
+    let told = told_here(told, &failure, around);
+    match context.filter(|_| told.notes.is_empty() && told.fixes.is_empty()) {
+        Some(context) => form(told, context, around),
+        None => told,
+    }
+}
+
+/// Says how a statement is written that could not be read on.
+fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
+    let at = around.item.partition_point(|token| token.span.start < context.start);
+    let form = match around.item.get(at).map(|token| token.kind) {
+        Some(T::Face) => "a face is drawn `face f: v0 -a-> v1 -b-> v2 =P=> v0`",
+        Some(T::Hole) => "a hole is drawn `hole f: v0 -a-> v1 =P=> v0`",
+        Some(T::Loop) => "a loop is drawn `loop f: v0 -a-> v1 =P=> v0`",
+        Some(T::Edge) => "an edge is a pair of twins: `edge e: a | d`",
+        Some(T::Vertex) => "a vertex has its spokes: `vertex v: a *S b`",
+        Some(T::Attr) => "an attribute is `attr weight: edge real = 0`",
+        Some(T::Op) => "an operation is `op flip(e: edge) { before { … } after { … } }`",
+        Some(T::Fn) => "a function is `fn f(x: real) -> real { … }`",
+        Some(T::Script) => "a script is `script go(n: int = 3) { … }`",
+        Some(T::For) => "a loop is `for v in vertices where … { … }`",
+        _ => return told,
+    };
+    told.note(form)
 }
 
 /// Whether a statement of a drawing stands among the parts of an op.
