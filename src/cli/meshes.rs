@@ -7,13 +7,8 @@ use super::failure::Failure;
 use super::files;
 use super::output::{complain, is_standard, pour};
 use crate::mesh::{
-<<<<<<< HEAD
-    Dump, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers, expect_writable,
-    read_dump, read_mesh, write_mesh,
-=======
-    Dump, Level, Mesh, Obj, Places, WrittenNumbers, expect_writable, read_dump, read_obj, validate,
-    validate_level, write_dump, write_obj, write_obj_to,
->>>>>>> main
+    Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers,
+    expect_writable, read_dump, read_mesh, write_mesh, write_mesh_to,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
@@ -82,35 +77,10 @@ pub(super) fn write(
     encoding: &EncodingArguments,
     blame: impl FnOnce() -> Option<String>,
 ) -> Result<(), Failure> {
-<<<<<<< HEAD
     let shown = path.display();
     let format = format(path)?;
     if format != FileFormat::Obj {
         file.bring_all();
-=======
-    if !is_tables(path) {
-        if !obj.mesh.is_polygons() {
-            let shown = path.display();
-            let other = path.with_extension("halfedges");
-            return Err(Failure::usage(format!(
-                "{shown}: no list of polygons holds this mesh{}{}; write it to `{}`",
-                below_simple(&obj.mesh),
-                blame().map(|blame| format!("; {blame}")).unwrap_or_default(),
-                other.display()
-            )));
-        }
-        if is_standard(path) {
-            let mut bytes = Vec::new();
-            write_obj_to(&mut bytes, obj).map_err(Failure::usage)?;
-            pour(&bytes)?;
-        } else {
-            files::expect_waiting(path);
-            write_obj(path, obj).map_err(Failure::usage)?;
-        }
-        tell_unheld(path, obj);
-        tell_bare(path, obj);
-        return Ok(());
->>>>>>> main
     }
     if let Some(encoding) = encoding.encoding {
         file.encoding = encoding.encoding();
@@ -118,8 +88,19 @@ pub(super) fn write(
     if let Some(version) = encoding.msh {
         file.msh_version = version.version();
     }
-    files::expect_waiting(path);
-    write_mesh(path, file).map_err(|error| match error.reason {
+    let written = if is_standard(path) {
+        let mut bytes = Vec::new();
+        let written = write_mesh_to(&mut bytes, format, file);
+        written.map(|()| bytes).map_err(|reason| FileError {
+            file: path.display().to_string(),
+            line: None,
+            reason,
+        })
+    } else {
+        files::expect_waiting(path);
+        write_mesh(path, file).map(|()| Vec::new())
+    };
+    let bytes = written.map_err(|error| match error.reason {
         FileReason::NotPolygons(_) => {
             let other = path.with_extension("halfedges");
             let blame = blame().map(|blame| format!("; {blame}")).unwrap_or_default();
@@ -127,6 +108,9 @@ pub(super) fn write(
         }
         _ => Failure::usage(error),
     })?;
+    if is_standard(path) {
+        pour(&bytes)?;
+    }
     tell_unheld(path, format, file);
     if format == FileFormat::Obj {
         tell_bare(path, file);
@@ -206,18 +190,10 @@ pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
 
 /// Whether a mesh can: its name tells how it is written.
 pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
-<<<<<<< HEAD
-    format(path)?;
-=======
     if is_standard(path) {
         return Ok(());
     }
-    if !is_tables(path) && !may_be_obj(path) {
-        let shown = path.display();
-        let message = format!("{shown}: a mesh is written as .obj or .halfedges");
-        return Err(Failure::usage(message));
-    }
->>>>>>> main
+    format(path)?;
     expect_place(path)
 }
 
