@@ -155,7 +155,7 @@ mod tests {
     fn what_has_not_moved_is_not_told() {
         let (mut mesh, column) = cube();
         let places = Places::of(&mesh);
-        mesh.set_value(column, 3, Value::Vec2(DVec2::ONE));
+        assert!(mesh.set_value(column, 3, Value::Vec2(DVec2::ONE)));
         assert!(places.displaced(&mesh).is_empty());
         assert!(Places::of(&shape::cube()).corners.is_empty());
     }
@@ -171,8 +171,8 @@ mod tests {
         for (at, &h) in sides.iter().enumerate() {
             mesh.set_vertex(h, corners[(at + 1) % corners.len()]);
         }
-        mesh.set_value(column, sides[0].0, Value::Vec2(DVec2::ONE));
-        mesh.set_value(column, sides[1].0, Value::Vec2(DVec2::ZERO));
+        assert!(mesh.set_value(column, sides[0].0, Value::Vec2(DVec2::ONE)));
+        assert!(mesh.set_value(column, sides[1].0, Value::Vec2(DVec2::ZERO)));
         let told = Displaced { attribute: "uv".into(), kept: 2, defaulted: 1, faces: [1, 6] };
         assert_eq!(places.displaced(&mesh), [told]);
     }

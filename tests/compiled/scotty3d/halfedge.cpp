@@ -136,7 +136,7 @@ std::optional<std::string> Mesh::fault() const {
   for (const Face& f : faces) {
     auto seen = cycle(f.halfedge, [](HalfedgeRef h) { return h->next; });
     if (seen != of_face[&f]) return "the sides of a face are not one loop";
-    if (seen.size() < (f.boundary ? 2u : 3u)) return "a face with fewer than three sides";
+    if (seen.size() < 3) return "a face with fewer than three sides";
     std::set<const Vertex*> corners;
     std::set<const Edge*> sides;
     for (const Halfedge* h : seen) {
