@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use hedgerow::analysis::{Analysis, RuleVerdict, verdicts};
 use hedgerow::check::Change;
 use hedgerow::diagram::{Naming, Op, Rule, Type, Unrolled};
-use hedgerow::mesh::{ElementKind, FaceId, Mesh, VertexId, read_obj, shape, validate};
+use hedgerow::mesh::{ElementKind, FaceId, Mesh, VertexId, read_mesh, shape, validate};
 use hedgerow::rewrite::{Machine, Outcome, Phase, Plan};
 use hedgerow::source::Sources;
 
@@ -376,7 +376,7 @@ fn ops_do_what_is_drawn_on_the_teapot() {
 /// Every edge of a large mesh; of two parameters, every pair of halfedges of each face and
 /// hole of few sides.
 fn large(path: &str) {
-    let original = read_obj(&folder(path)).expect("a mesh").mesh;
+    let original = read_mesh(&folder(path), None).expect("a mesh").mesh;
     let validate_every = if std::env::var_os("HEDGEROW_EVERYWHERE").is_some() { 1 } else { 16 };
     let mut tallies = BTreeMap::new();
     let mut mesh = original.clone();

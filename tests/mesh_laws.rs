@@ -173,7 +173,8 @@ fn a_lone_edge_is_only_a_map() {
         mesh.set_hole(face, true);
     }
     let reason = below(&mesh, Level::Surface);
-    assert_eq!(reason, BelowLevel::NoFaceAround { vertex: VertexId(0) });
+    let holes = [FaceId(0), FaceId(1)];
+    assert_eq!(reason, BelowLevel::Pinched { vertex: VertexId(0), holes });
 }
 
 #[test]

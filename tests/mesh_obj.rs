@@ -4,18 +4,23 @@ use std::path::Path;
 
 use glam::DVec3;
 use hedgerow::mesh::{
-    ElementKind, FaceId, HalfedgeId, Level, Mesh, Obj, VertexId, equal_up_to_renumbering,
-    identical, read_obj, read_obj_from, shape, validate, validate_level, write_obj, write_obj_to,
+    ElementKind, FaceId, FileError, FileFormat, HalfedgeId, Level, Mesh, MeshFile, VertexId,
+    equal_up_to_renumbering, identical, read_mesh, read_mesh_from, shape, validate, validate_level,
+    write_mesh, write_mesh_to,
 };
 use proptest::prelude::*;
 
-fn read(text: &str) -> Obj {
-    read_obj_from("t.obj", text.as_bytes()).unwrap()
+fn read(text: &str) -> MeshFile {
+    read_bytes(text.as_bytes()).unwrap()
 }
 
-fn text(obj: &Obj) -> String {
+fn read_bytes(bytes: &[u8]) -> Result<MeshFile, FileError> {
+    read_mesh_from("t.obj", FileFormat::Obj, bytes, None)
+}
+
+fn text(obj: &MeshFile) -> String {
     let mut bytes = Vec::new();
-    write_obj_to(&mut bytes, obj).unwrap();
+    write_mesh_to(&mut bytes, FileFormat::Obj, obj).unwrap();
     String::from_utf8(bytes).unwrap()
 }
 
@@ -27,7 +32,7 @@ fn corners(mesh: &Mesh, f: u32) -> Vec<u32> {
 fn example_meshes_make_the_round_trip() {
     for name in ["bunny", "teapot"] {
         let path = format!("{}/examples/meshes/{name}.obj", env!("CARGO_MANIFEST_DIR"));
-        let first = read_obj(Path::new(&path)).unwrap();
+        let first = read_mesh(Path::new(&path), None).unwrap();
         validate(&first.mesh).unwrap();
         let original = std::fs::read_to_string(&path).unwrap();
         let lines = |key: &str| original.lines().filter(|line| line.starts_with(key)).count();
@@ -74,7 +79,7 @@ fn malformed_files_are_refused_in_words() {
             "T\nvt 0 0\nf 1/1 2/1 3/2\n",
             "5: there is no texture coordinate 2: the file has 1 texture coordinate",
         ),
-        ("T\nf 1//1 2//1 3//1\n", "4: there is no normal 1: the file has 0 normals"),
+        ("T\nf 1//1 2 3\n", "4: there is no normal 1: the file has 0 normals"),
         ("T\n#\nf 1 2\n", "5: a face needs 3 corners or more, and this has 2 corners"),
         ("T\nf\n", "4: a face needs 3 corners or more, and this has 0 corners"),
         ("T\nf 1 2 2\n", "4: the face has vertex 2 as a corner twice"),
@@ -93,10 +98,10 @@ fn malformed_files_are_refused_in_words() {
     ];
     for (file, words) in cases {
         let file = file.replace("T\n", TRIANGLE);
-        let error = read_obj_from("t.obj", file.as_bytes()).unwrap_err();
+        let error = read_bytes(file.as_bytes()).unwrap_err();
         assert_eq!(error.to_string(), format!("t.obj:{words}"), "{file}");
     }
-    let error = read_obj(Path::new("/nowhere/at/all.obj")).unwrap_err();
+    let error = read_mesh(Path::new("/nowhere/at/all.obj"), None).unwrap_err();
     assert!(error.to_string().starts_with("/nowhere/at/all.obj: "));
 }
 
@@ -110,7 +115,7 @@ fn all_that_is_legal_is_read() {
         o second thing\nusemtl red\nl 1 2\np 1\n\
         v 0 1 0\ns 1\nf 1 3 4 5 6 7\n\
         v 0 .5 0\nv 0 +2.5e-1 0\nv 5 5 5\nv 9 9 9\n";
-    let obj = read_obj_from("t.obj", &file[..]).unwrap();
+    let obj = read_bytes(&file[..]).unwrap();
     validate(&obj.mesh).unwrap();
     assert_eq!((obj.mesh.vertex_count(), obj.mesh.face_count()), (8, 2));
     assert_eq!(corners(&obj.mesh, 0), [0, 1, 2]);
@@ -120,7 +125,7 @@ fn all_that_is_legal_is_read() {
     assert_eq!(obj.mesh.position(VertexId(7)), DVec3::splat(9.0));
     assert!(obj.mesh.vertex_halfedge(VertexId(7)).is_none());
     let expected = "mtllib a b.mtl\n\
-        v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0.5 0\nv 0 0.25 0\nv 5 5 5\nv 9 9 9\n\
+        v 0 0 0\nv 1 0 0 0.5\nv 1 1 0\nv 0 1 0\nv 0 0.5 0\nv 0 0.25 0\nv 5 5 5\nv 9 9 9\n\
         g left\nf 1 2 3\no second thing\nusemtl red\ns 1\nf 1 3 4 5 6 7\n";
     assert_eq!(text(&obj), expected);
     assert_eq!(text(&read(expected)), expected);
@@ -150,7 +155,7 @@ fn groups_do_not_tear_and_are_kept() {
 }
 
 #[test]
-fn colors_are_kept_when_all_vertices_have_one() {
+fn colors_are_kept_and_vertices_without_are_white() {
     let file = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
     let mut obj = read(file);
     assert_eq!(text(&obj), file);
@@ -159,7 +164,9 @@ fn colors_are_kept_when_all_vertices_have_one() {
     obj.mesh.add_vertex();
     assert!(text(&obj).contains("v 0 0 0 1 1 1\n"));
     let some = "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
-    assert_eq!(text(&read(some)), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let white = "v 0 0 0 1 0 0\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0.5\nf 1 2 3\n";
+    assert_eq!(text(&read(some)), white);
+    assert_eq!(read(some).losses(), ["1 vertices without a colour, which are white now"]);
 }
 
 #[test]
@@ -184,8 +191,13 @@ fn corners_keep_texture_and_normals() {
     assert_eq!(rows, [0, 1, 0, 2, 1, 0]);
     // A halfedge that starts elsewhere is no longer that corner.
     let mut obj = read(&format!("{TRIANGLE}v 1 1 0\nvt 0\nf 1/1 2/1 3/1\nf 2/1 4/1 3/1\n"));
-    obj.mesh.set_vertex(HalfedgeId(4), VertexId(0));
-    assert!(text(&obj).ends_with("f 1/1 2/1 3/1\nf 2 1 3\n"));
+    let old = VertexId(1);
+    let spokes: Vec<_> = obj.mesh.spokes(old).collect();
+    let new = obj.mesh.add_vertex();
+    spokes.iter().for_each(|&h| obj.mesh.set_vertex(h, new));
+    obj.mesh.set_vertex_halfedge(new, spokes[0]);
+    obj.mesh.set_vertex_halfedge(old, HalfedgeId::NONE);
+    assert!(text(&obj).ends_with("f 1 5 3\nf 5 4 3\n"));
 }
 
 #[test]
@@ -229,7 +241,7 @@ fn new_faces_come_last_and_take_after_their_neighbors() {
 
 #[test]
 fn a_mesh_from_nowhere_is_written_in_order() {
-    let obj = Obj::from_mesh(shape::single_polygon(3));
+    let obj = MeshFile::from_mesh(shape::single_polygon(3));
     assert!(text(&obj).ends_with("f 1 2 3\n"));
     assert!(equal_up_to_renumbering(&read(&text(&obj)).mesh, &obj.mesh));
 }
@@ -241,7 +253,7 @@ fn what_is_no_place_is_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.obj");
     std::fs::write(&path, "before").unwrap();
-    let error = write_obj(&path, &obj).unwrap_err().to_string();
+    let error = write_mesh(&path, &obj).unwrap_err().to_string();
     assert!(error.ends_with("a.obj: vertex 2 has a coordinate that is not a finite number"));
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "before");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
@@ -251,9 +263,9 @@ fn what_is_no_place_is_not_written() {
 fn a_missing_folder_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("gone").join("a.obj");
-    let error = write_obj(&path, &read(TRIANGLE)).unwrap_err().to_string();
+    let error = write_mesh(&path, &read(TRIANGLE)).unwrap_err().to_string();
     assert!(error.contains("gone` does not exist"), "{error}");
-    assert!(write_obj(folder.path(), &read(TRIANGLE)).is_err());
+    assert!(write_mesh(folder.path(), &read(TRIANGLE)).is_err());
 }
 
 #[cfg(unix)]
@@ -264,27 +276,27 @@ fn modes_and_links_are_respected() {
     let mode = |path: &Path| std::fs::metadata(path).unwrap().permissions().mode() & 0o777;
     let obj = read(TRIANGLE);
     let (new, plain) = (folder.path().join("new.obj"), folder.path().join("plain"));
-    write_obj(&new, &obj).unwrap();
+    write_mesh(&new, &obj).unwrap();
     std::fs::write(&plain, "").unwrap();
     assert_eq!(mode(&new), mode(&plain));
     std::fs::set_permissions(&new, std::fs::Permissions::from_mode(0o640)).unwrap();
     let link = folder.path().join("link.obj");
     symlink("new.obj", &link).unwrap();
     let bigger = read(&format!("{TRIANGLE}v 4 4 4\n"));
-    write_obj(&link, &bigger).unwrap();
+    write_mesh(&link, &bigger).unwrap();
     assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
     assert_eq!(std::fs::read_to_string(&new).unwrap(), text(&bigger));
     assert_eq!(mode(&new), 0o640);
     let dangling = folder.path().join("dangling.obj");
     symlink("later.obj", &dangling).unwrap();
-    write_obj(&dangling, &obj).unwrap();
+    write_mesh(&dangling, &obj).unwrap();
     assert_eq!(std::fs::read_to_string(folder.path().join("later.obj")).unwrap(), text(&obj));
 }
 
 proptest! {
     #[test]
     fn any_bytes_are_answered(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
-        let _ = read_obj_from("t.obj", &bytes[..]);
+        let _ = read_bytes(&bytes[..]);
     }
 
     /// Lines that look like a file, so that the far ends are reached.
@@ -294,10 +306,10 @@ proptest! {
         0..25,
     )) {
         let start = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 1\nvt 0 0\nvn 0 0 1\n".to_owned();
-        if let Ok(obj) = read_obj_from("t.obj", (start + &lines.join("\n")).as_bytes()) {
+        if let Ok(obj) = read_bytes((start + &lines.join("\n")).as_bytes()) {
             prop_assert_eq!(validate(&obj.mesh), Ok(()));
             let written = text(&obj);
-            let again = read_obj_from("t.obj", written.as_bytes()).unwrap();
+            let again = read_bytes(written.as_bytes()).unwrap();
             prop_assert!(identical(&obj.mesh, &again.mesh) || written.contains("vt") || written.contains("vn"));
             prop_assert!(equal_up_to_renumbering(&obj.mesh, &again.mesh));
             prop_assert_eq!(text(&again), written);

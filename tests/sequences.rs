@@ -10,7 +10,7 @@ use std::path::Path;
 
 use dice::Dice;
 use hedgerow::analysis::{Analysis, Nowhere};
-use hedgerow::mesh::{Level, Mesh, read_obj, shape, validate, validate_level};
+use hedgerow::mesh::{Level, Mesh, read_mesh, shape, validate, validate_level};
 use hedgerow::rewrite::Unwatched;
 use hedgerow::run::{prepare, run};
 use hedgerow::source::Sources;
@@ -49,7 +49,7 @@ const TO_QUADS: [&str; 2] = ["catmull_clark(1)", "linear_quads(1)"];
 
 fn load(name: &str) -> Mesh {
     let path = format!("{}/examples/meshes/{name}.obj", env!("CARGO_MANIFEST_DIR"));
-    read_obj(Path::new(&path)).unwrap().mesh
+    read_mesh(Path::new(&path), None).unwrap().mesh
 }
 
 fn begin(dice: &mut Dice, long: bool) -> (String, Mesh) {

@@ -13,7 +13,8 @@ use super::program::settings;
 use super::program::{self, Program};
 use crate::diagram::{Param, Type};
 use crate::mesh::{
-    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, Obj, Places, VertexId, WrittenNumbers,
+    EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, Places, RepairReport, VertexId,
+    WrittenNumbers,
 };
 use crate::rewrite::Plan;
 use crate::run::{self, Applied, Argument};
@@ -32,7 +33,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
         return Err(Failure::NotProved);
     };
     meshes::expect_mesh(&arguments.output)?;
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let values = values(&program, op, arguments, &mut obj)?;
     let attributes = run::attributes(&program.analysis.program, op, &program.analysis.plans);
     for (kind, name, default) in &attributes {
@@ -49,7 +50,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     match applied {
         Applied::Done { result, created } => {
             let blame = || program::blame(&program, [plan.name.as_str()]);
-            meshes::write(&arguments.output, &mut obj, blame)?;
+            meshes::write(&arguments.output, &mut obj, &arguments.encoding, blame)?;
             meshes::tell_displaced(&arguments.output, &places, &obj.mesh);
             let numbers = meshes::numbers(&arguments.output, &obj);
             let name = |(kind, id)| element(&obj.mesh, &numbers, kind, id);
@@ -58,6 +59,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
                 created: created.iter().filter_map(|&new| name(new)).collect(),
                 applied: true,
                 after: Counts::of(&obj.mesh),
+                repaired: obj.repaired,
                 ..Report::nothing(plan, before)
             };
             match (arguments.format, is_standard(&arguments.output)) {
@@ -72,6 +74,7 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
             if arguments.format == Format::Json {
                 say_json(&Report {
                     refused: Some(reason.clone()),
+                    repaired: obj.repaired,
                     ..Report::nothing(plan, before)
                 })?;
             }
@@ -85,7 +88,7 @@ fn values(
     program: &Program,
     op: usize,
     arguments: &ApplyArguments,
-    obj: &mut Obj,
+    obj: &mut MeshFile,
 ) -> Result<Vec<(String, Argument)>, Failure> {
     let params = &program.analysis.program.ops[op].params;
     let mut texts = settings(&arguments.set)?;
@@ -188,6 +191,8 @@ struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     result: Option<String>,
     created: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    repaired: Option<RepairReport>,
     before: Counts,
     after: Counts,
 }
@@ -201,6 +206,7 @@ impl Report {
             refused: None,
             result: None,
             created: Vec::new(),
+            repaired: None,
             before,
             after: before,
         }

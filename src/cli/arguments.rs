@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::mesh::Level;
+use crate::mesh::{Encoding, Level, MshVersion};
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
@@ -91,10 +91,12 @@ pub(super) struct RunArguments {
     /// A program, and the script in it if there are several
     #[arg(value_name = "FILE[::SCRIPT]")]
     pub script: String,
-    /// The mesh to run it on (.obj, .halfedges)
+    /// The mesh to run it on (.obj, .ply, .stl, .off, .msh or
+    /// .halfedges)
+    #[arg(verbatim_doc_comment)]
     pub mesh: PathBuf,
-    /// Where to write the result (.obj, .halfedges); without it the
-    /// script may still print and be looked at
+    /// Where to write the result, in one of these formats; without
+    /// it the script may still print and be looked at
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     pub output: Option<PathBuf>,
     /// Where to write a picture of the result (.png or .svg)
@@ -116,6 +118,10 @@ pub(super) struct RunArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub repair: RepairArguments,
+    #[command(flatten)]
+    pub encoding: EncodingArguments,
 }
 
 #[derive(Debug, Args)]
@@ -123,7 +129,7 @@ pub(super) struct ApplyArguments {
     /// A program and an operation in it
     #[arg(value_name = "FILE::OP")]
     pub op: String,
-    /// The mesh (.obj, .halfedges)
+    /// The mesh (.obj, .ply, .stl, .off, .msh or .halfedges)
     pub mesh: PathBuf,
     /// An element: edge:A-B, halfedge:A-B, vertex:A or face:N,
     /// with the numbers of the file (from 1 in .obj, ids in
@@ -135,12 +141,16 @@ pub(super) struct ApplyArguments {
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Where to write the result (.obj, .halfedges)
+    /// Where to write the result, in one of these formats
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub repair: RepairArguments,
+    #[command(flatten)]
+    pub encoding: EncodingArguments,
 }
 
 #[derive(Debug, Args)]
@@ -184,7 +194,9 @@ pub(super) enum Shown {
 
 #[derive(Debug, Args)]
 pub(super) struct InfoArguments {
-    /// The mesh (.obj), or tables of halfedges (.halfedges)
+    /// The mesh (.obj, .ply, .stl, .off, .msh), or tables of
+    /// halfedges (.halfedges)
+    #[arg(verbatim_doc_comment)]
     pub mesh: PathBuf,
     /// Only tell whether the mesh is of this level; exit code 1 if not
     #[arg(long, value_enum, value_name = "LEVEL")]
@@ -192,6 +204,85 @@ pub(super) struct InfoArguments {
     /// What the answer looks like
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub repair: RepairArguments,
+}
+
+/// What is mended of a mesh that is none.
+#[derive(Debug, Default, Args)]
+pub(super) struct RepairArguments {
+    /// Make a mesh of faces that are none: drop
+    /// degenerate and doubled ones, turn neighbours
+    /// to run alike, cut where three meet at an edge,
+    /// split pinched vertices; says what it did
+    #[arg(long, verbatim_doc_comment)]
+    pub repair: bool,
+    /// First make one vertex of those that lie no
+    /// farther apart, with 0 of equal ones; repairs
+    /// what comes of it
+    #[arg(long, value_name = "DISTANCE", value_parser = distance, verbatim_doc_comment)]
+    pub merge: Option<f64>,
+}
+
+fn distance(text: &str) -> Result<f64, String> {
+    let distance =
+        text.parse().ok().filter(|distance: &f64| distance.is_finite() && *distance >= 0.0);
+    distance.ok_or_else(|| "a distance is a number from 0 on".to_owned())
+}
+
+/// How the numbers of a file are written, where its format leaves a choice.
+#[derive(Debug, Default, Args)]
+pub(super) struct EncodingArguments {
+    /// How numbers of .ply and .stl are written, if
+    /// not as they were read
+    #[arg(long, value_enum, value_name = "KIND", verbatim_doc_comment)]
+    pub encoding: Option<EncodingName>,
+    /// The version of .msh, if not that which was read
+    #[arg(long, value_enum, value_name = "VERSION")]
+    pub msh: Option<MshName>,
+}
+
+/// An encoding, as it is said on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum EncodingName {
+    /// As text
+    Ascii,
+    /// As bytes
+    Binary,
+    /// As bytes, the highest first (.ply alone)
+    BigEndian,
+}
+
+impl EncodingName {
+    /// The encoding.
+    pub fn encoding(self) -> Encoding {
+        match self {
+            Self::Ascii => Encoding::Ascii,
+            Self::Binary => Encoding::LittleEndian,
+            Self::BigEndian => Encoding::BigEndian,
+        }
+    }
+}
+
+/// A version of Gmsh files, as it is said on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum MshName {
+    /// Version 2.2
+    #[value(name = "2.2")]
+    V2,
+    /// Version 4.1
+    #[value(name = "4.1")]
+    V4,
+}
+
+impl MshName {
+    /// The version.
+    pub fn version(self) -> MshVersion {
+        match self {
+            Self::V2 => MshVersion::V2,
+            Self::V4 => MshVersion::V4,
+        }
+    }
 }
 
 /// A level of mesh, as it is said on the command line.
@@ -259,7 +350,7 @@ pub(super) struct LspArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ViewArguments {
-    /// The mesh (.obj, .halfedges)
+    /// The mesh (.obj, .ply, .stl, .off, .msh or .halfedges)
     pub mesh: PathBuf,
     /// Where to write the picture (.png or .svg)
     #[arg(short, long)]
@@ -273,6 +364,8 @@ pub(super) struct ViewArguments {
     /// An attribute to show in colour: NAME, or vertex.NAME
     #[arg(long, value_name = "NAME")]
     pub attribute: Option<String>,
+    #[command(flatten)]
+    pub repair: RepairArguments,
 }
 
 #[derive(Debug, Args)]

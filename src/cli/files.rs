@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::interrupt;
 use super::meshes::expect_place;
 use super::output::{is_standard, pour};
-use crate::mesh::{ObjReason, replace_file};
+use crate::mesh::{FileReason, replace_file};
 
 /// Writes a file.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
@@ -15,7 +15,7 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     }
     expect_place(path)?;
     expect_waiting(path);
-    replace_file(path, |output| output.write_all(bytes).map_err(ObjReason::Io))
+    replace_file(path, |output| output.write_all(bytes).map_err(FileReason::Io))
         .map_err(|reason| Failure::usage(format!("{}: {reason}", path.display())))
 }
 

@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::output::{complain, complain_of};
 use crate::analysis::{program_text, read_program};
 use crate::format::{Formatted, format};
-use crate::mesh::{ObjReason, replace_file};
+use crate::mesh::{FileReason, replace_file};
 use crate::source::Sources;
 
 /// What a file is called that comes from standard input.
@@ -94,6 +94,6 @@ fn is_as_it_should(text: &str, formatted: &Formatted, name: &str) -> bool {
 }
 
 /// Puts a text in the place of a file, whole or not at all; its permissions stay.
-fn replace(path: &Path, text: &str) -> Result<(), ObjReason> {
-    replace_file(path, |output| output.write_all(text.as_bytes()).map_err(ObjReason::Io))
+fn replace(path: &Path, text: &str) -> Result<(), FileReason> {
+    replace_file(path, |output| output.write_all(text.as_bytes()).map_err(FileReason::Io))
 }

@@ -9,7 +9,8 @@ use super::failure::Failure;
 use super::meshes;
 use super::output::{say, say_json, table};
 use crate::mesh::{
-    AttributeSummary, Bin, Element, Lengths, Level, Measures, Mesh, Summary, validate_level,
+    AttributeSummary, Bin, Element, Lengths, Level, Measures, Mesh, RepairReport, Summary,
+    validate_level,
 };
 
 /// How many bars of a histogram are shown.
@@ -24,14 +25,14 @@ pub(super) fn info(arguments: &InfoArguments) -> Result<(), Failure> {
     if meshes::is_tables(&arguments.mesh) {
         return describe_dump(&shown, arguments);
     }
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     obj.bring_all();
     if let Some(level) = arguments.level {
         return tell_level(arguments, &obj.mesh, level.level());
     }
     let summary = Summary::of(&obj.mesh);
     match arguments.format {
-        Format::Json => say_json(&summary),
+        Format::Json => say_json(&InfoReport { summary: &summary, repaired: obj.repaired }),
         Format::Human => {
             say(&show(&shown, &summary));
             Ok(())
@@ -81,6 +82,14 @@ fn stands_for((name, elements): &(String, Vec<Element>)) -> (&str, String) {
         }
     };
     (name, words)
+}
+
+#[derive(Serialize)]
+struct InfoReport<'s> {
+    #[serde(flatten)]
+    summary: &'s Summary,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    repaired: Option<RepairReport>,
 }
 
 #[derive(Serialize)]

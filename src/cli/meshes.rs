@@ -1,41 +1,51 @@
-//! Meshes from files, and the files they go to: OBJ, or tables (`.halfedges`).
+//! Meshes from files, and the files they go to.
 
 use std::path::Path;
 
+use super::arguments::{EncodingArguments, RepairArguments};
 use super::failure::Failure;
 use super::files;
 use super::output::{complain, is_standard, pour};
 use crate::mesh::{
-    Dump, Level, Mesh, Obj, Places, WrittenNumbers, expect_writable, read_dump, read_obj, validate,
-    validate_level, write_dump, write_obj, write_obj_to,
+    Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers,
+    expect_writable, read_dump, read_mesh, write_mesh, write_mesh_to,
 };
 
 /// Whether a file holds tables of halfedges, by its name.
 pub(super) fn is_tables(path: &Path) -> bool {
-    path.extension().is_some_and(|end| end == "halfedges")
+    FileFormat::of(path).is_ok_and(|format| format == FileFormat::Halfedges)
 }
 
-/// Whether a file can hold an OBJ mesh, by its name; one without an ending can.
-fn may_be_obj(path: &Path) -> bool {
-    let mut end = path.extension().into_iter();
-    end.all(|end| end.eq_ignore_ascii_case("obj"))
-}
-
-/// Reads a mesh. A file without a vertex is taken for something else.
-pub(super) fn read(path: &Path) -> Result<Obj, Failure> {
+/// Reads a mesh, repairing it if that is asked for. A file without a vertex is taken for
+/// something else.
+pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile, Failure> {
+    let file = read_mesh(path, arguments.repair()).map_err(|error| match error.is_mendable() {
+        true => {
+            let help = "`--repair` cuts, turns and drops what it must, and says what it did";
+            let gap = if error.to_string().contains('\n') { "\n  " } else { "; " };
+            Failure::usage(format!("{error}{gap}{help}"))
+        }
+        false => Failure::usage(error),
+    })?;
     let shown = path.display();
-    if is_tables(path) {
-        let mesh = only_table(path, read_tables(path)?)?;
-        validate(&mesh)
-            .map_err(|law| Failure::usage(format!("{shown}: this is no valid mesh: {law}")))?;
-        return Ok(Obj::from_tables(mesh));
+    if file.mesh.vertex_count() == 0 {
+        let message = match FileFormat::of(path) {
+            Ok(FileFormat::Obj) => "there is no vertex in it: is it an OBJ file?",
+            _ => "there is no vertex in it",
+        };
+        return Err(Failure::usage(format!("{shown}: {message}")));
     }
-    let obj = read_obj(path).map_err(Failure::usage)?;
-    if obj.mesh.vertex_count() == 0 {
-        let message = format!("{shown}: there is no vertex in it: is it an OBJ file?");
-        return Err(Failure::usage(message));
+    if let Some(report) = file.repaired.filter(|report| report.is_changed()) {
+        complain(&format!("{shown}: repaired: {}", report.steps().join(", ")));
     }
-    Ok(obj)
+    Ok(file)
+}
+
+impl RepairArguments {
+    /// The repairs that are asked for.
+    fn repair(&self) -> Option<Repair> {
+        (self.repair || self.merge.is_some()).then_some(Repair { merge: self.merge })
+    }
 }
 
 /// Reads tables as they stand, whether they are meshes or not.
@@ -63,65 +73,75 @@ pub(super) fn only_table(path: &Path, mut dump: Dump) -> Result<Mesh, Failure> {
 /// a mesh that no list of polygons holds.
 pub(super) fn write(
     path: &Path,
-    obj: &mut Obj,
+    file: &mut MeshFile,
+    encoding: &EncodingArguments,
     blame: impl FnOnce() -> Option<String>,
 ) -> Result<(), Failure> {
-    if !is_tables(path) {
-        if !obj.mesh.is_polygons() {
-            let shown = path.display();
-            let other = path.with_extension("halfedges");
-            return Err(Failure::usage(format!(
-                "{shown}: no list of polygons holds this mesh{}{}; write it to `{}`",
-                below_simple(&obj.mesh),
-                blame().map(|blame| format!("; {blame}")).unwrap_or_default(),
-                other.display()
-            )));
-        }
-        if is_standard(path) {
-            let mut bytes = Vec::new();
-            write_obj_to(&mut bytes, obj).map_err(Failure::usage)?;
-            pour(&bytes)?;
-        } else {
-            files::expect_waiting(path);
-            write_obj(path, obj).map_err(Failure::usage)?;
-        }
-        tell_unheld(path, obj);
-        tell_bare(path, obj);
-        return Ok(());
+    let shown = path.display();
+    let format = format(path)?;
+    if format != FileFormat::Obj {
+        file.bring_all();
     }
-    obj.bring_all();
-    let tables = Dump { meshes: vec![("mesh".into(), obj.mesh.clone())], ..Dump::default() };
-    files::write(path, write_dump(&tables).as_bytes())?;
-    if obj.has_groups() {
-        let shown = path.display();
+    if let Some(encoding) = encoding.encoding {
+        file.encoding = encoding.encoding();
+    }
+    if let Some(version) = encoding.msh {
+        file.msh_version = version.version();
+    }
+    let written = if is_standard(path) {
+        let mut bytes = Vec::new();
+        let written = write_mesh_to(&mut bytes, format, file);
+        written.map(|()| bytes).map_err(|reason| FileError {
+            file: path.display().to_string(),
+            line: None,
+            reason,
+        })
+    } else {
+        files::expect_waiting(path);
+        write_mesh(path, file).map(|()| Vec::new())
+    };
+    let bytes = written.map_err(|error| match error.reason {
+        FileReason::NotPolygons(_) => {
+            let other = path.with_extension("halfedges");
+            let blame = blame().map(|blame| format!("; {blame}")).unwrap_or_default();
+            Failure::usage(format!("{error}{blame}; write it to `{}`", other.display()))
+        }
+        _ => Failure::usage(error),
+    })?;
+    if is_standard(path) {
+        pour(&bytes)?;
+    }
+    tell_unheld(path, format, file);
+    if format == FileFormat::Obj {
+        tell_bare(path, file);
+    }
+    if file.loses_groups(format) {
         complain(&format!(
-            "warning: {shown} cannot hold the groups and materials of the mesh; an .obj file can"
+            "warning: {shown} cannot hold the groups and materials of the mesh; an .obj or .ply \
+             file can"
         ));
+    }
+    for loss in file.losses() {
+        complain(&format!("warning: {shown}: of the mesh that was read: {loss}"));
     }
     Ok(())
 }
 
-/// Why a mesh is not of level simple, in words.
-fn below_simple(mesh: &Mesh) -> String {
-    let level = validate_level(mesh, Level::Simple);
-    level.map_or_else(|below| format!(", since {below}"), |()| String::new())
-}
-
-/// Says which attributes an OBJ file has no place for.
-fn tell_unheld(path: &Path, obj: &Obj) {
-    let unheld = obj.unheld().into_iter();
+/// Says which attributes a file has no place for.
+fn tell_unheld(path: &Path, format: FileFormat, file: &MeshFile) {
+    let unheld = file.unheld(format).into_iter();
     let told: Vec<_> = unheld.map(|(kind, name, ty)| format!("`{name}` ({kind} {ty})")).collect();
     if !told.is_empty() {
         let (shown, told) = (path.display(), told.join(", "));
-        complain(&format!("warning: {shown} cannot hold {told}; a .halfedges file can"));
+        complain(&format!("warning: {shown} cannot hold {told}; a .ply or .halfedges file can"));
     }
 }
 
-/// Says what of the file that was read is not in the one that was written.
-fn tell_bare(path: &Path, obj: &Obj) {
+/// Says which corners of the file that was read have lost what they had.
+fn tell_bare(path: &Path, file: &MeshFile) {
     let shown = path.display();
     let kinds = ["texture coordinates (`vt`)", "normals (`vn`)"];
-    for (count, kind) in obj.bare_faces().into_iter().zip(kinds) {
+    for (count, kind) in file.bare_faces().into_iter().zip(kinds) {
         if count > 0 {
             let (faces, have) = if count == 1 { ("face", "has") } else { ("faces", "have") };
             complain(&format!(
@@ -129,15 +149,12 @@ fn tell_bare(path: &Path, obj: &Obj) {
             ));
         }
     }
-    let words = obj.passed_over();
-    if !words.is_empty() {
-        let words: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
-        complain(&format!(
-            "warning: {shown}: what the mesh that was read says with {} is not in it: a mesh has \
-             vertices and faces",
-            words.join(", ")
-        ));
-    }
+}
+
+/// The format of a file, by its name.
+fn format(path: &Path) -> Result<FileFormat, Failure> {
+    let shown = path.display();
+    FileFormat::of(path).map_err(|reason| Failure::usage(format!("{shown}: {reason}")))
 }
 
 /// Says which attributes of corners are not those of their corners any more.
@@ -164,10 +181,10 @@ pub(super) fn tell_displaced(path: &Path, places: &Places, mesh: &Mesh) {
 }
 
 /// The numbers that elements have in a file of this name.
-pub(super) fn numbers(path: &Path, obj: &Obj) -> WrittenNumbers {
+pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
     match is_tables(path) {
-        true => WrittenNumbers::of_tables(&obj.mesh),
-        false => obj.written_numbers(),
+        true => WrittenNumbers::of_tables(&file.mesh),
+        false => file.written_numbers(),
     }
 }
 
@@ -176,11 +193,7 @@ pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
     if is_standard(path) {
         return Ok(());
     }
-    if !is_tables(path) && !may_be_obj(path) {
-        let shown = path.display();
-        let message = format!("{shown}: a mesh is written as .obj or .halfedges");
-        return Err(Failure::usage(message));
-    }
+    format(path)?;
     expect_place(path)
 }
 

@@ -5,7 +5,7 @@
 //! the file, `edge:3-7#2`; without one the first is meant, and that there are others is said.
 
 use crate::diagram::Type;
-use crate::mesh::{EdgeId, FaceId, HalfedgeId, Obj, VertexId};
+use crate::mesh::{EdgeId, FaceId, HalfedgeId, MeshFile, VertexId};
 
 /// An element by the numbers of its file: from 1 in OBJ files, ids in tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +92,7 @@ impl Place {
     /// The element on a mesh.
     ///
     /// At an edge `A-B` this also makes the halfedge from `A` to `B` the edge's `halfedge`.
-    pub fn find(self, obj: &mut Obj) -> Result<Found, String> {
+    pub fn find(self, obj: &mut MeshFile) -> Result<Found, String> {
         let alone = |id| Ok(Found { id, note: None });
         match self {
             Place::Vertex(number) => alone(vertex(obj, number)?.0),
@@ -130,7 +130,7 @@ impl Place {
 
 impl Ends {
     /// The halfedge from the one vertex to the other, and what is to be said of others.
-    fn halfedge(self, obj: &Obj, kind: &str) -> Result<(HalfedgeId, Option<String>), String> {
+    fn halfedge(self, obj: &MeshFile, kind: &str) -> Result<(HalfedgeId, Option<String>), String> {
         let Ends { from, to, which } = self;
         let (start, end) = (vertex(obj, from)?, vertex(obj, to)?);
         let spokes = obj.mesh.spokes(start);
@@ -173,11 +173,11 @@ impl Ends {
     }
 }
 
-fn vertex(obj: &Obj, number: u32) -> Result<VertexId, String> {
+fn vertex(obj: &MeshFile, number: u32) -> Result<VertexId, String> {
     obj.vertex_by_number(number).ok_or_else(|| none_of(obj, "vertex", number))
 }
 
-fn none_of(obj: &Obj, kind: &str, number: u32) -> String {
+fn none_of(obj: &MeshFile, kind: &str, number: u32) -> String {
     let from_one = match number == 0 && !obj.goes_by_ids() {
         true => "; in an .obj file the first is 1",
         false => "",
@@ -186,7 +186,7 @@ fn none_of(obj: &Obj, kind: &str, number: u32) -> String {
 }
 
 /// Edges and halfedges have numbers in tables alone.
-fn expect_ids(obj: &Obj, kind: &str) -> Result<(), String> {
+fn expect_ids(obj: &MeshFile, kind: &str) -> Result<(), String> {
     match obj.goes_by_ids() {
         true => Ok(()),
         false => Err(format!(

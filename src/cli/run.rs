@@ -16,7 +16,7 @@ use super::program::{self, settings};
 use super::progress::Progress;
 use super::view::attribute;
 use crate::draw::{View, draw_mesh};
-use crate::mesh::Places;
+use crate::mesh::{Places, RepairReport};
 use crate::run::{self, OpReport, prepare};
 
 /// Runs a script on a mesh.
@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 
     let started = Instant::now();
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let load = started.elapsed().as_secs_f64();
     for attribute in prepared.attributes() {
         obj.bring(attribute);
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             let applied = report.ops.iter().filter(|op| op.applied > 0);
             program::blame(&program, applied.map(|op| op.name.as_str()))
         };
-        meshes::write(output, &mut obj, blame)?;
+        meshes::write(output, &mut obj, &arguments.encoding, blame)?;
         meshes::tell_displaced(output, &places, &obj.mesh);
     }
     if let Some(picture) = &arguments.picture {
@@ -89,6 +89,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 
     let report = Report {
         script: name,
+        repaired: obj.repaired,
         ops: report.ops.into_iter().map(Op::from).collect(),
         before,
         after: Counts::of(&obj.mesh),
@@ -113,6 +114,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
 #[derive(Serialize)]
 struct Report {
     script: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    repaired: Option<RepairReport>,
     ops: Vec<Op>,
     before: Counts,
     after: Counts,

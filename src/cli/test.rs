@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::arguments::{Format, TestArguments};
+use super::arguments::{Format, RepairArguments, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
 use super::interrupt;
@@ -14,7 +14,7 @@ use super::output::{complain_of, say, say_json};
 use super::program::{self, Program};
 use crate::analysis::expect_regular;
 use crate::diagnostic::Diagnostic;
-use crate::mesh::Obj;
+use crate::mesh::MeshFile;
 use crate::rewrite::Watch;
 use crate::run;
 use crate::source::Span;
@@ -115,11 +115,11 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
 }
 
 /// The mesh of a path that is written in some file: beside it.
-fn load(program: &Program, path: &str, span: Span) -> Result<Obj, String> {
+fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
     let home = Path::new(program.sources.get(span.file).name());
     let path = home.parent().unwrap_or(Path::new("")).join(path);
     expect_regular(&path, LARGEST_MESH).map_err(|why| format!("{}: {why}", path.display()))?;
-    let read = meshes::read(&path);
+    let read = meshes::read(&path, &RepairArguments::default());
     read.map_err(|failure| failure.reason().unwrap_or_default().to_owned())
 }
 

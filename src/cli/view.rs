@@ -11,7 +11,7 @@ use crate::mesh::{ColumnId, Mesh};
 
 /// Makes a picture of a mesh.
 pub(super) fn view(arguments: &ViewArguments) -> Result<(), Failure> {
-    let mut obj = meshes::read(&arguments.mesh)?;
+    let mut obj = meshes::read(&arguments.mesh, &arguments.repair)?;
     let mut view = View::default();
     if let Some(from) = &arguments.from {
         view.from = direction(from)?;

@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::output::complain;
 use crate::analysis::Counterexample;
 use crate::draw::draw_op;
-use crate::mesh::{Dump, Obj, write_dump, write_obj};
+use crate::mesh::{Dump, MeshFile, write_dump, write_mesh};
 
 /// Writes counterexamples, each under a name of its own.
 #[derive(Default)]
@@ -37,8 +37,8 @@ impl Witnesses {
             complain(&format!("written: {}", path.display()));
             if example.is_polygons() {
                 let path = folder.join(format!("{name}.obj"));
-                let obj = Obj::from_mesh(example.before.clone());
-                write_obj(&path, &obj).map_err(Failure::usage)?;
+                let obj = MeshFile::from_mesh(example.before.clone());
+                write_mesh(&path, &obj).map_err(Failure::usage)?;
                 complain(&format!("written: {}", path.display()));
             }
         }

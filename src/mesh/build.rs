@@ -16,6 +16,7 @@ use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 use super::level::{Level, validate_level};
 use super::polygons::Polygons;
+use super::sides::Sides;
 
 impl Mesh {
     pub fn from_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<Self, BuildError> {
@@ -27,15 +28,23 @@ impl Mesh {
         positions: Vec<DVec3>,
         polygons: &Polygons,
     ) -> Result<Self, BuildError> {
-        check_sizes(&positions, polygons)?;
-        check_polygons(&positions, polygons)?;
+        Self::build(positions, polygons).map_err(|(error, _)| error)
+    }
+
+    /// As [`Mesh::from_owned_polygons`], giving the positions back if there is no mesh.
+    pub(super) fn build(
+        positions: Vec<DVec3>,
+        polygons: &Polygons,
+    ) -> Result<Self, (BuildError, Vec<DVec3>)> {
+        let checked = check_sizes(&positions, polygons);
+        if let Err(error) = checked.and_then(|()| check_polygons(&positions, polygons)) {
+            return Err((error, positions));
+        }
         let mut builder = Builder::new(positions, polygons);
-        builder.lay_loops();
-        builder.find_twins()?;
-        builder.close_holes()?;
-        builder.number_edges();
-        builder.check_fans()?;
-        Ok(builder.mesh)
+        match builder.build() {
+            Ok(()) => Ok(builder.mesh),
+            Err(error) => Err((error, builder.mesh.positions)),
+        }
     }
 
     /// Whether the mesh is what the list of its polygons says, so that files of polygons can
@@ -72,17 +81,30 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
     let vertices = positions.len();
     let mut sorted = Vec::new();
     for (polygon, corners) in polygons.iter().enumerate() {
-        if corners.len() < 3 {
-            return Err(BuildError::TooFewCorners { polygon, corners: corners.len() });
-        }
-        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
-            return Err(BuildError::NoSuchVertex { polygon, vertex, vertices });
-        }
-        if let Some(vertex) = repeated(corners, &mut sorted) {
-            return Err(BuildError::RepeatedCorner { polygon, vertex });
+        if let Some(error) = BuildError::of_polygon(polygon, corners, vertices, &mut sorted) {
+            return Err(error);
         }
     }
     Ok(())
+}
+
+impl BuildError {
+    /// What is wrong with a polygon by itself. `sorted` is room to work in.
+    pub(super) fn of_polygon(
+        polygon: usize,
+        corners: &[u32],
+        vertices: usize,
+        sorted: &mut Vec<u32>,
+    ) -> Option<Self> {
+        if corners.len() < 3 {
+            return Some(Self::TooFewCorners { polygon, corners: corners.len() });
+        }
+        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
+            return Some(Self::NoSuchVertex { polygon, vertex, vertices });
+        }
+        let vertex = repeated(corners, sorted)?;
+        Some(Self::RepeatedCorner { polygon, vertex })
+    }
 }
 
 /// A corner that comes twice. `sorted` is room to work in.
@@ -114,6 +136,14 @@ impl<'p> Builder<'p> {
         Self { mesh, polygons }
     }
 
+    fn build(&mut self) -> Result<(), BuildError> {
+        self.lay_loops();
+        self.find_twins()?;
+        self.close_holes()?;
+        self.number_edges();
+        self.check_fans()
+    }
+
     /// One loop of halfedges per polygon: everything but twins and edges.
     fn lay_loops(&mut self) {
         let mut first = 0;
@@ -139,42 +169,19 @@ impl<'p> Builder<'p> {
 
     /// Pairs the halfedges that run between the same vertices.
     fn find_twins(&mut self) -> Result<(), BuildError> {
-        // A counting sort: after the second pass `bounds[v]` is the end of bucket v.
-        let mut bounds = vec![0u32; self.mesh.vertices.len() + 1];
-        let halfedges = (0..self.mesh.halfedges.len() as u32).map(HalfedgeId);
-        for h in halfedges.clone() {
-            let [v, w] = self.ends(h);
-            bounds[v.min(w) as usize + 1] += 1;
-        }
-        for v in 1..bounds.len() {
-            bounds[v] += bounds[v - 1];
-        }
-        let mut sorted = vec![(0u32, HalfedgeId::NONE); self.mesh.halfedges.len()];
-        for h in halfedges {
-            let [v, w] = self.ends(h);
-            let place = &mut bounds[v.min(w) as usize];
-            sorted[*place as usize] = (v.max(w), h);
-            *place += 1;
-        }
-        let mut start = 0;
-        for &end in &bounds[..self.mesh.vertices.len()] {
-            let end = end as usize;
-            let bucket = &mut sorted[start..end];
-            bucket.sort_unstable();
-            for edge in bucket.chunk_by(|a, b| a.0 == b.0) {
-                self.join(edge)?;
-            }
-            start = end;
-        }
-        Ok(())
+        let count = self.mesh.halfedges.len() as u32;
+        let vertices = self.mesh.vertices.len();
+        let sides = Sides::gather(count, vertices, |side| self.ends(HalfedgeId(side)));
+        sides.edges().try_for_each(|edge| self.join(edge))
     }
 
     /// Makes twins of the halfedges that run between the same two vertices, if they are
     /// two; one alone stays without.
-    fn join(&mut self, edge: &[(u32, HalfedgeId)]) -> Result<(), BuildError> {
+    fn join(&mut self, edge: &[(u32, u32)]) -> Result<(), BuildError> {
         match *edge {
             [] | [_] => Ok(()),
             [(_, a), (_, b)] => {
+                let [a, b] = [a, b].map(HalfedgeId);
                 let [from, to] = self.ends(a);
                 if self.mesh.vertex(b).0 == from {
                     let polygons = [self.polygon(a), self.polygon(b)];
@@ -185,8 +192,8 @@ impl<'p> Builder<'p> {
                 Ok(())
             }
             [(_, a), (_, b), (_, c), ..] => Err(BuildError::EdgeUsedThrice {
-                ends: self.ends(a),
-                polygons: [a, b, c].map(|h| self.polygon(h)),
+                ends: self.ends(HalfedgeId(a)),
+                polygons: [a, b, c].map(|h| self.polygon(HalfedgeId(h))),
             }),
         }
     }

@@ -39,9 +39,12 @@ mod arrays;
 mod build;
 mod build_error;
 mod dump;
-mod obj;
+mod faults;
+mod file;
 mod polygons;
+mod repair;
 pub mod shape;
+mod sides;
 
 /// The vectors and matrices of positions and attributes.
 pub use glam;
@@ -56,17 +59,20 @@ pub use difference::{Difference, difference};
 pub use displaced::{Displaced, Places};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
 pub use equality::{equal_up_to_renumbering, same_connectivity, same_up_to_renumbering};
+pub use faults::{FaultKind, Faults};
+pub use file::{
+    Encoding, FileError, FileFaultKind, FileFaults, FileFormat, FileReason, Material, MeshFile,
+    MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh, read_mesh_from,
+    replace_file, write_mesh, write_mesh_to,
+};
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::identical;
 pub use invalid::Invalid;
 pub use journal::Bookmark;
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
-pub use obj::{
-    Indexed, Obj, ObjError, ObjReason, WantedAttribute, WrittenNumbers, expect_writable, read_obj,
-    read_obj_from, replace_file, write_obj, write_obj_to,
-};
 pub use polygons::Polygons;
+pub use repair::{Repair, RepairReport, Repaired};
 pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};
 pub use validate::validate;
 pub use walk::{LoopWalk, SpokeWalk};

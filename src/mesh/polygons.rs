@@ -16,6 +16,17 @@ impl Polygons {
         Self { corners: Vec::with_capacity(corners), ends: Vec::with_capacity(polygons) }
     }
 
+    /// Polygons from the corners of all of them, one after the other, and where each ends; the
+    /// ends do not go down, and the last is the number of corners.
+    pub(super) fn of_parts(corners: Vec<u32>, ends: Vec<usize>) -> Self {
+        debug_assert!(ends.is_sorted() && ends.last().is_none_or(|&end| end == corners.len()));
+        Self { corners, ends }
+    }
+
+    pub(super) fn into_parts(self) -> (Vec<u32>, Vec<usize>) {
+        (self.corners, self.ends)
+    }
+
     /// Polygons from all their corners, one polygon after the other, and for each the place where
     /// its corners end; `None` if the ends are not in order, or the last is not the end of all.
     pub fn from_parts(corners: Vec<u32>, ends: Vec<usize>) -> Option<Self> {

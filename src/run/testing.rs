@@ -7,13 +7,13 @@ use super::report::{Failure, Report, run_with};
 use crate::compile::Scope;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
-use crate::mesh::{Mesh, Obj, shape};
+use crate::mesh::{Mesh, MeshFile, shape};
 use crate::resolve::{Digits, Program, TestMesh};
 use crate::rewrite::{Inst, Plans, Watch};
 use crate::source::Span;
 
 /// Gives the file of a mesh that a test loads, by its path as it is written.
-pub type Load<'l> = dyn FnMut(&str, Span) -> Result<Obj, String> + 'l;
+pub type Load<'l> = dyn FnMut(&str, Span) -> Result<MeshFile, String> + 'l;
 
 /// Runs a test of a program, by its number. What it gets by chance comes from the seed.
 ///

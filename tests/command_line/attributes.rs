@@ -66,7 +66,7 @@ fn what_a_file_cannot_hold_is_said_in_one_line() {
     let body = "for e in edges { e.crease = 2 } for f in faces { f.part = f.part + 1 }";
     let (_, err) = run(&bench, body, "m.obj", "n.obj");
     let told = "warning: n.obj cannot hold `crease` (edge real), `part` (face int); \
-        a .halfedges file can\n";
+        a .ply or .halfedges file can\n";
     assert_eq!(err, told);
     let (_, err) = run(&bench, body, "m.obj", "n.halfedges");
     assert_eq!(err, "");

@@ -295,12 +295,12 @@ fn a_script_may_only_print() {
 fn a_mesh_is_written_as_what_its_name_says() {
     let bench = Bench::with_square();
     bench.write("s.hedge", "script s() { }\n");
-    for name in ["out.ply", "out.halfedge", "out.stl"] {
+    for name in ["out.gltf", "out.halfedge", "out.png"] {
         let arguments = ["run", "s.hedge", "square.obj", "-o", name];
-        bench.fails(2, &arguments, "a mesh is written as .obj or .halfedges");
+        bench.fails(2, &arguments, "name it .obj, .ply, .stl, .off, .msh or .halfedges");
         assert!(!bench.has(name));
     }
-    for name in ["out.OBJ", "out.halfedges", "out"] {
+    for name in ["out.OBJ", "out.halfedges", "out", "out.ply", "out.off", "out.msh"] {
         bench.succeeds(&["run", "s.hedge", "square.obj", "-o", name]);
         assert!(bench.has(name));
     }

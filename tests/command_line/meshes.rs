@@ -90,3 +90,63 @@ pub fn noise(count: usize) -> Vec<u8> {
     };
     std::iter::repeat_with(next).take(count).collect()
 }
+
+#[test]
+fn repair_makes_a_mesh_and_says_how() {
+    let bench = Bench::new();
+    bench.write("s.hedge", "script s() { print \"{count(faces)} faces\" }\n");
+    // Three triangles at an edge, and one with a vertex twice.
+    let fins = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 0 0 0\n\
+        f 1 2 3\nf 2 1 4\nf 1 2 5\nf 3 3 4\n";
+    bench.write("fins.obj", fins);
+    let run = ["run", "s.hedge", "fins.obj", "-o", "out.obj"];
+    let said = bench.fails(2, &run, "2 faults keep its faces from being a mesh");
+    assert!(said.err.contains("1 edges of three faces or more: line 9,"), "{}", said.err);
+    assert!(said.err.contains("`--repair`"), "{}", said.err);
+    assert!(!bench.has("out.obj"));
+    let said = bench.run(&[&run[..], &["--repair"]].concat());
+    assert!(said.out.starts_with("3 faces\n"), "{said:?}");
+    let told = "fins.obj: repaired: dropped 2 repeated corners";
+    let told = told.replace("2 repeated corners", "1 repeated corner, dropped 1 degenerate face");
+    let told = format!("{told}, cut 1 edge of three faces or more, split off 4 vertices\n");
+    assert_eq!(said.err, told);
+    // What is written is a mesh, and says so as data.
+    let said = bench.succeeds(&["info", "out.obj", "--repair", "--format", "json"]);
+    assert!(said.contains("\"crowded_edges\": 0"), "{said}");
+    let said = bench.run(&["info", "fins.obj", "--merge", "1e-6", "--format", "json"]);
+    assert!(said.out.contains("\"merged_vertices\": 1"), "{said:?}");
+    bench.succeeds(&["view", "fins.obj", "--repair", "-o", "fins.png"]);
+    bench.fails(2, &["info", "fins.obj", "--merge", "-1"], "a distance is a number from 0 on");
+    let arguments = ["apply", "std/polygon.hedge::poke", "fins.obj", "--repair", "--at", "face:2"];
+    let said = bench.run(&[&arguments[..], &["-o", "p.ply", "--format", "json"]].concat());
+    assert!(said.out.contains("\"split_vertices\": 4"), "{said:?}");
+}
+
+#[test]
+fn every_line_of_an_obj_file_is_kept_or_told() {
+    let bench = Bench::new();
+    bench.write("s.hedge", "script s() { }\n");
+    let run = ["run", "s.hedge", "m.obj", "-o", "n.obj"];
+    // A name that ends in a backslash, a weight, a colour with a fourth number.
+    bench.write("m.obj", "v 0 0 0 0.5\nv 1 0 0\nv 0 1 0\ng foo\\ # remark\nf 1 2 3\n");
+    let said = bench.run(&run);
+    assert!(said.err.is_empty(), "{}", said.err);
+    let written = "v 0 0 0 0.5\nv 1 0 0\nv 0 1 0\ng foo\\ #\nf 1 2 3\n";
+    assert_eq!(bench.read("n.obj"), written);
+    bench.succeeds(&["run", "s.hedge", "n.obj", "-o", "m.obj"]);
+    assert_eq!(bench.read("m.obj"), written);
+    bench.write(
+        "m.obj",
+        "v 0 0 0 1 0 0 0.5\nv 1 0 0\nv 0 1 0 1 1 1 1\n%x\nvt 0 0 0 0\nv 9 9 9 1 1\nf 1 2 3\n",
+    );
+    let said = bench.run(&run);
+    assert!(bench.read("n.obj").starts_with("v 0 0 0 1 0 0 0.5\nv 1 0 0 1 1 1 1\n"));
+    for told in [
+        "what it says with `%x`, first in line 4, is not in it",
+        "1 vertices with 5 numbers, or more than 7, first in line 6",
+        "1 `vt` with more than three numbers, first in line 5",
+        "2 vertices without a colour, which are white now",
+    ] {
+        assert!(said.err.contains(told), "{}", said.err);
+    }
+}

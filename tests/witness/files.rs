@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use hedgerow::mesh::{read_dump, read_obj, same_connectivity, validate};
+use hedgerow::mesh::{read_dump, read_mesh, same_connectivity, validate};
 
 fn hedgerow(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_hedgerow"));
@@ -80,7 +80,7 @@ fn counterexamples_are_written_and_read_back() {
     assert_eq!(validate(before), Ok(()));
     assert!(validate(after).is_err());
     assert!(dump.names.iter().any(|(name, of)| name == "a" && of.len() == 1));
-    let obj = read_obj(&witness.join(&expected[3])).unwrap();
+    let obj = read_mesh(&witness.join(&expected[3]), None).unwrap();
     assert!(same_connectivity(&obj.mesh, before));
 
     let output = hedgerow(&["info", path.to_str().unwrap()]);

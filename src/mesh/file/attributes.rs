@@ -8,15 +8,17 @@
 //! | `uv: vertex …`, `normal: vertex vec3` | the same value at all corners of the vertex |
 //!
 //! Texture coordinates and normals stay [kept](super::kept) beside the mesh, corner by corner,
-//! until somebody wants them as values: [`Obj::bring`] makes a column of them, and a column of
+//! until somebody wants them as values: [`MeshFile::bring`] makes a column of them, and a column of
 //! such a name is what is written from then on, one row for each value that occurs.
 
 use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
 
+use super::format::FileFormat;
 use super::kept::{MISSING, Rows};
-use super::numbers::Obj;
+use super::mesh_file::MeshFile;
+use super::{msh, obj, off};
 use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
@@ -49,12 +51,19 @@ impl OfCorner {
 /// An attribute that a program uses: its kind, name and default.
 pub type WantedAttribute<'n> = (ElementKind, &'n str, Value);
 
-impl Obj {
-    /// Makes a column of texture coordinates or normals that the file has, if this is how they
-    /// are called. What the mesh has already stays as it is; a corner without a value has the
-    /// default.
+impl MeshFile {
+    /// Makes a column of texture coordinates or normals that the file has, or of the colours of
+    /// its materials (`color: face vec3`), if this is how they are called. What the mesh has
+    /// already stays as it is, but that whole numbers of a file become reals or truth values where
+    /// these are wanted; a corner without a value has the default.
     pub fn bring(&mut self, (kind, name, default): WantedAttribute) {
         let ty = default.attribute_type();
+        self.convert(kind, name, default);
+        if (kind, name) == (ElementKind::Face, "color")
+            && self.mesh.find_column(kind, name).is_none()
+        {
+            return self.bring_face_colors(default);
+        }
         let mut all = OfCorner::ALL.into_iter();
         let of_corners = matches!(kind, ElementKind::Vertex | ElementKind::Halfedge);
         let Some(what) = all.find(|what| what.name() == name && what.can_be(ty)) else {
@@ -88,7 +97,31 @@ impl Obj {
         }
     }
 
-    /// Makes columns of all texture coordinates and normals that the file has, at its corners.
+    /// Makes reals or truth values of a column of whole numbers, if the file says nothing of its
+    /// type.
+    fn convert(&mut self, kind: ElementKind, name: &str, default: Value) {
+        let Some(old) = self.mesh.find_column(kind, name) else { return };
+        let Some(numbers) = self.mesh.values::<i64>(old).map(<[i64]>::to_vec) else { return };
+        let is_truth = numbers.iter().all(|&number| number == 0 || number == 1);
+        let value = |number: i64| match default {
+            Value::Real(_) => Some(Value::Real(number as f64)),
+            Value::Bool(_) if is_truth => Some(Value::Bool(number == 1)),
+            _ => None,
+        };
+        if value(0).is_none() {
+            return;
+        }
+        self.mesh.remove_column(old);
+        self.find_columns(); // their places have moved
+        if let Ok(column) = self.mesh.add_column(kind, name, default) {
+            for (index, value) in (0..).zip(numbers.into_iter().filter_map(value)) {
+                self.mesh.put_value(column, index, value);
+            }
+        }
+    }
+
+    /// Makes columns of all texture coordinates and normals that the file has, at its corners, and
+    /// of the colours of its materials.
     pub fn bring_all(&mut self) {
         let uv = match self.kept.texture.width {
             0..3 => Value::Vec2(DVec2::ZERO),
@@ -97,22 +130,46 @@ impl Obj {
         self.bring((ElementKind::Halfedge, "uv", uv));
         let normal = Value::Vec3(DVec3::ZERO);
         self.bring((ElementKind::Halfedge, "normal", normal));
+        self.bring((ElementKind::Face, "color", Value::Vec3(DVec3::ONE)));
     }
 
-    /// The attributes of the mesh that a file has no place for: kinds, names and types.
-    pub fn unheld(&self) -> Vec<(ElementKind, &str, AttributeType)> {
+    /// The attributes of the mesh that a file of a format has no place for: kinds, names and
+    /// types.
+    pub fn unheld(&self, format: FileFormat) -> Vec<(ElementKind, &str, AttributeType)> {
+        let held: Vec<Option<ColumnId>> = match format {
+            FileFormat::Obj => {
+                let corners = OfCorner::ALL.map(|what| self.written_column(what));
+                obj::vertex_columns(self).into_iter().chain(corners).collect()
+            }
+            FileFormat::Off => off::columns(self).to_vec(),
+            _ => Vec::new(),
+        };
         let columns = self.mesh.sayable_columns();
-        let unheld = columns.filter(|&(id, _)| {
-            let mut all = OfCorner::ALL.into_iter();
-            Some(id) != self.color() && all.all(|what| self.written_column(what) != Some(id))
+        let unheld = columns.filter(|(id, column)| match format {
+            FileFormat::Ply | FileFormat::Halfedges => false,
+            FileFormat::Msh => !msh::is_held(id.kind, column.attribute_type()),
+            _ => !held.contains(&Some(*id)),
         });
         unheld.map(|(id, column)| (id.kind, column.name(), column.attribute_type())).collect()
     }
 
-    /// The words of the statements of the file, such as `l` and `p`, that are no part of a mesh
-    /// and not written again: the first few.
-    pub fn passed_over(&self) -> &[String] {
-        &self.kept.passed_over
+    /// What the file that was read said and the mesh does not, in words: a line each.
+    pub fn losses(&self) -> Vec<String> {
+        let mut told = Vec::new();
+        let words = &self.kept.passed_over;
+        if let Some((_, line)) = words.first() {
+            let shown: Vec<_> = words.iter().map(|(word, _)| format!("`{word}`")).collect();
+            told.push(format!(
+                "what it says with {}, first in line {line}, is not in it: a mesh has vertices and \
+                 faces",
+                shown.join(", ")
+            ));
+        }
+        told.extend(self.kept.notes.iter().map(|(what, count, line)| match line {
+            Some(line) => format!("{count} {what}, first in line {line}"),
+            None => format!("{count} {what}"),
+        }));
+        told
     }
 
     /// How many faces are written without texture coordinates (`vt`), and how many without
@@ -136,9 +193,17 @@ impl Obj {
         })
     }
 
-    /// Whether the file has groups, objects, materials or smoothing groups.
-    pub fn has_groups(&self) -> bool {
-        !self.kept.states.is_empty() || !self.kept.libraries.is_empty()
+    /// Whether the file that was read has groups, objects, materials or smoothing groups that a
+    /// file of a format has no place for.
+    pub fn loses_groups(&self, format: FileFormat) -> bool {
+        let has_more = |place: usize| self.kept.states.iter().any(|(_, s)| s.0[place] != MISSING);
+        match format {
+            FileFormat::Obj | FileFormat::Ply => false,
+            FileFormat::Msh => {
+                [0, 2, 3].into_iter().any(has_more) || !self.kept.libraries.is_empty()
+            }
+            _ => !self.kept.states.is_empty() || !self.kept.libraries.is_empty(),
+        }
     }
 
     /// The column of colours.
@@ -152,7 +217,7 @@ impl Obj {
         kinds.find_map(|kind| self.column_of_type(kind, what.name(), |ty| what.can_be(ty)))
     }
 
-    fn column_of_type(
+    pub(super) fn column_of_type(
         &self,
         kind: ElementKind,
         name: &str,
@@ -201,7 +266,7 @@ fn value(ty: AttributeType, [x, y, z]: [f64; 3]) -> Value {
 /// What the corners have, as it is written: rows, and where they are used.
 pub(super) enum Corners<'o> {
     /// As the file had it.
-    Kept { obj: &'o Obj, what: OfCorner },
+    Kept { obj: &'o MeshFile, what: OfCorner },
     /// The values of a column, each once, in the order of the faces.
     Values {
         rows: Rows,
@@ -211,7 +276,7 @@ pub(super) enum Corners<'o> {
 }
 
 impl<'o> Corners<'o> {
-    pub(super) fn of(obj: &'o Obj, what: OfCorner, faces: &[FaceId]) -> Self {
+    pub(super) fn of(obj: &'o MeshFile, what: OfCorner, faces: &[FaceId]) -> Self {
         let Some(column) = obj.written_column(what) else {
             return Self::Kept { obj, what };
         };

@@ -1,28 +1,40 @@
 //! A mesh with what its file said, and the numbers elements have there.
 //!
-//! The columns `obj:vertex` and `obj:face` hold the number of an element in the file it
-//! came from, 0 for one that came later; `obj:corner` holds the place of a halfedge
-//! among the corners of the file, counted from 1. A slot given to a new element has 0
-//! again, so no new element is taken for an old one. Names with a colon are out of
-//! reach of the language.
+//! The columns `file:vertex` and `file:face` hold the place of an element among those that were
+//! read, 0 for one that came later; `file:corner` holds the place of a halfedge among the
+//! corners, counted from 1. A slot given to a new element has 0 again, so no new element is taken
+//! for an old one. Names with a colon are out of reach of the language. If the polygons of the
+//! file were repaired, tables tell which number in the file each place had.
 
-use glam::DVec3;
+use std::path::PathBuf;
 
-use super::kept::{Kept, MISSING};
+use super::format::{Encoding, MshVersion};
+use super::kept::{Kept, MISSING, State};
 use crate::mesh::attribute::{ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
+use crate::mesh::repair::RepairReport;
 
 /// A mesh and what the file it came from said beyond it.
 #[derive(Clone, Debug)]
-pub struct Obj {
+pub struct MeshFile {
     pub mesh: Mesh,
     pub(super) kept: Kept,
     vertex_numbers: Option<ColumnId>,
     face_numbers: Option<ColumnId>,
     corners: Option<ColumnId>,
-    /// Whether elements go by their ids: they come from tables, not from an OBJ file.
+    /// Whether elements go by their ids: they come from tables, not from a list of polygons.
     by_ids: bool,
+    /// The places in the file of what was read, if these are not the same: vertices, faces.
+    renumbered: Option<[Vec<u32>; 2]>,
+    /// Where the file lies, to find what it names.
+    pub(super) folder: Option<PathBuf>,
+    /// What was mended when the file was read, if that was asked for.
+    pub repaired: Option<RepairReport>,
+    /// How the file was encoded, and will be again.
+    pub encoding: Encoding,
+    /// The version that a Gmsh file is written in: that of the file, if it was one.
+    pub msh_version: MshVersion,
 }
 
 /// The number of every vertex and face in the file as it would be written now.
@@ -34,11 +46,23 @@ pub struct WrittenNumbers {
     pub(super) face_order: Vec<FaceId>,
 }
 
-impl Obj {
+impl MeshFile {
     /// A mesh that comes from no file: everything in it is new.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let kept = Kept::default();
-        Self { mesh, kept, vertex_numbers: None, face_numbers: None, corners: None, by_ids: false }
+        Self {
+            mesh,
+            kept,
+            vertex_numbers: None,
+            face_numbers: None,
+            corners: None,
+            by_ids: false,
+            renumbered: None,
+            folder: None,
+            repaired: None,
+            encoding: Encoding::default(),
+            msh_version: MshVersion::default(),
+        }
     }
 
     /// A mesh whose file numbers its elements by their ids.
@@ -46,28 +70,33 @@ impl Obj {
         Self { by_ids: true, ..Self::from_mesh(mesh) }
     }
 
-    /// A mesh just built from a file, its elements in the order of the file. `colors` is
-    /// empty or has one for each vertex.
-    pub(super) fn from_file(mesh: Mesh, kept: Kept, colors: &[[f64; 3]]) -> Self {
-        let mut obj = Self::from_mesh(mesh);
-        let vertices = obj.mesh.vertex_count();
-        let faces = obj.mesh.face_count();
-        obj.vertex_numbers = obj.number(ElementKind::Vertex, "obj:vertex", vertices);
-        obj.face_numbers = obj.number(ElementKind::Face, "obj:face", faces);
+    /// A mesh just built from a file, its elements in the order of the file.
+    pub(super) fn from_file(mesh: Mesh, kept: Kept) -> Self {
+        let mut file = Self::from_mesh(mesh);
+        let vertices = file.mesh.vertex_count();
+        let faces = file.mesh.face_count();
+        file.vertex_numbers = file.number(ElementKind::Vertex, "file:vertex", vertices);
+        file.face_numbers = file.number(ElementKind::Face, "file:face", faces);
         if !kept.corner_vertices.is_empty() {
             let corners = kept.corner_vertices.len();
-            obj.corners = obj.number(ElementKind::Halfedge, "obj:corner", corners);
+            file.corners = file.number(ElementKind::Halfedge, "file:corner", corners);
         }
-        obj.kept = kept;
-        if !colors.is_empty() {
-            let white = Value::Vec3(DVec3::ONE);
-            let column = obj.mesh.add_column(ElementKind::Vertex, "color", white);
-            let values = column.ok().and_then(|column| obj.mesh.values_mut::<DVec3>(column));
-            for (value, &color) in values.into_iter().flatten().zip(colors) {
-                *value = DVec3::from_array(color);
-            }
-        }
-        obj
+        file.kept = kept;
+        file
+    }
+
+    /// Finds the columns of numbers again, after another one has gone.
+    pub(super) fn find_columns(&mut self) {
+        let find = |kind, name| self.mesh.find_column(kind, name);
+        let vertices = find(ElementKind::Vertex, "file:vertex");
+        let faces = find(ElementKind::Face, "file:face");
+        let corners = find(ElementKind::Halfedge, "file:corner");
+        (self.vertex_numbers, self.face_numbers, self.corners) = (vertices, faces, corners);
+    }
+
+    /// Says which vertices of the file the first ones are, and which faces all were part of.
+    pub(super) fn renumber(&mut self, vertices: Vec<u32>, faces: Vec<u32>) {
+        self.renumbered = Some([vertices, faces]);
     }
 
     /// A column that counts the first `count` slots from 1.
@@ -85,16 +114,34 @@ impl Obj {
         u32::try_from(number).ok().filter(|&number| number > 0)
     }
 
+    /// The place of a vertex among those that were read, from 0, if it is one of them.
+    fn vertex_place(&self, v: VertexId) -> Option<usize> {
+        self.mesh.get_position(v)?;
+        Some(self.stored(self.vertex_numbers, v.index())? as usize - 1)
+    }
+
+    /// The place of a face among those that were read, from 0, if it is one of them.
+    fn face_place(&self, f: FaceId) -> Option<usize> {
+        self.mesh.get_face_halfedge(f)?;
+        Some(self.stored(self.face_numbers, f.index())? as usize - 1)
+    }
+
     /// The number of a vertex in the file it came from, if it did.
     pub fn vertex_number(&self, v: VertexId) -> Option<u32> {
-        self.mesh.get_position(v)?;
-        self.stored(self.vertex_numbers, v.index())
+        let place = self.vertex_place(v)?;
+        match &self.renumbered {
+            Some([vertices, _]) => vertices.get(place).map(|place| place + 1),
+            None => Some(place as u32 + 1),
+        }
     }
 
     /// The number of a face among the faces of its file.
     pub fn face_number(&self, f: FaceId) -> Option<u32> {
-        self.mesh.get_face_halfedge(f)?;
-        self.stored(self.face_numbers, f.index())
+        let place = self.face_place(f)?;
+        match &self.renumbered {
+            Some([_, faces]) => faces.get(place).map(|place| place + 1),
+            None => Some(place as u32 + 1),
+        }
     }
 
     /// The vertex that the file numbers so, if it still lives. What comes from a file
@@ -103,7 +150,11 @@ impl Obj {
         if self.by_ids {
             return Some(VertexId(number)).filter(|&v| self.mesh.vertex_alive(v));
         }
-        let v = VertexId(number.checked_sub(1)?);
+        let place = number.checked_sub(1)?;
+        let v = VertexId(match &self.renumbered {
+            Some([vertices, _]) => vertices.binary_search(&place).ok()? as u32,
+            None => place,
+        });
         (self.vertex_number(v)? == number).then_some(v)
     }
 
@@ -112,12 +163,16 @@ impl Obj {
         self.by_ids
     }
 
-    /// The face that the file numbers so, if it still lives.
+    /// The face that the file numbers so, if it still lives; of several parts the first.
     pub fn face_by_number(&self, number: u32) -> Option<FaceId> {
         if self.by_ids {
             return Some(FaceId(number)).filter(|&f| self.mesh.face_alive(f));
         }
-        let f = FaceId(number.checked_sub(1)?);
+        let place = number.checked_sub(1)?;
+        let f = FaceId(match &self.renumbered {
+            Some([_, faces]) => faces.partition_point(|&other| other < place) as u32,
+            None => place,
+        });
         (self.face_number(f)? == number).then_some(f)
     }
 
@@ -125,8 +180,19 @@ impl Obj {
     pub(super) fn corner(&self, h: HalfedgeId) -> Option<usize> {
         let corner = self.stored(self.corners, h.index())? as usize - 1;
         let vertex = *self.kept.corner_vertices.get(corner)?;
-        let number = self.vertex_number(self.mesh.get_vertex(h)?)?;
-        (number - 1 == vertex).then_some(corner)
+        (self.vertex_place(self.mesh.get_vertex(h)?)? == vertex as usize).then_some(corner)
+    }
+
+    /// The statements that should be in force at `f`. A new face takes after the first of
+    /// its neighbors that came from the file.
+    pub(super) fn state_of(&self, f: FaceId) -> Option<State> {
+        if self.kept.states.is_empty() {
+            return None;
+        }
+        let across =
+            self.mesh.face_halfedges(f).filter_map(|h| self.mesh.get_face(self.mesh.twin(h)));
+        let number = std::iter::once(f).chain(across).find_map(|f| self.face_number(f))?;
+        Some(self.kept.state(number - 1))
     }
 
     /// The row of the file's texture coordinates at the start of `h` in its face, from 0.
@@ -155,10 +221,10 @@ impl Obj {
     /// in its old order, then what is new. Holes have none.
     pub fn written_numbers(&self) -> WrittenNumbers {
         let (old, new): (Vec<_>, Vec<_>) =
-            self.mesh.vertices().partition(|&v| self.vertex_number(v).is_some());
+            self.mesh.vertices().partition(|&v| self.vertex_place(v).is_some());
         let vertex_order: Vec<VertexId> = old.into_iter().chain(new).collect();
         let faces = self.mesh.faces().filter(|&f| !self.mesh.is_hole(f));
-        let (old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_number(f).is_some());
+        let (old, new): (Vec<_>, Vec<_>) = faces.partition(|&f| self.face_place(f).is_some());
         let face_order: Vec<FaceId> = old.into_iter().chain(new).collect();
         let mut vertices = vec![MISSING; self.mesh.capacity(ElementKind::Vertex)];
         for (number, v) in (1..).zip(&vertex_order) {

@@ -1,0 +1,235 @@
+//! What a reader finds in a file, and how it becomes a mesh.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::error::{Failure, FileFaults, FileReason, Strays};
+use super::format::{Encoding, MshVersion};
+use super::kept::{Kept, MISSING};
+use super::mesh_file::MeshFile;
+use crate::mesh::attribute::{AttributeType, Value};
+use crate::mesh::build_error::BuildError;
+use crate::mesh::connectivity::Mesh;
+use crate::mesh::faults::Faults;
+use crate::mesh::id::{EdgeId, ElementKind};
+use crate::mesh::polygons::Polygons;
+use crate::mesh::repair::{Repair, RepairReport, Repaired};
+
+/// What a reader finds in a file.
+#[derive(Default)]
+pub(super) struct Contents {
+    pub(super) positions: Vec<DVec3>,
+    /// A corner that leads nowhere is [`MISSING`], and among the strays.
+    pub(super) polygons: Polygons,
+    pub(super) columns: Vec<FileColumn>,
+    /// The edges that have values, by their vertices; empty if none has.
+    pub(super) edges: Vec<[u32; 2]>,
+    pub(super) kept: Kept,
+    pub(super) strays: Strays,
+    /// The lines of vertices and faces; empty if the file has none.
+    pub(super) vertex_lines: Vec<u32>,
+    pub(super) face_lines: Vec<u32>,
+    pub(super) encoding: Encoding,
+    pub(super) msh_version: MshVersion,
+}
+
+/// A column of a file: of vertices, polygons, corners (as halfedges) or edges, in their order.
+pub(super) struct FileColumn {
+    kind: ElementKind,
+    name: String,
+    default: Value,
+    /// The reals of the values, one after the other; of a bool or an int one each.
+    reals: Vec<f64>,
+}
+
+impl FileColumn {
+    pub(super) fn new(kind: ElementKind, name: &str, default: Value, reals: Vec<f64>) -> Self {
+        Self { kind, name: name.to_owned(), default, reals }
+    }
+
+    /// Whether it is the column of a kind and a name.
+    pub(super) fn is(&self, kind: ElementKind, name: &str) -> bool {
+        self.kind == kind && self.name == name
+    }
+
+    fn value(&self, at: u32) -> Option<Value> {
+        let ty = self.default.attribute_type();
+        let width = width(ty);
+        let reals = self.reals.get(at as usize * width..(at as usize + 1) * width)?;
+        match ty {
+            AttributeType::Bool => Some(Value::Bool(reals[0] != 0.0)),
+            AttributeType::Int => Some(Value::Int(reals[0] as i64)),
+            _ => Value::from_reals(ty, reals),
+        }
+    }
+
+    /// Gives values to the elements `from` 0 on: those of the places of the file.
+    fn give(&self, mesh: &mut Mesh, kind: ElementKind, places: impl Iterator<Item = u32>) {
+        let Ok(column) = mesh.add_column(kind, &self.name, self.default) else { return };
+        for (index, place) in (0..).zip(places) {
+            if let Some(value) = self.value(place) {
+                mesh.put_value(column, index, value);
+            }
+        }
+    }
+}
+
+/// How many reals a value is made of; a bool or an int is written as one.
+pub(super) fn width(ty: AttributeType) -> usize {
+    match ty {
+        AttributeType::Bool | AttributeType::Int | AttributeType::Real => 1,
+        AttributeType::Vec2 => 2,
+        AttributeType::Vec3 => 3,
+        AttributeType::Vec4 => 4,
+        AttributeType::Mat3 => 9,
+        AttributeType::Mat4 => 16,
+    }
+}
+
+impl Contents {
+    /// Makes the mesh; `repair` says what is mended.
+    pub(super) fn build(mut self, repair: Option<Repair>) -> Result<MeshFile, Failure> {
+        let positions = std::mem::take(&mut self.positions);
+        let merge = repair.and_then(|repair| repair.merge);
+        let is_sound = self.strays.count() == 0 && merge.is_none();
+        let positions = match is_sound {
+            false => positions,
+            true => match Mesh::build(positions, &self.polygons) {
+                Ok(mesh) => {
+                    let mut file = self.finish(mesh);
+                    file.repaired = repair.map(|_| RepairReport::default());
+                    return Ok(file);
+                }
+                Err((BuildError::TooLarge { kind }, _)) => {
+                    return Err((None, FileReason::TooLarge { kind }));
+                }
+                Err((_, positions)) => positions,
+            },
+        };
+        let Some(repair) = repair else {
+            let faults = Faults::of(&positions, &self.polygons);
+            let lines = [&self.vertex_lines[..], &self.face_lines[..]];
+            let faults = FileFaults::new(&faults, self.strays, lines);
+            return Err((faults.line(), FileReason::Faults(faults)));
+        };
+        self.kept.note_count("indices that lead nowhere", self.strays.count());
+        let count = positions.len();
+        let corners = self.polygons.corners().to_vec();
+        let polygons = std::mem::take(&mut self.polygons);
+        let repaired = Repaired::new(positions, polygons, repair).map_err(|error| {
+            let kind = match error {
+                BuildError::TooLarge { kind } => kind,
+                _ => ElementKind::Vertex, // all else is mended
+            };
+            (None, FileReason::TooLarge { kind })
+        })?;
+        Ok(self.finish_repaired(repaired, count, &corners))
+    }
+
+    /// A mesh whose elements are those of the file.
+    fn finish(mut self, mut mesh: Mesh) -> MeshFile {
+        self.give_edges(&mut mesh, |v| v);
+        for column in &self.columns {
+            let count = match column.kind {
+                ElementKind::Vertex => mesh.vertex_count(),
+                ElementKind::Face => self.polygons.len(),
+                ElementKind::Halfedge => self.polygons.corners().len(),
+                ElementKind::Edge => continue,
+            };
+            column.give(&mut mesh, column.kind, 0..count as u32);
+        }
+        if self.kept.has_corners() {
+            self.kept.corner_vertices = self.polygons.into_corners();
+        }
+        let mut file = MeshFile::from_file(mesh, self.kept);
+        (file.encoding, file.msh_version) = (self.encoding, self.msh_version);
+        file
+    }
+
+    /// A repaired mesh; `corners` are the vertices that the corners of the file had.
+    fn finish_repaired(mut self, repaired: Repaired, count: usize, corners: &[u32]) -> MeshFile {
+        let Repaired { mut mesh, vertices, kept_vertices, faces, corners: places, report } =
+            repaired;
+        let mut numbers = vec![MISSING; count];
+        for (slot, &vertex) in (0..).zip(&vertices[..kept_vertices]) {
+            numbers[vertex as usize] = slot;
+        }
+        self.give_edges(&mut mesh, |v| numbers.get(v as usize).copied().unwrap_or(MISSING));
+        for column in &self.columns {
+            match column.kind {
+                ElementKind::Vertex if !column.is_alike(&places, corners, &vertices, &mesh) => {
+                    // What was one vertex for each value is one now: the corners keep them.
+                    let places = places.iter().map(|&place| corners[place as usize]);
+                    column.give(&mut mesh, ElementKind::Halfedge, places);
+                    let what =
+                        format!("vertex attribute `{}`, which the corners have now", column.name);
+                    self.kept.note_count(&what, 1);
+                }
+                ElementKind::Vertex => {
+                    column.give(&mut mesh, column.kind, vertices.iter().copied());
+                }
+                ElementKind::Face => column.give(&mut mesh, column.kind, faces.iter().copied()),
+                ElementKind::Halfedge => {
+                    column.give(&mut mesh, column.kind, places.iter().copied());
+                }
+                ElementKind::Edge => {}
+            }
+        }
+        if self.kept.has_corners() {
+            for table in [&mut self.kept.corner_texture, &mut self.kept.corner_normals] {
+                if !table.is_empty() {
+                    *table = places.iter().map(|&place| table[place as usize]).collect();
+                }
+            }
+            let halfedges = mesh.halfedges().take(places.len());
+            self.kept.corner_vertices = halfedges.map(|h| mesh.vertex(h).0).collect();
+        }
+        let mut file = MeshFile::from_file(mesh, self.kept);
+        (file.encoding, file.msh_version) = (self.encoding, self.msh_version);
+        file.renumber(vertices[..kept_vertices].to_vec(), faces);
+        file.repaired = Some(report);
+        file
+    }
+
+    /// Gives the edges of the file their values; `slot` is where a vertex has gone.
+    fn give_edges(&self, mesh: &mut Mesh, slot: impl Fn(u32) -> u32) {
+        if self.edges.is_empty() {
+            return;
+        }
+        let mut known: HashMap<[u32; 2], EdgeId> = HashMap::new();
+        for edge in mesh.edges() {
+            let h = mesh.edge_halfedge(edge);
+            let (v, w) = (mesh.vertex(h).0, mesh.target(h).0);
+            known.insert([v.min(w), v.max(w)], edge);
+        }
+        for column in self.columns.iter().filter(|column| column.kind == ElementKind::Edge) {
+            let Ok(id) = mesh.add_column(ElementKind::Edge, &column.name, column.default) else {
+                continue;
+            };
+            for (place, &[v, w]) in (0..).zip(&self.edges) {
+                let (v, w) = (slot(v), slot(w));
+                let edge = known.get(&[v.min(w), v.max(w)]);
+                if let (Some(edge), Some(value)) = (edge, column.value(place)) {
+                    mesh.put_value(id, edge.0, value);
+                }
+            }
+        }
+    }
+}
+
+impl FileColumn {
+    /// Whether all corners that have come to a vertex had its value.
+    fn is_alike(&self, places: &[u32], corners: &[u32], vertices: &[u32], mesh: &Mesh) -> bool {
+        let same = |place: u32, vertex: u32| {
+            let was = corners[place as usize];
+            was == vertex
+                || match (self.value(was), self.value(vertex)) {
+                    (Some(a), Some(b)) => a.is_identical(b),
+                    _ => true,
+                }
+        };
+        let mut halfedges = mesh.halfedges().zip(places);
+        halfedges.all(|(h, &place)| same(place, vertices[mesh.vertex(h).index()]))
+    }
+}

@@ -1,0 +1,308 @@
+//! Why a file cannot be read or written, with the line where that shows.
+
+use std::fmt;
+use std::io;
+
+use super::format::FileFormat;
+use crate::mesh::build_error::BuildError;
+use crate::mesh::faults::Faults;
+use crate::mesh::id::ElementKind;
+
+/// A failure to read or write a file. Lines are the file's, from 1; vertices and faces are
+/// counted from 1.
+#[derive(Debug)]
+pub struct FileError {
+    pub file: String,
+    pub line: Option<u32>,
+    pub reason: FileReason,
+}
+
+/// Why a file cannot be read or written.
+#[derive(Debug)]
+pub enum FileReason {
+    Io(io::Error),
+    /// The folder to write to does not exist.
+    NoFolder(String),
+    /// The file to write is protected.
+    ReadOnly,
+    /// The name ends in what no format does.
+    UnknownEnding(String),
+    /// The file is not what its format wants, in words.
+    Malformed(String),
+    /// The polygons of the file are no mesh. A repair helps.
+    Faults(FileFaults),
+    /// More elements than can be numbered.
+    TooLarge {
+        kind: ElementKind,
+    },
+    /// A vertex that cannot be written.
+    NotFinite {
+        vertex: u32,
+    },
+    /// The mesh is none that a list of polygons says: why, in words.
+    NotPolygons(String),
+    /// The mesh is one that the format cannot hold, in words.
+    Unheld(String),
+}
+
+/// A line, and what is wrong.
+pub(super) type Failure = (Option<u32>, FileReason);
+
+/// What a corner of a face names by an index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Indexed {
+    Vertex,
+    Texture,
+    Normal,
+}
+
+impl Indexed {
+    /// There is none of an index.
+    pub(super) fn missing(self, index: i64, have: usize) -> String {
+        let [one, many] = match self {
+            Self::Vertex => ["vertex", "vertices"],
+            Self::Texture => ["texture coordinate", "texture coordinates"],
+            Self::Normal => ["normal", "normals"],
+        };
+        let things = if have == 1 { one } else { many };
+        format!("there is no {one} {index}: the file has {have} {things}")
+    }
+}
+
+/// All that keeps the polygons of a file from being a mesh, by kind.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FileFaults {
+    pub kinds: Vec<FileFaultKind>,
+}
+
+/// The faults of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileFaultKind {
+    /// The kind, in words for many.
+    pub kind: &'static str,
+    pub count: usize,
+    /// The first ones: their lines, if the file has lines, and what is wrong.
+    pub first: Vec<(Option<u32>, String)>,
+}
+
+/// Indices of a file that lead nowhere.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Strays {
+    count: usize,
+    first: Vec<(Option<u32>, String)>,
+}
+
+impl Strays {
+    /// Adds one, which is told in these words if it is one of the first.
+    pub(super) fn add(&mut self, line: Option<u32>, words: impl FnOnce() -> String) {
+        self.count += 1;
+        if self.first.len() < 3 {
+            let told = (line, words());
+            if !self.first.contains(&told) {
+                self.first.push(told);
+            }
+        }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+}
+
+impl FileFaults {
+    /// The faults of polygons of a file. The lines are empty if it has none.
+    pub(super) fn new(faults: &Faults, strays: Strays, lines: [&[u32]; 2]) -> Self {
+        let mut all = Self::default();
+        if strays.count > 0 {
+            let kind = "indices that lead nowhere";
+            all.kinds.push(FileFaultKind { kind, count: strays.count, first: strays.first });
+        }
+        let told = faults.kinds.iter().filter(|kind| {
+            strays.count == 0 || !matches!(kind.first[0], BuildError::NoSuchVertex { .. })
+        });
+        all.kinds.extend(told.map(|kind| FileFaultKind {
+            kind: name(&kind.first[0]),
+            count: kind.count,
+            first: kind.first.iter().map(|fault| describe(fault, lines)).collect(),
+        }));
+        all
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.kinds.iter().map(|kind| kind.count).sum()
+    }
+
+    /// The line of the only fault.
+    pub(super) fn line(&self) -> Option<u32> {
+        match &self.kinds[..] {
+            [FileFaultKind { count: 1, first, .. }] => first.first()?.0,
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for FileFaults {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let [FileFaultKind { count: 1, first, .. }] = &self.kinds[..]
+            && let Some((_, words)) = first.first()
+        {
+            return write!(f, "{words}");
+        }
+        write!(f, "{} faults keep its faces from being a mesh", self.count())?;
+        for FileFaultKind { kind, count, first } in &self.kinds {
+            write!(f, "\n  {count} {kind}")?;
+            for (at, (line, words)) in first.iter().enumerate() {
+                f.write_str(if at == 0 { ":" } else { ";" })?;
+                if let Some(line) = line {
+                    write!(f, " line {line},")?;
+                }
+                write!(f, " {words}")?;
+            }
+            if first.len() < *count {
+                write!(f, "; …")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The kind of a fault, in words for many.
+fn name(fault: &BuildError) -> &'static str {
+    match fault {
+        BuildError::TooLarge { .. } => "too large",
+        BuildError::NotFinite { .. } => "vertices that lie nowhere",
+        BuildError::TooFewCorners { .. } => "faces with fewer than three corners",
+        BuildError::NoSuchVertex { .. } => "indices that lead nowhere",
+        BuildError::RepeatedCorner { .. } => "faces with a vertex twice",
+        BuildError::EdgeUsedThrice { .. } => "edges of three faces or more",
+        BuildError::SameDirection { .. } => "edges whose faces do not run alike",
+        BuildError::BowTie { .. } => "pinched vertices",
+    }
+}
+
+/// A fault in the numbers of a file, and the line to show: the last one of those concerned.
+fn describe(fault: &BuildError, [vertex_lines, face_lines]: [&[u32]; 2]) -> (Option<u32>, String) {
+    let line = |polygon: usize| face_lines.get(polygon).copied();
+    // In a file without lines faces are named by their numbers.
+    let [the_face, the_faces] = match face_lines {
+        [] => ["face", "faces"],
+        _ => ["the face of line", "the faces of lines"],
+    };
+    let faces = |polygons: &[usize]| {
+        let name = |&polygon: &usize| line(polygon).unwrap_or(polygon as u32 + 1);
+        let mut names: Vec<_> = polygons.iter().map(name).collect();
+        names.sort_unstable();
+        let last = names.last().copied().filter(|_| !face_lines.is_empty());
+        (last, names)
+    };
+    let face = |polygon: usize| match line(polygon) {
+        Some(_) => "the face".to_owned(),
+        None => format!("{the_face} {}", polygon + 1),
+    };
+    match *fault {
+        BuildError::TooLarge { .. } => (None, fault.to_string()),
+        BuildError::NotFinite { vertex, .. } => {
+            let line = vertex_lines.get(vertex as usize).copied();
+            (line, FileReason::NotFinite { vertex: vertex + 1 }.to_string())
+        }
+        BuildError::TooFewCorners { polygon, corners } => {
+            let s = if corners == 1 { "" } else { "s" };
+            let this = if face_lines.is_empty() { face(polygon) } else { "this".to_owned() };
+            let words =
+                format!("a face needs 3 corners or more, and {this} has {corners} corner{s}");
+            (line(polygon), words)
+        }
+        BuildError::NoSuchVertex { polygon, vertex, vertices } => {
+            (line(polygon), Indexed::Vertex.missing(i64::from(vertex) + 1, vertices))
+        }
+        BuildError::RepeatedCorner { polygon, vertex } => {
+            let words = format!("{} has vertex {} as a corner twice", face(polygon), vertex + 1);
+            (line(polygon), words)
+        }
+        BuildError::EdgeUsedThrice { ends: [v, w], polygons } => {
+            let (line, names) = faces(&polygons);
+            let words = format!(
+                "{the_faces} {}, {} and {} share the edge between vertices {} and {}, and an edge \
+                 has two sides",
+                names[0],
+                names[1],
+                names[2],
+                v + 1,
+                w + 1
+            );
+            (line, words)
+        }
+        BuildError::SameDirection { from, to, polygons } => {
+            let (line, names) = faces(&polygons);
+            let words = format!(
+                "{the_faces} {} and {} both run from vertex {} to vertex {}, so one of them is \
+                 turned over",
+                names[0],
+                names[1],
+                from + 1,
+                to + 1
+            );
+            (line, words)
+        }
+        BuildError::BowTie { vertex, polygons } => {
+            let (line, names) = faces(&polygons);
+            let words = format!(
+                "{the_faces} {} and {} meet at vertex {} only, so the surface is pinched there",
+                names[0],
+                names[1],
+                vertex + 1
+            );
+            (line, words)
+        }
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}: {}", self.file, self.reason),
+            None => write!(f, "{}: {}", self.file, self.reason),
+        }
+    }
+}
+
+impl fmt::Display for FileReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io(error) => write!(f, "{error}"),
+            Self::ReadOnly => f.write_str("the file is read-only"),
+            Self::NoFolder(folder) => write!(f, "the folder `{folder}` does not exist"),
+            Self::UnknownEnding(end) => write!(
+                f,
+                "no mesh is read from or written to `.{end}`: name it {}",
+                FileFormat::listed()
+            ),
+            Self::Malformed(words) | Self::Unheld(words) => f.write_str(words),
+            Self::NotPolygons(why) => write!(f, "no list of polygons holds this mesh{why}"),
+            Self::Faults(faults) => write!(f, "{faults}"),
+            Self::TooLarge { kind } => {
+                write!(f, "there are more {} than can be numbered", kind.plural())
+            }
+            Self::NotFinite { vertex } => {
+                write!(f, "vertex {vertex} has a coordinate that is not a finite number")
+            }
+        }
+    }
+}
+
+impl FileError {
+    /// Whether a repair would mend it.
+    pub fn is_mendable(&self) -> bool {
+        matches!(self.reason, FileReason::Faults(_))
+    }
+}
+
+impl std::error::Error for FileError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.reason {
+            FileReason::Io(error) => Some(error),
+            _ => None,
+        }
+    }
+}

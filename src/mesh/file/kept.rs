@@ -1,0 +1,127 @@
+//! What a file says that the mesh has no place for, kept to be written back.
+
+/// Stands for "none" where an index of the file may be missing.
+pub(super) const MISSING: u32 = u32::MAX;
+
+/// Everything kept beside the mesh.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept {
+    /// The operands of `mtllib`.
+    pub(super) libraries: Vec<Vec<u8>>,
+    /// The operands of `o`, `g`, `usemtl` and `s`, which states name by place.
+    pub(super) names: Vec<Vec<u8>>,
+    /// Where a state begins to hold: the place of the face, from 0.
+    pub(super) states: Vec<(u32, State)>,
+    pub(super) texture: Rows,
+    pub(super) normals: Rows,
+    /// Per corner of the file's faces, in order. Both stay empty while no corner has
+    /// one, and are as long as the corners otherwise.
+    pub(super) corner_texture: Vec<u32>,
+    pub(super) corner_normals: Vec<u32>,
+    /// The vertex of each corner when the file was read; empty if no corner has anything to keep.
+    pub(super) corner_vertices: Vec<u32>,
+    /// The statements that are no part of a mesh, such as `l` and `p`: the first few words, with
+    /// their lines.
+    pub(super) passed_over: Vec<(String, u32)>,
+    /// What else of the file is not in the mesh: in words, how often, and first in which line.
+    pub(super) notes: Vec<(String, usize, Option<u32>)>,
+}
+
+/// The statements in force at a face, by their places in `names`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct State(pub(super) [u32; 4]);
+
+impl State {
+    /// The statements that make a state, in the order in which they are written.
+    pub(super) const KEYWORDS: [&'static str; 4] = ["o", "g", "usemtl", "s"];
+
+    pub(super) const EMPTY: Self = Self([MISSING; 4]);
+}
+
+impl Kept {
+    /// Notes a statement that is not kept.
+    pub(super) fn pass_over(&mut self, keyword: &str, line: u32) {
+        let word: String = keyword.chars().take(16).collect();
+        let known = &mut self.passed_over;
+        if known.len() <= 8 && !known.iter().any(|(other, _)| *other == word) {
+            // Of more than these it is said that there are others.
+            known.push((if known.len() < 8 { word } else { "…".to_owned() }, line));
+        }
+    }
+
+    /// Notes something of the file that is not in the mesh.
+    pub(super) fn note(&mut self, what: &str, line: u32) {
+        match self.notes.iter_mut().find(|(known, ..)| known == what) {
+            Some((_, count, _)) => *count += 1,
+            None => self.notes.push((what.to_owned(), 1, Some(line))),
+        }
+    }
+
+    /// Notes something that a file does several times.
+    pub(super) fn note_count(&mut self, what: &str, count: usize) {
+        if count > 0 {
+            self.notes.push((what.to_owned(), count, None));
+        }
+    }
+
+    /// Whether corners of the file have something to keep.
+    pub(super) fn has_corners(&self) -> bool {
+        !(self.corner_texture.is_empty() && self.corner_normals.is_empty())
+    }
+
+    /// The state at a face of the file.
+    pub(super) fn state(&self, face: u32) -> State {
+        let after = self.states.partition_point(|&(first, _)| first <= face);
+        after.checked_sub(1).map_or(State::EMPTY, |i| self.states[i].1)
+    }
+
+    /// Notes a statement that holds from `face` on.
+    pub(super) fn enter_state(&mut self, face: u32, keyword: usize, name: &[u8]) {
+        let mut state = self.states.last().map_or(State::EMPTY, |&(_, state)| state);
+        let known = self.names.get(state.0[keyword] as usize);
+        if known.is_some_and(|known| known == name) {
+            return;
+        }
+        state.0[keyword] = self.names.len() as u32;
+        self.names.push(name.to_vec());
+        match self.states.last_mut() {
+            Some((first, last)) if *first == face => *last = state,
+            _ => self.states.push((face, state)),
+        }
+    }
+}
+
+impl Kept {
+    /// Adds what number of a name each face has, -1 or the like for none.
+    pub(super) fn add_states(&mut self, keyword: usize, names: &[Vec<u8>], numbers: &[f64]) {
+        let first = self.names.len() as u32;
+        self.names.extend_from_slice(names);
+        let before = std::mem::take(&mut self.states);
+        let mut before = before.into_iter().peekable();
+        let mut state = State::EMPTY;
+        for (face, &number) in (0..).zip(numbers) {
+            let old = state;
+            if let Some((_, others)) = before.next_if(|&(at, _)| at == face) {
+                state =
+                    State(std::array::from_fn(
+                        |i| {
+                            if i == keyword { state.0[i] } else { others.0[i] }
+                        },
+                    ));
+            }
+            let is_named = number >= 0.0 && number < names.len() as f64;
+            state.0[keyword] = if is_named { first + number as u32 } else { MISSING };
+            if state != old {
+                self.states.push((face, state));
+            }
+        }
+    }
+}
+
+/// A table of up to three numbers a row.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rows {
+    pub(super) rows: Vec<[f64; 3]>,
+    /// How many of the three are written.
+    pub(super) width: usize,
+}

@@ -1,0 +1,481 @@
+//! Reading a file, section by section.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::{NODES, sides};
+use crate::mesh::attribute::{AttributeType, Value};
+use crate::mesh::file::contents::{Contents, FileColumn};
+use crate::mesh::file::error::{Failure, FileReason};
+use crate::mesh::file::format::{Encoding, MshVersion};
+use crate::mesh::file::kept::MISSING;
+use crate::mesh::file::scan::{Scanner, shown};
+use crate::mesh::id::ElementKind;
+use crate::mesh::polygons::Polygons;
+
+/// Reads a file.
+pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
+    let mut reader = Reader::new(text);
+    let read = reader.file();
+    let line = reader.is_text.then(|| reader.scanner.line());
+    read.map_err(|words| (line, FileReason::Malformed(words)))?;
+    Ok(reader.finish())
+}
+
+struct Reader<'t> {
+    scanner: Scanner<'t>,
+    version: MshVersion,
+    is_text: bool,
+    is_big: bool,
+    contents: Contents,
+    /// The vertices by the numbers of the nodes.
+    nodes: HashMap<u64, u32>,
+    /// The faces by the numbers of the elements.
+    elements: HashMap<u64, u32>,
+    corners: Vec<u32>,
+    ends: Vec<usize>,
+    /// The names of the groups of surfaces, by their numbers.
+    names: HashMap<i64, Vec<u8>>,
+    /// The groups of the surfaces, by their numbers.
+    surfaces: HashMap<i64, i64>,
+    /// Elements that are no faces, and faces of a higher order.
+    others: usize,
+    bent: usize,
+    unpaired: usize,
+}
+
+type Answer<T> = Result<T, String>;
+
+impl<'t> Reader<'t> {
+    fn new(text: &'t [u8]) -> Self {
+        Self {
+            scanner: Scanner::new(text),
+            version: MshVersion::V4,
+            is_text: true,
+            is_big: false,
+            contents: Contents::default(),
+            nodes: HashMap::new(),
+            elements: HashMap::new(),
+            corners: Vec::new(),
+            ends: Vec::new(),
+            names: HashMap::new(),
+            surfaces: HashMap::new(),
+            others: 0,
+            bent: 0,
+            unpaired: 0,
+        }
+    }
+
+    fn file(&mut self) -> Answer<()> {
+        let mut has_format = false;
+        while self.scanner.to_line() {
+            let line = self.scanner.line();
+            let word = self.scanner.word().unwrap_or_default();
+            self.scanner.end_line();
+            let Some(section) = word.strip_prefix(b"$") else {
+                return Err(format!("`{}` begins no section of a Gmsh file", shown(word)));
+            };
+            match section {
+                b"MeshFormat" => {
+                    self.format()?;
+                    has_format = true;
+                }
+                _ if !has_format => return Err("a Gmsh file begins with `$MeshFormat`".into()),
+                b"PhysicalNames" => self.names()?,
+                b"Entities" => self.entities()?,
+                b"Nodes" => self.nodes()?,
+                b"Elements" => self.elements()?,
+                b"NodeData" => self.data(ElementKind::Vertex)?,
+                b"ElementData" => self.data(ElementKind::Face)?,
+                _ => {
+                    let what = format!("sections `{}`", shown(word));
+                    self.contents.kept.note(&what, line);
+                }
+            }
+            self.end_section(section)?;
+        }
+        if has_format { Ok(()) } else { Err("a Gmsh file begins with `$MeshFormat`".into()) }
+    }
+
+    /// Goes behind the end of a section.
+    fn end_section(&mut self, section: &[u8]) -> Answer<()> {
+        let end = [b"$End", section].concat();
+        let rest = self.scanner.rest();
+        let found = rest.windows(end.len()).position(|window| window == end);
+        let Some(at) = found else {
+            return Err(format!("the section `${}` does not end", shown(section)));
+        };
+        // Lines are counted in text alone; bytes may look like anything.
+        match self.is_text {
+            true => {
+                while self.scanner.to_line() {
+                    if self.scanner.word() == Some(&end[..]) {
+                        break;
+                    }
+                    self.scanner.end_line();
+                }
+            }
+            false => self.scanner.skip(at + end.len()),
+        }
+        self.scanner.end_line();
+        Ok(())
+    }
+
+    fn format(&mut self) -> Answer<()> {
+        let version = self.text_number()?;
+        self.version = match version {
+            2.0..3.0 => MshVersion::V2,
+            4.1 => MshVersion::V4,
+            _ => {
+                return Err(format!(
+                    "version {version} of Gmsh files is not read: 2.2 and 4.1 are"
+                ));
+            }
+        };
+        self.is_text = self.text_number()? == 0.0;
+        if self.text_number()? != 8.0 {
+            return Err("numbers of other than 8 bytes are not read".into());
+        }
+        self.scanner.end_line();
+        if !self.is_text {
+            self.is_big = match self.bytes::<4>()? {
+                [1, 0, 0, 0] => false,
+                [0, 0, 0, 1] => true,
+                _ => return Err("the bytes of a binary file begin with a 1".into()),
+            };
+        }
+        Ok(())
+    }
+
+    fn names(&mut self) -> Answer<()> {
+        for _ in 0..self.text_count(4)? {
+            if !self.scanner.to_line() {
+                break;
+            }
+            let (dimension, tag) = (self.text_number()?, self.text_number()? as i64);
+            let text = self.scanner.text();
+            let name = text.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
+            if dimension == 2.0 {
+                self.names.insert(tag, name.unwrap_or(&text).to_vec());
+            }
+            self.scanner.end_line();
+        }
+        Ok(())
+    }
+
+    fn entities(&mut self) -> Answer<()> {
+        let mut counts = [0; 4];
+        for count in &mut counts {
+            *count = self.count(5)?;
+        }
+        for (dimension, count) in counts.into_iter().enumerate() {
+            for _ in 0..count {
+                let tag = self.int()?;
+                for _ in 0..if dimension == 0 { 3 } else { 6 } {
+                    self.real()?;
+                }
+                for at in 0..self.count(1)? {
+                    let group = self.int()?;
+                    if dimension == 2 && at == 0 {
+                        self.surfaces.insert(tag, group);
+                    }
+                }
+                if dimension > 0 {
+                    for _ in 0..self.count(1)? {
+                        self.int()?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn nodes(&mut self) -> Answer<()> {
+        if self.version == MshVersion::V2 {
+            for _ in 0..self.text_count(8)? {
+                let tag = self.int()?;
+                self.node(tag as u64)?;
+            }
+            return Ok(());
+        }
+        let blocks = self.count(7)?;
+        for _ in 0..3 {
+            self.size()?;
+        }
+        for _ in 0..blocks {
+            let dimension = self.int()?;
+            self.int()?;
+            let is_parametric = self.int()? != 0;
+            let count = self.count(8)?;
+            let tags = (0..count).map(|_| self.size()).collect::<Answer<Vec<_>>>()?;
+            for tag in tags {
+                self.node(tag)?;
+                for _ in 0..if is_parametric { dimension.clamp(0, 3) } else { 0 } {
+                    self.real()?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn node(&mut self, tag: u64) -> Answer<()> {
+        let at = DVec3::new(self.real()?, self.real()?, self.real()?);
+        self.nodes.insert(tag, self.contents.positions.len() as u32);
+        self.contents.positions.push(at);
+        Ok(())
+    }
+
+    fn elements(&mut self) -> Answer<()> {
+        if self.version == MshVersion::V2 {
+            return self.elements_of_version_2();
+        }
+        let blocks = self.count(7)?;
+        for _ in 0..3 {
+            self.size()?;
+        }
+        for _ in 0..blocks {
+            let dimension = self.int()?;
+            let entity = self.int()?;
+            let element = self.int()?;
+            let count = self.count(2)?;
+            let group = self.surfaces.get(&entity).copied().filter(|_| dimension == 2);
+            let nodes = node_count(element)?;
+            for _ in 0..count {
+                let tag = self.size()?;
+                self.element(tag, element as usize, nodes, group)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn elements_of_version_2(&mut self) -> Answer<()> {
+        let mut left = self.text_count(4)?;
+        while left > 0 {
+            // In text each element has a head of its own, in bytes a block of them.
+            let first = self.int()?;
+            let (tag, element, count) = match self.is_text {
+                true => (Some(first as u64), self.int()?, 1),
+                false => (None, first, self.int()?),
+            };
+            let tags = self.int()?;
+            let nodes = node_count(element)?;
+            if !(1..=left as i64).contains(&count) || !(0..=1 << 20).contains(&tags) {
+                return Err("a block of elements is larger than its section".into());
+            }
+            left -= count as usize;
+            for _ in 0..count {
+                let tag = tag.map_or_else(|| self.int().map(|tag| tag as u64), Ok)?;
+                let mut group = None;
+                for at in 0..tags {
+                    let value = self.int()?;
+                    group = if at == 0 { Some(value).filter(|&value| value != 0) } else { group };
+                }
+                self.element(tag, element as usize, nodes, group)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn element(
+        &mut self,
+        tag: u64,
+        element: usize,
+        nodes: usize,
+        group: Option<i64>,
+    ) -> Answer<()> {
+        let sides = sides(element);
+        let line = self.scanner.line();
+        for at in 0..nodes {
+            let node = match self.version {
+                MshVersion::V2 => self.int()? as u64,
+                MshVersion::V4 => self.size()?,
+            };
+            if at >= sides {
+                continue;
+            }
+            let vertex = self.nodes.get(&node).copied();
+            if vertex.is_none() {
+                let line = self.is_text.then_some(line);
+                self.contents.strays.add(line, || format!("there is no node {node}"));
+            }
+            self.corners.push(vertex.unwrap_or(MISSING));
+        }
+        if sides == 0 {
+            self.others += 1;
+            return Ok(());
+        }
+        self.bent += usize::from(nodes > sides);
+        let face = self.ends.len() as u32;
+        self.elements.insert(tag, face);
+        self.ends.push(self.corners.len());
+        if self.is_text {
+            self.contents.face_lines.push(line);
+        }
+        let name = match group {
+            Some(group) => match self.names.get(&group) {
+                Some(name) => name.clone(),
+                None => group.to_string().into_bytes(),
+            },
+            None if self.contents.kept.states.is_empty() => return Ok(()),
+            None => b"default".to_vec(),
+        };
+        self.contents.kept.enter_state(face, 1, &name);
+        Ok(())
+    }
+
+    /// Values at nodes or elements.
+    fn data(&mut self, kind: ElementKind) -> Answer<()> {
+        let line = self.scanner.line();
+        let mut name = String::new();
+        for at in 0..self.text_count(1)? {
+            self.scanner.to_line();
+            let text = self.scanner.text();
+            if at == 0 {
+                name = String::from_utf8_lossy(&text).trim_matches('"').to_owned();
+            }
+            self.scanner.end_line();
+        }
+        for _ in 0..self.text_count(1)? {
+            self.text_number()?;
+        }
+        let mut ints = [0; 3];
+        for at in 0..self.text_count(1)? {
+            let number = self.text_number()?;
+            if let Some(int) = ints.get_mut(at) {
+                *int = number as usize;
+            }
+        }
+        self.scanner.end_line();
+        let [_, width, count] = ints;
+        let default = match width {
+            1 => Value::Real(0.0),
+            3 => Value::Vec3(DVec3::ZERO),
+            9 => match Value::from_reals(AttributeType::Mat3, &[0.0; 9]) {
+                Some(zero) => zero,
+                None => return Ok(()), // nine reals are a matrix
+            },
+            _ => return Err(format!("values of {width} numbers: 1, 3 and 9 are read")),
+        };
+        let (places, rows) = match kind {
+            ElementKind::Vertex => (&self.nodes, self.contents.positions.len()),
+            _ => (&self.elements, self.ends.len()),
+        };
+        let places = places.clone();
+        let mut reals = vec![0.0; rows * width];
+        for _ in 0..count {
+            let tag = self.int()? as u64;
+            let place = places.get(&tag).map(|&place| place as usize * width);
+            for at in 0..width {
+                let real = self.real()?;
+                match place {
+                    Some(place) => reals[place + at] = real,
+                    None => self.unpaired += usize::from(at == 0),
+                }
+            }
+        }
+        let said = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '_' };
+        let name: String = name.chars().map(said).collect();
+        let known = |column: &FileColumn| column.is(kind, &name);
+        if self.contents.columns.iter().any(known) {
+            self.contents.kept.note("values that were there already, at another time", line);
+        } else if !name.is_empty() {
+            self.contents.columns.push(FileColumn::new(kind, &name, default, reals));
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Contents {
+        let mut contents = self.contents;
+        let kept = &mut contents.kept;
+        kept.note_count("elements that are no triangles and quads", self.others);
+        kept.note_count("faces of a higher order, which have their corners alone", self.bent);
+        kept.note_count("values of elements that are no faces", self.unpaired);
+        contents.msh_version = self.version;
+        contents.encoding = Encoding::Ascii;
+        contents.polygons = Polygons::of_parts(self.corners, self.ends);
+        contents
+    }
+}
+
+fn node_count(element: i64) -> Answer<usize> {
+    let known = usize::try_from(element).ok().and_then(|element| NODES.get(element));
+    match known {
+        Some(&nodes @ 1..) => Ok(usize::from(nodes)),
+        _ => Err(format!("there is no element of type {element}")),
+    }
+}
+
+/// Numbers, as text or as bytes.
+impl Reader<'_> {
+    fn text_number(&mut self) -> Answer<f64> {
+        if !self.scanner.to_line() {
+            return Err("the file ends where a number should stand".into());
+        }
+        match self.scanner.number() {
+            Some(Ok(number)) => Ok(number),
+            Some(Err(word)) => Err(format!("`{}` is no number", shown(word))),
+            None => Err("the file ends where a number should stand".into()),
+        }
+    }
+
+    /// A number of things that have so many bytes each at least, as text.
+    fn text_count(&mut self, least: usize) -> Answer<usize> {
+        let number = self.text_number()?;
+        let count = self.expect_room(number, least)?;
+        if !self.is_text {
+            self.scanner.end_line();
+        }
+        Ok(count)
+    }
+
+    /// As `text_count`, in bytes if the file is of these.
+    fn count(&mut self, least: usize) -> Answer<usize> {
+        let number = self.size()?;
+        self.expect_room(number as f64, least)
+    }
+
+    fn expect_room(&self, count: f64, least: usize) -> Answer<usize> {
+        let left = self.scanner.rest().len();
+        if count >= 0.0 && count * least as f64 <= left as f64 + 1.0 {
+            return Ok(count as usize);
+        }
+        Err(format!("{count} things are spoken of, and the file has {left} bytes more"))
+    }
+
+    fn bytes<const N: usize>(&mut self) -> Answer<[u8; N]> {
+        let Some(&bytes) = self.scanner.rest().first_chunk::<N>() else {
+            return Err("the file ends where a number should stand".into());
+        };
+        self.scanner.skip(N);
+        Ok(bytes)
+    }
+
+    fn int(&mut self) -> Answer<i64> {
+        if self.is_text {
+            return self.text_number().map(|number| number as i64);
+        }
+        let bytes = self.bytes()?;
+        Ok(i64::from(if self.is_big {
+            i32::from_be_bytes(bytes)
+        } else {
+            i32::from_le_bytes(bytes)
+        }))
+    }
+
+    fn size(&mut self) -> Answer<u64> {
+        if self.is_text {
+            return self.text_number().map(|number| number as u64);
+        }
+        let bytes = self.bytes()?;
+        Ok(if self.is_big { u64::from_be_bytes(bytes) } else { u64::from_le_bytes(bytes) })
+    }
+
+    fn real(&mut self) -> Answer<f64> {
+        if self.is_text {
+            return self.text_number();
+        }
+        let bytes = self.bytes()?;
+        Ok(if self.is_big { f64::from_be_bytes(bytes) } else { f64::from_le_bytes(bytes) })
+    }
+}

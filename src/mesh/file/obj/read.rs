@@ -1,0 +1,293 @@
+//! Reading a file, statement by statement.
+
+use glam::DVec3;
+
+use crate::mesh::attribute::Value;
+use crate::mesh::file::contents::{Contents, FileColumn};
+use crate::mesh::file::error::{Failure, FileReason, Indexed};
+use crate::mesh::file::kept::{MISSING, State};
+use crate::mesh::file::scan::{Scanner, shown};
+use crate::mesh::id::ElementKind;
+
+/// Reads the text of a file.
+pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
+    let mut reader = Reader {
+        scanner: Scanner::with_continued_lines(text),
+        contents: Contents::default(),
+        corners: Vec::with_capacity(text.len() / 12),
+        ends: Vec::with_capacity(text.len() / 40),
+        weights: Vec::new(),
+        colors: Vec::new(),
+        alphas: Vec::new(),
+        colored: 0,
+        highest: [Highest::default(); 3],
+    };
+    while !reader.scanner.is_at_end() {
+        if reader.scanner.to_word() {
+            let line = reader.scanner.line();
+            reader.statement(line).map_err(|reason| (Some(line), reason))?;
+        }
+        reader.scanner.end_line();
+    }
+    Ok(reader.finish())
+}
+
+struct Reader<'t> {
+    scanner: Scanner<'t>,
+    contents: Contents,
+    corners: Vec<u32>,
+    ends: Vec<usize>,
+    weights: Vec<f64>,
+    /// Three numbers for each vertex, once any has had a colour.
+    colors: Vec<f64>,
+    alphas: Vec<f64>,
+    colored: usize,
+    highest: [Highest; 3],
+}
+
+/// The highest index of its kind, and the line that has it.
+#[derive(Clone, Copy, Default)]
+struct Highest {
+    index: u64,
+    line: u32,
+}
+
+const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
+
+impl Reader<'_> {
+    fn statement(&mut self, line: u32) -> Result<(), FileReason> {
+        let Some(keyword) = self.scanner.word() else { return Ok(()) };
+        match keyword {
+            b"v" => self.vertex(line),
+            b"f" | b"fo" => self.face(line),
+            b"vt" => self.row(line, "vt", 1, "a number or more"),
+            b"vn" => self.row(line, "vn", 3, "three numbers"),
+            b"mtllib" => {
+                let library = self.scanner.text().into_owned();
+                let libraries = &mut self.contents.kept.libraries;
+                if !libraries.contains(&library) {
+                    libraries.push(library);
+                }
+                Ok(())
+            }
+            _ => {
+                match State::KEYWORDS.iter().position(|k| k.as_bytes() == keyword) {
+                    Some(place) => {
+                        let name = self.scanner.text();
+                        let face = self.ends.len() as u32;
+                        self.contents.kept.enter_state(face, place, &name);
+                    }
+                    None => self.contents.kept.pass_over(&shown(keyword), line),
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn vertex(&mut self, line: u32) -> Result<(), FileReason> {
+        let mut numbers = [0.0; 7];
+        let mut count = 0;
+        while count < numbers.len() {
+            match self.scanner.number() {
+                Some(Ok(number)) => numbers[count] = number,
+                None => break,
+                Some(Err(_)) if count < 3 => break,
+                Some(Err(_)) => {
+                    self.contents.kept.note("vertices with a word behind their numbers", line);
+                    break;
+                }
+            }
+            count += 1;
+        }
+        if count < 3 {
+            return Err(FileReason::Malformed("`v` needs three numbers".into()));
+        }
+        if count == 5 || (count == 7 && self.scanner.to_word()) {
+            self.contents.kept.note("vertices with 5 numbers, or more than 7", line);
+        }
+        let [x, y, z, rest @ ..] = numbers;
+        let before = self.contents.positions.len();
+        self.contents.positions.push(DVec3::new(x, y, z));
+        self.contents.vertex_lines.push(line);
+        match count {
+            4 if rest[0] != 1.0 => pad(&mut self.weights, before, 1.0, rest[0]),
+            6 | 7 => {
+                self.colors.resize(before * 3, 1.0);
+                self.colors.extend_from_slice(&rest[..3]);
+                self.colored += 1;
+                if count == 7 {
+                    pad(&mut self.alphas, before, 1.0, rest[3]);
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn row(
+        &mut self,
+        line: u32,
+        statement: &str,
+        least: usize,
+        needs: &str,
+    ) -> Result<(), FileReason> {
+        let mut row = [0.0; 3];
+        let mut width = 0;
+        let malformed = || FileReason::Malformed(format!("`{statement}` needs {needs}"));
+        while width < 3 {
+            match self.scanner.number() {
+                Some(Ok(number)) => row[width] = number,
+                Some(Err(_)) => return Err(malformed()),
+                None => break,
+            }
+            width += 1;
+        }
+        if width < least {
+            return Err(malformed());
+        }
+        let kept = &mut self.contents.kept;
+        if width == 3 && self.scanner.to_word() {
+            kept.note(&format!("`{statement}` with more than three numbers"), line);
+        }
+        let rows = if statement == "vt" { &mut kept.texture } else { &mut kept.normals };
+        rows.width = rows.width.max(width);
+        rows.rows.push(row);
+        Ok(())
+    }
+
+    fn face(&mut self, line: u32) -> Result<(), FileReason> {
+        let kept = &self.contents.kept;
+        let have =
+            [self.contents.positions.len(), kept.texture.rows.len(), kept.normals.rows.len()];
+        while self.scanner.to_word() {
+            // Almost all corners are digits alone; others are looked at again.
+            let start = self.scanner.position();
+            let before = self.scanner.rest();
+            let mut places = [MISSING; 3];
+            for i in 0..3 {
+                let negative = self.scanner.take(b'-');
+                let digits = self.scanner.digits();
+                let length = self.scanner.position() - start;
+                let is_left_out = i > 0
+                    && digits.is_none()
+                    && !negative
+                    && !before[length..].first().is_some_and(u8::is_ascii_digit);
+                if !is_left_out {
+                    let index = digits.ok_or_else(|| malformed(before))? as i64;
+                    let index = if negative { -index } else { index };
+                    if index == 0 {
+                        let words = "0 is no index: they count from 1, or back from -1";
+                        return Err(FileReason::Malformed(words.into()));
+                    }
+                    places[i] = self.resolve(index, i, have[i], line);
+                }
+                if i == 2 || !self.scanner.take(b'/') {
+                    break;
+                }
+            }
+            let length = self.scanner.position() - start;
+            let ends = before.get(length).is_none_or(|b| b.is_ascii_whitespace() || *b == b'\\');
+            if !ends {
+                return Err(malformed(before));
+            }
+            let kept = &mut self.contents.kept;
+            keep_corner(&mut kept.corner_texture, self.corners.len(), places[1]);
+            keep_corner(&mut kept.corner_normals, self.corners.len(), places[2]);
+            self.corners.push(places[0]);
+        }
+        self.ends.push(self.corners.len());
+        self.contents.face_lines.push(line);
+        Ok(())
+    }
+
+    /// The place, from 0, of what an index names: negative ones count back from the last.
+    #[inline]
+    fn resolve(&mut self, index: i64, kind: usize, have: usize, line: u32) -> u32 {
+        if index < 0 {
+            let place = (have as u64).checked_sub(index.unsigned_abs());
+            return place.map_or_else(
+                || {
+                    let what = KINDS[kind];
+                    self.contents.strays.add(Some(line), || what.missing(index, have));
+                    MISSING
+                },
+                |place| place as u32,
+            );
+        }
+        // A face may name a vertex that comes later.
+        let index = index as u64;
+        if index > self.highest[kind].index {
+            self.highest[kind] = Highest { index, line };
+        }
+        u32::try_from(index - 1).unwrap_or(MISSING - 1)
+    }
+
+    fn finish(mut self) -> Contents {
+        let vertices = self.contents.positions.len();
+        self.look_for_strays(vertices);
+        let mut contents = self.contents;
+        let kept = &mut contents.kept;
+        for table in [&mut kept.corner_texture, &mut kept.corner_normals] {
+            if !table.is_empty() {
+                table.resize(self.corners.len(), MISSING);
+            }
+        }
+        if self.colored > 0 && self.colored < vertices {
+            let bare = vertices - self.colored;
+            kept.note_count("vertices without a colour, which are white now", bare);
+        }
+        let ones = [
+            ("color", Value::Vec3(DVec3::ONE), self.colors),
+            ("weight", Value::Real(1.0), self.weights),
+            ("alpha", Value::Real(1.0), self.alphas),
+        ];
+        for (name, default, mut reals) in ones {
+            if !reals.is_empty() {
+                reals.resize(vertices * default.reals().len(), 1.0);
+                contents.columns.push(FileColumn::new(ElementKind::Vertex, name, default, reals));
+            }
+        }
+        contents.polygons = crate::mesh::Polygons::of_parts(self.corners, self.ends);
+        contents
+    }
+
+    /// Indices that lead out of the file: the first of each kind is the highest.
+    fn look_for_strays(&mut self, vertices: usize) {
+        let Contents { kept, strays, .. } = &mut self.contents;
+        let have = [vertices, kept.texture.rows.len(), kept.normals.rows.len()];
+        let tables = [&mut self.corners, &mut kept.corner_texture, &mut kept.corner_normals];
+        for (kind, table) in tables.into_iter().enumerate() {
+            let Highest { index, line } = self.highest[kind];
+            if index <= have[kind] as u64 {
+                continue;
+            }
+            for place in table.iter_mut() {
+                if *place != MISSING && *place as usize >= have[kind] {
+                    *place = MISSING;
+                    strays.add(Some(line), || KINDS[kind].missing(index as i64, have[kind]));
+                }
+            }
+        }
+    }
+}
+
+#[cold]
+fn malformed(text: &[u8]) -> FileReason {
+    let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
+    FileReason::Malformed(format!("`{}` is not a corner of a face", shown(&text[..end])))
+}
+
+/// Adds a value, and before it the usual one for all who have had none.
+fn pad(table: &mut Vec<f64>, before: usize, usual: f64, value: f64) {
+    table.resize(before, usual);
+    table.push(value);
+}
+
+/// Notes what a corner has, once any corner has had something.
+#[inline]
+fn keep_corner(table: &mut Vec<u32>, corner: usize, place: u32) {
+    if place != MISSING || !table.is_empty() {
+        table.resize(corner, MISSING);
+        table.push(place);
+    }
+}

@@ -1,0 +1,246 @@
+//! The head of a file.
+
+use crate::mesh::attribute::{AttributeType, Value};
+use crate::mesh::file::error::{Failure, FileReason};
+use crate::mesh::file::format::Encoding;
+use crate::mesh::file::scan::shown;
+use crate::mesh::id::ElementKind;
+
+/// The type of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    fn of(word: &str) -> Option<Self> {
+        Some(match word {
+            "char" | "int8" => Self::I8,
+            "uchar" | "uint8" => Self::U8,
+            "short" | "int16" => Self::I16,
+            "ushort" | "uint16" => Self::U16,
+            "int" | "int32" => Self::I32,
+            "uint" | "uint32" => Self::U32,
+            "float" | "float32" => Self::F32,
+            "double" | "float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::I8 => "char",
+            Self::U8 => "uchar",
+            Self::I16 => "short",
+            Self::U16 => "ushort",
+            Self::I32 => "int",
+            Self::U32 => "uint",
+            Self::F32 => "float",
+            Self::F64 => "double",
+        }
+    }
+
+    pub(super) fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    pub(super) fn is_whole(self) -> bool {
+        !matches!(self, Self::F32 | Self::F64)
+    }
+
+    /// The greatest number of the type, by which colours are divided.
+    pub(super) fn greatest(self) -> f64 {
+        match self {
+            Self::I8 => 127.0,
+            Self::U8 => 255.0,
+            Self::I16 => 32767.0,
+            Self::U16 => 65535.0,
+            Self::I32 => 2147483647.0,
+            Self::U32 => 4294967295.0,
+            Self::F32 | Self::F64 => 1.0,
+        }
+    }
+}
+
+/// A property of an element.
+#[derive(Clone, Debug)]
+pub(super) struct Property {
+    pub(super) name: String,
+    pub(super) scalar: Scalar,
+    /// The type of the length, of a list.
+    pub(super) list: Option<Scalar>,
+}
+
+/// An element, as the head declares it.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    pub(super) name: String,
+    pub(super) count: usize,
+    pub(super) properties: Vec<Property>,
+}
+
+impl Element {
+    /// How many bytes one of them has at least.
+    pub(super) fn least_size(&self, encoding: Encoding) -> usize {
+        let size = |property: &Property| match encoding {
+            Encoding::Ascii => 2,
+            _ => property.list.unwrap_or(property.scalar).size(),
+        };
+        self.properties.iter().map(size).sum()
+    }
+}
+
+/// What an attribute is, by a comment.
+pub(super) struct Declared {
+    pub(super) kind: ElementKind,
+    pub(super) name: String,
+    pub(super) default: Value,
+}
+
+/// A head.
+pub(super) struct Header {
+    pub(super) encoding: Encoding,
+    pub(super) elements: Vec<Element>,
+    pub(super) declared: Vec<Declared>,
+    /// The names of objects, groups, materials and smoothing groups, by their numbers.
+    pub(super) names: [Vec<Vec<u8>>; 4],
+    pub(super) libraries: Vec<Vec<u8>>,
+    /// How long it is, and how many lines.
+    pub(super) length: usize,
+    pub(super) lines: u32,
+}
+
+/// The properties of faces that number the states of OBJ, in the order of these.
+pub(super) const STATES: [&str; 4] = ["object", "group", "material", "smoothing"];
+
+impl Header {
+    pub(super) fn read(text: &[u8]) -> Result<Self, Failure> {
+        let mut header = Self {
+            encoding: Encoding::Ascii,
+            elements: Vec::new(),
+            declared: Vec::new(),
+            names: Default::default(),
+            libraries: Vec::new(),
+            length: 0,
+            lines: 0,
+        };
+        let mut has_format = false;
+        loop {
+            let rest = &text[header.length..];
+            let end = rest.iter().position(|&b| b == b'\n' || b == b'\r');
+            let fail = |words: String, line: u32| Err((Some(line), FileReason::Malformed(words)));
+            let Some(end) = end else {
+                return fail(
+                    "the head does not end: `end_header` is missing".into(),
+                    header.lines + 1,
+                );
+            };
+            let line = String::from_utf8_lossy(&rest[..end]);
+            let is_crlf = rest[end..].starts_with(b"\r\n");
+            header.length += end + if is_crlf { 2 } else { 1 };
+            header.lines += 1;
+            let words: Vec<&str> = line.split_ascii_whitespace().collect();
+            let known = match words.as_slice() {
+                ["ply"] => header.lines == 1,
+                _ if header.lines == 1 => false,
+                [] | ["obj_info", ..] => true,
+                ["format", name, _] => {
+                    has_format = true;
+                    header.set_format(name)
+                }
+                ["comment", ..] => {
+                    header.comment(line.trim_start()["comment".len()..].trim());
+                    true
+                }
+                ["element", name, count] => match count.parse() {
+                    Ok(count) => {
+                        let (name, properties) = ((*name).to_owned(), Vec::new());
+                        header.elements.push(Element { name, count, properties });
+                        true
+                    }
+                    Err(_) => false,
+                },
+                ["property", "list", length, scalar, name] => {
+                    let list = Scalar::of(length).filter(|length| length.is_whole());
+                    list.is_some() && header.add_property(scalar, list, name)
+                }
+                ["property", scalar, name] => header.add_property(scalar, None, name),
+                ["end_header"] if has_format => return Ok(header),
+                _ => false,
+            };
+            if !known {
+                let words = match header.lines {
+                    1 => "a PLY file begins with a line `ply`".to_owned(),
+                    _ => {
+                        format!("`{}` is no line of the head of a PLY file", shown(line.as_bytes()))
+                    }
+                };
+                return fail(words, header.lines);
+            }
+        }
+    }
+
+    fn set_format(&mut self, name: &str) -> bool {
+        self.encoding = match name {
+            "ascii" => Encoding::Ascii,
+            "binary_little_endian" => Encoding::LittleEndian,
+            "binary_big_endian" => Encoding::BigEndian,
+            _ => return false,
+        };
+        true
+    }
+
+    fn add_property(&mut self, scalar: &str, list: Option<Scalar>, name: &str) -> bool {
+        match (self.elements.last_mut(), Scalar::of(scalar)) {
+            (Some(element), Some(scalar)) => {
+                element.properties.push(Property { name: name.to_owned(), scalar, list });
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// What is said in a comment, if it is one of ours.
+    fn comment(&mut self, text: &str) {
+        let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
+        if word == "mtllib" {
+            self.libraries.push(rest.as_bytes().to_vec());
+        } else if word == "attribute" {
+            self.declared.extend(declared(rest));
+        } else if let Some(place) = STATES.iter().position(|state| *state == word)
+            && let (number, name) = rest.split_once(' ').unwrap_or((rest, ""))
+            && number.parse() == Ok(self.names[place].len())
+        {
+            self.names[place].push(name.as_bytes().to_vec());
+        }
+    }
+}
+
+/// `KIND NAME TYPE DEFAULT`
+fn declared(text: &str) -> Option<Declared> {
+    let words: Vec<&str> = text.split_ascii_whitespace().collect();
+    let [kind, name, ty, default @ ..] = words.as_slice() else { return None };
+    let kind = ElementKind::ALL.into_iter().find(|known| known.name() == *kind)?;
+    let ty = AttributeType::ALL.iter().copied().find(|known| known.name() == *ty)?;
+    let default = match (ty, default) {
+        (AttributeType::Bool, [word]) => Value::Bool(word.parse().ok()?),
+        (AttributeType::Int, [word]) => Value::Int(word.parse().ok()?),
+        _ => {
+            let reals = default.iter().map(|word| word.parse().ok()).collect::<Option<Vec<_>>>()?;
+            Value::from_reals(ty, &reals)?
+        }
+    };
+    Some(Declared { kind, name: (*name).to_owned(), default })
+}

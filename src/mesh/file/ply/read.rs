@@ -1,0 +1,473 @@
+//! Reading a file: the numbers of each property into a table, and columns of these.
+
+use std::collections::HashMap;
+
+use glam::{DVec2, DVec3};
+
+use super::header::{Element, Header, Property, STATES, Scalar};
+use crate::mesh::attribute::{AttributeType, Value};
+use crate::mesh::file::contents::{Contents, FileColumn, width};
+use crate::mesh::file::error::{Failure, FileReason};
+use crate::mesh::file::format::Encoding;
+use crate::mesh::file::kept::MISSING;
+use crate::mesh::file::scan::{Scanner, shown};
+use crate::mesh::id::ElementKind;
+use crate::mesh::polygons::Polygons;
+
+/// Reads a file.
+pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
+    let header = Header::read(text)?;
+    let mut body = Body::new(&header, &text[header.length..]);
+    let mut contents = Contents { encoding: header.encoding, ..Contents::default() };
+    contents.kept.libraries.clone_from(&header.libraries);
+    for element in &header.elements {
+        body.expect_room(element)?;
+        let tables = body.read(element)?;
+        let mut rows = Rows { header: &header, element, tables, contents: &mut contents };
+        match element.name.as_str() {
+            "vertex" => rows.vertices()?,
+            "face" => rows.faces()?,
+            "edge" => rows.edges(),
+            _ if element.count == 0 => {}
+            name => {
+                let what = format!("elements `{}`", shown(name.as_bytes()));
+                contents.kept.note_count(&what, element.count);
+            }
+        }
+    }
+    check_corners(&mut contents);
+    Ok(contents)
+}
+
+/// Corners that lead nowhere: vertices may come behind the faces.
+fn check_corners(contents: &mut Contents) {
+    let vertices = contents.positions.len();
+    let (mut corners, ends) = std::mem::take(&mut contents.polygons).into_parts();
+    for corner in &mut corners {
+        if *corner as usize >= vertices {
+            let index = *corner;
+            contents.strays.add(None, || match index {
+                MISSING => "there is an index of a vertex that is no number from 0 on".to_owned(),
+                _ => format!("there is no vertex {index}: there are {vertices}, counted from 0"),
+            });
+            *corner = MISSING;
+        }
+    }
+    contents.polygons = Polygons::of_parts(corners, ends);
+}
+
+/// The numbers of a property, row by row.
+#[derive(Default)]
+struct Table {
+    numbers: Vec<f64>,
+    /// Where the list of each row ends; empty for single numbers.
+    ends: Vec<usize>,
+}
+
+impl Table {
+    /// The length that all lists have.
+    fn common_length(&self) -> Option<usize> {
+        let first = *self.ends.first()?;
+        let mut before = 0;
+        let alike = self.ends.iter().all(|&end| end - std::mem::replace(&mut before, end) == first);
+        alike.then_some(first)
+    }
+}
+
+/// What stands behind the head.
+struct Body<'t> {
+    encoding: Encoding,
+    bytes: &'t [u8],
+    scanner: Scanner<'t>,
+    lines: u32,
+}
+
+impl<'t> Body<'t> {
+    fn new(header: &Header, text: &'t [u8]) -> Self {
+        let is_text = header.encoding == Encoding::Ascii;
+        Self {
+            encoding: header.encoding,
+            bytes: text,
+            scanner: Scanner::new(if is_text { text } else { b"" }),
+            lines: header.lines,
+        }
+    }
+
+    fn left(&self) -> usize {
+        match self.encoding {
+            Encoding::Ascii => self.scanner.rest().len(),
+            _ => self.bytes.len(),
+        }
+    }
+
+    /// Whether the elements that the head speaks of can stand in what is left.
+    fn expect_room(&self, element: &Element) -> Result<(), Failure> {
+        let least = element.least_size(self.encoding);
+        // The last number of a text needs no blank behind it.
+        let fits = element.count.checked_mul(least).is_some_and(|size| size <= self.left() + 1);
+        if fits && element.count < MISSING as usize {
+            return Ok(());
+        }
+        let words = format!(
+            "the head speaks of {} elements `{}`, and the file has {} bytes more",
+            element.count,
+            shown(element.name.as_bytes()),
+            self.left()
+        );
+        Err((None, FileReason::Malformed(words)))
+    }
+
+    fn read(&mut self, element: &Element) -> Result<Vec<Table>, Failure> {
+        let mut tables: Vec<Table> = element
+            .properties
+            .iter()
+            .map(|property| Table {
+                // A list has its numbers besides; no more than the file has bytes.
+                numbers: Vec::with_capacity(
+                    element.count * if property.list.is_some() { 3 } else { 1 },
+                ),
+                ends: Vec::with_capacity(if property.list.is_some() { element.count } else { 0 }),
+            })
+            .collect();
+        let ended = |body: &Self, row: usize| {
+            let words = format!(
+                "the file ends within {} {} of {}",
+                shown(element.name.as_bytes()),
+                row + 1,
+                element.count
+            );
+            let line = body.encoding == Encoding::Ascii;
+            Err((line.then(|| body.lines + body.scanner.line()), FileReason::Malformed(words)))
+        };
+        if element.properties.is_empty() {
+            return Ok(tables);
+        }
+        for row in 0..element.count {
+            for (property, table) in element.properties.iter().zip(&mut tables) {
+                let length = match property.list {
+                    None => 1,
+                    Some(scalar) => match self.number(scalar)? {
+                        Some(length) if length >= 0.0 && length.fract() == 0.0 => length as usize,
+                        Some(length) => {
+                            let words = format!("{length} is no length of a list");
+                            return Err((None, FileReason::Malformed(words)));
+                        }
+                        None => return ended(self, row),
+                    },
+                };
+                if self.encoding != Encoding::Ascii {
+                    let Some(size) = length.checked_mul(property.scalar.size()) else {
+                        return ended(self, row);
+                    };
+                    let Some((numbers, rest)) = self.bytes.split_at_checked(size) else {
+                        return ended(self, row);
+                    };
+                    self.bytes = rest;
+                    let is_big = self.encoding == Encoding::BigEndian;
+                    decode(property.scalar, numbers, is_big, &mut table.numbers);
+                } else {
+                    for _ in 0..length {
+                        match self.number(property.scalar)? {
+                            Some(number) => table.numbers.push(number),
+                            None => return ended(self, row),
+                        }
+                    }
+                }
+                if property.list.is_some() {
+                    table.ends.push(table.numbers.len());
+                }
+            }
+        }
+        Ok(tables)
+    }
+
+    /// The next number; `None` at the end of the file.
+    #[inline]
+    fn number(&mut self, scalar: Scalar) -> Result<Option<f64>, Failure> {
+        if self.encoding != Encoding::Ascii {
+            let Some((number, rest)) = self.bytes.split_at_checked(scalar.size()) else {
+                return Ok(None);
+            };
+            self.bytes = rest;
+            if let (Scalar::U8, &[byte]) = (scalar, number) {
+                return Ok(Some(f64::from(byte)));
+            }
+            let mut numbers = Vec::new();
+            decode(scalar, number, self.encoding == Encoding::BigEndian, &mut numbers);
+            return Ok(numbers.first().copied());
+        }
+        if !self.scanner.to_line() {
+            return Ok(None);
+        }
+        match self.scanner.number() {
+            Some(Ok(number)) => Ok(Some(number)),
+            Some(Err(word)) => {
+                let words = format!("`{}` is no number", shown(word));
+                let line = Some(self.lines + self.scanner.line());
+                Err((line, FileReason::Malformed(words)))
+            }
+            None => Ok(None),
+        }
+    }
+}
+
+/// Adds the numbers that bytes stand for.
+#[inline]
+fn decode(scalar: Scalar, bytes: &[u8], is_big: bool, numbers: &mut Vec<f64>) {
+    macro_rules! decode {
+        ($type:ty) => {{
+            let (chunks, _) = bytes.as_chunks::<{ size_of::<$type>() }>();
+            numbers.extend(chunks.iter().map(|&chunk| match is_big {
+                true => <$type>::from_be_bytes(chunk) as f64,
+                false => <$type>::from_le_bytes(chunk) as f64,
+            }));
+        }};
+    }
+    match scalar {
+        Scalar::I8 => decode!(i8),
+        Scalar::U8 => decode!(u8),
+        Scalar::I16 => decode!(i16),
+        Scalar::U16 => decode!(u16),
+        Scalar::I32 => decode!(i32),
+        Scalar::U32 => decode!(u32),
+        Scalar::F32 => decode!(f32),
+        Scalar::F64 => decode!(f64),
+    }
+}
+
+/// The rows of an element, on their way to columns.
+struct Rows<'r> {
+    header: &'r Header,
+    element: &'r Element,
+    tables: Vec<Table>,
+    contents: &'r mut Contents,
+}
+
+/// Properties that are one attribute together.
+const TOGETHER: [(&str, &[&str]); 8] = [
+    ("normal", &["nx", "ny", "nz"]),
+    ("color", &["red", "green", "blue"]),
+    ("color", &["diffuse_red", "diffuse_green", "diffuse_blue"]),
+    ("color", &["r", "g", "b"]),
+    ("uv", &["s", "t"]),
+    ("uv", &["u", "v"]),
+    ("uv", &["texture_u", "texture_v"]),
+    ("alpha", &["alpha"]),
+];
+
+impl Rows<'_> {
+    /// Takes the table of a property, if there is one of that name.
+    fn take(&mut self, name: &str, list: bool) -> Option<(Table, Scalar)> {
+        let place = self.place(name, list)?;
+        Some((std::mem::take(&mut self.tables[place]), self.element.properties[place].scalar))
+    }
+
+    fn place(&self, name: &str, list: bool) -> Option<usize> {
+        let is_it = |property: &Property| property.name == name && property.list.is_some() == list;
+        let place = self.element.properties.iter().position(is_it)?;
+        let table = &self.tables[place];
+        (!(table.numbers.is_empty() && table.ends.is_empty())).then_some(place)
+    }
+
+    fn vertices(&mut self) -> Result<(), Failure> {
+        let mut axes = ["x", "y", "z"].map(|name| self.take(name, false).map(|(table, _)| table));
+        if axes.iter().any(Option::is_none) && self.element.count > 0 {
+            let words = "the vertices have no `x`, `y` and `z`".to_owned();
+            return Err((None, FileReason::Malformed(words)));
+        }
+        if let [Some(x), Some(y), Some(z)] = &mut axes {
+            let numbers = x.numbers.iter().zip(&y.numbers).zip(&z.numbers);
+            let at = numbers.map(|((&x, &y), &z)| DVec3::new(x, y, z));
+            self.contents.positions.extend(at);
+        }
+        self.columns(ElementKind::Vertex, &[]);
+        Ok(())
+    }
+
+    fn faces(&mut self) -> Result<(), Failure> {
+        let mut names = ["vertex_indices", "vertex_index"].into_iter();
+        let corners = names.find_map(|name| self.take(name, true));
+        let Some((Table { numbers, ends }, _)) = corners else {
+            if self.element.count > 0 {
+                let words = "the faces have no list `vertex_indices`".to_owned();
+                return Err((None, FileReason::Malformed(words)));
+            }
+            return Ok(());
+        };
+        // What is no index becomes one that leads nowhere.
+        let index = |number: f64| match number.fract() == 0.0 && number >= 0.0 {
+            true => number as u32,
+            false => MISSING,
+        };
+        let corners: Vec<u32> = numbers.into_iter().map(index).collect();
+        self.states();
+        self.texture(&ends);
+        self.columns(ElementKind::Face, &ends);
+        self.contents.polygons = Polygons::of_parts(corners, ends);
+        Ok(())
+    }
+
+    /// Texture coordinates at the corners; a list without numbers stands for none.
+    fn texture(&mut self, ends: &[usize]) {
+        let Some(place) = self.place("texcoord", true) else { return };
+        let table = &self.tables[place];
+        let mut is_fitting = true;
+        let (mut start, mut first) = (0, 0);
+        for (&end, &corners) in table.ends.iter().zip(ends) {
+            let (numbers, corners) = (end - start, corners - first);
+            is_fitting &= numbers == 0 || numbers == 2 * corners;
+            (start, first) = (end, first + corners);
+        }
+        if !is_fitting {
+            return;
+        }
+        let kept = &mut self.contents.kept;
+        let Table { numbers, ends: lists } = std::mem::take(&mut self.tables[place]);
+        kept.texture.width = 2;
+        let mut known = HashMap::new();
+        let (mut start, mut first) = (0, 0);
+        for (&end, &corners) in lists.iter().zip(ends) {
+            for corner in 0..corners - first {
+                kept.corner_texture.push(match end - start {
+                    0 => MISSING,
+                    _ => {
+                        let row =
+                            [numbers[start + 2 * corner], numbers[start + 2 * corner + 1], 0.0];
+                        let next = kept.texture.rows.len() as u32;
+                        let place = *known.entry(row.map(f64::to_bits)).or_insert(next);
+                        if place == next {
+                            kept.texture.rows.push(row);
+                        }
+                        place
+                    }
+                });
+            }
+            (start, first) = (end, corners);
+        }
+    }
+
+    /// Objects, groups, materials and smoothing groups, where comments name them.
+    fn states(&mut self) {
+        for (keyword, name) in STATES.into_iter().enumerate() {
+            if self.header.names[keyword].is_empty() {
+                continue;
+            }
+            if let Some((table, _)) = self.take(name, false) {
+                self.contents.kept.add_states(keyword, &self.header.names[keyword], &table.numbers);
+            }
+        }
+    }
+
+    fn edges(&mut self) {
+        let ends = ["vertex1", "vertex2"].map(|name| self.take(name, false));
+        if let [Some((from, _)), Some((to, _))] = ends {
+            let pairs = from.numbers.iter().zip(&to.numbers);
+            self.contents.edges = pairs.map(|(&v, &w)| [v as u32, w as u32]).collect();
+            let before = self.contents.columns.len();
+            self.columns(ElementKind::Edge, &[]);
+            if self.contents.columns.len() == before {
+                self.contents.edges = Vec::new(); // they say nothing that the faces do not
+            }
+        }
+    }
+
+    /// Makes columns of the tables that are left. `corners` tells where the polygons end.
+    fn columns(&mut self, kind: ElementKind, corners: &[usize]) {
+        for (name, parts) in TOGETHER {
+            let places: Option<Vec<_>> = parts.iter().map(|part| self.place(part, false)).collect();
+            let Some(places) = places else { continue };
+            if self.find_declared(kind, parts[0]).is_some() {
+                continue; // they are attributes by themselves
+            }
+            let rows = self.tables[places[0]].numbers.len();
+            let scale = match name {
+                "color" | "alpha" => self.element.properties[places[0]].scalar.greatest(),
+                _ => 1.0,
+            };
+            let mut reals = Vec::with_capacity(rows * places.len());
+            for row in 0..rows {
+                reals.extend(places.iter().map(|&place| self.tables[place].numbers[row] / scale));
+            }
+            places.iter().for_each(|&place| self.tables[place] = Table::default());
+            let default = self.find_declared(kind, name).unwrap_or(match name {
+                "color" => Value::Vec3(DVec3::ONE),
+                "alpha" => Value::Real(1.0),
+                "uv" => Value::Vec2(DVec2::ZERO),
+                _ => Value::Vec3(DVec3::ZERO),
+            });
+            if width(default.attribute_type()) == places.len() {
+                self.contents.columns.push(FileColumn::new(kind, name, default, reals));
+            }
+        }
+        for place in 0..self.tables.len() {
+            let table = std::mem::take(&mut self.tables[place]);
+            if !table.numbers.is_empty() {
+                self.column(kind, place, table, corners);
+            }
+        }
+    }
+
+    fn column(&mut self, kind: ElementKind, place: usize, table: Table, corners: &[usize]) {
+        let property = &self.element.properties[place];
+        let said = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '_' };
+        let name: String = property.name.chars().map(said).collect();
+        let declared = |kind| self.find_declared(kind, &name);
+        let common = table.common_length();
+        // How many numbers each corner has, if lists follow the corners.
+        let of_corners = (!corners.is_empty() && corners.len() == table.ends.len())
+            .then(|| {
+                let (first, sides) = (*table.ends.first()?, *corners.first()?);
+                let each = first.checked_div(sides)?;
+                let alike = table.ends.iter().zip(corners).all(|(&end, &c)| end == each * c);
+                (alike && each > 0).then_some(each)
+            })
+            .flatten();
+        let found = if property.list.is_none() {
+            let usual = match property.scalar.is_whole() {
+                true => Value::Int(0),
+                false => Value::Real(0.0),
+            };
+            Some((kind, declared(kind).unwrap_or(usual), 1))
+        } else if let (Some(each), Some(default)) = (of_corners, declared(ElementKind::Halfedge))
+            && width(default.attribute_type()) == each
+        {
+            Some((ElementKind::Halfedge, default, each))
+        } else if let (Some(length), Some(default)) = (common, declared(kind)) {
+            Some((kind, default, length))
+        } else {
+            let corner =
+                of_corners.and_then(|each| Some((ElementKind::Halfedge, zero(each)?, each)));
+            corner.or_else(|| common.and_then(|length| Some((kind, zero(length)?, length))))
+        };
+        match found {
+            Some((kind, default, each)) if width(default.attribute_type()) == each => {
+                self.contents.columns.push(FileColumn::new(kind, &name, default, table.numbers));
+            }
+            _ => {
+                let what =
+                    format!("property `{name}` of the {}, a list that is no value", kind.plural());
+                self.contents.kept.note_count(&what, 1);
+            }
+        }
+    }
+
+    fn find_declared(&self, kind: ElementKind, name: &str) -> Option<Value> {
+        let mut all = self.header.declared.iter();
+        let found = all.find(|declared| declared.kind == kind && declared.name == name);
+        found.map(|declared| declared.default)
+    }
+}
+
+/// The default of a value of so many reals.
+fn zero(width: usize) -> Option<Value> {
+    let ty = match width {
+        1 => AttributeType::Real,
+        2 => AttributeType::Vec2,
+        3 => AttributeType::Vec3,
+        4 => AttributeType::Vec4,
+        9 => AttributeType::Mat3,
+        16 => AttributeType::Mat4,
+        _ => return None,
+    };
+    Value::from_reals(ty, &vec![0.0; width])
+}

@@ -1,0 +1,355 @@
+//! Writing a file: columns of numbers, the head that names them, and the rows.
+
+use std::io::{self, Write};
+
+use super::header::{STATES, Scalar};
+use crate::mesh::attribute::{AttributeType, Column, ColumnId, Value};
+use crate::mesh::file::contents::width;
+use crate::mesh::file::format::Encoding;
+use crate::mesh::file::kept::MISSING;
+use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
+use crate::mesh::file::print::Printer;
+use crate::mesh::id::ElementKind;
+
+/// A property on its way out: its numbers, and where each row of them ends.
+struct Property {
+    name: String,
+    scalar: Scalar,
+    numbers: Vec<f64>,
+    rows: Rows,
+}
+
+enum Rows {
+    /// One number each.
+    One,
+    /// Lists of this length.
+    Alike(usize),
+    /// Lists of so many numbers for each corner of a face.
+    Corners(usize),
+}
+
+/// Writes a mesh.
+pub(in crate::mesh::file) fn write(
+    output: &mut dyn Write,
+    file: &MeshFile,
+    numbers: &WrittenNumbers,
+) -> io::Result<()> {
+    let mesh = &file.mesh;
+    let mut head = Head { text: String::new() };
+    let mut vertices = Vec::new();
+    let at = numbers.vertex_order.iter().flat_map(|&v| mesh.position(v).to_array()).collect();
+    together(&mut vertices, &["x", "y", "z"], at, None);
+    let order: Vec<u32> = numbers.vertex_order.iter().map(|v| v.0).collect();
+    head.columns(&mut vertices, file, ElementKind::Vertex, &order);
+
+    let mut faces = Vec::new();
+    let (mut corners, mut halfedges, mut ends) = (Vec::new(), Vec::new(), Vec::new());
+    for &f in &numbers.face_order {
+        for h in mesh.face_halfedges(f) {
+            corners.push(f64::from(numbers.vertex(mesh.vertex(h)).unwrap_or(1) - 1));
+            halfedges.push(h.0);
+        }
+        ends.push(corners.len());
+    }
+    let name = "vertex_indices".to_owned();
+    let (scalar, rows) = (Scalar::I32, Rows::Corners(1));
+    faces.push(Property { name, scalar, numbers: corners, rows });
+    head.states(&mut faces, file, numbers);
+    let order: Vec<u32> = numbers.face_order.iter().map(|f| f.0).collect();
+    head.columns(&mut faces, file, ElementKind::Face, &order);
+    head.columns(&mut faces, file, ElementKind::Halfedge, &halfedges);
+
+    let mut edges = Vec::new();
+    let order: Vec<u32> = mesh.edges().map(|e| e.0).collect();
+    head.columns(&mut edges, file, ElementKind::Edge, &order);
+    if !edges.is_empty() {
+        let ends = mesh.edges().flat_map(|e| {
+            let h = mesh.edge_halfedge(e);
+            let number = |v| f64::from(numbers.vertex(v).unwrap_or(1) - 1);
+            [number(mesh.vertex(h)), number(mesh.target(h))]
+        });
+        let mut both = Vec::new();
+        together(&mut both, &["vertex1", "vertex2"], ends.collect(), Some(Scalar::I32));
+        both.append(&mut edges);
+        edges = both;
+    }
+
+    let elements = [
+        ("vertex", numbers.vertex_order.len(), &vertices),
+        ("face", numbers.face_order.len(), &faces),
+        ("edge", order.len(), &edges),
+    ];
+    let longest = faces.iter().map(|property| match property.rows {
+        Rows::Corners(each) => each,
+        _ => 0,
+    });
+    let sides = numbers.face_order.iter().map(|&f| mesh.face_size(f)).max().unwrap_or(0);
+    // Most programs know lists by a byte that tells their length.
+    let length = match sides * longest.max().unwrap_or(0) {
+        0..256 => Scalar::U8,
+        _ => Scalar::U32,
+    };
+    let text = head.finish(file.encoding, length, &elements);
+    let mut printer = Printer::new(output);
+    printer.word(&text);
+    for (_, count, properties) in elements {
+        let rows = if properties.is_empty() { 0 } else { count };
+        write_rows(&mut printer, file.encoding, length, properties, rows, &ends)?;
+    }
+    printer.flush()
+}
+
+/// Adds properties whose numbers stand together, row by row.
+fn together(
+    properties: &mut Vec<Property>,
+    names: &[&str],
+    numbers: Vec<f64>,
+    scalar: Option<Scalar>,
+) {
+    let scalar = scalar.unwrap_or_else(|| smallest(&numbers));
+    for (at, name) in names.iter().enumerate() {
+        let numbers = numbers.iter().skip(at).step_by(names.len()).copied().collect();
+        let name = (*name).to_owned();
+        properties.push(Property { name, scalar, numbers, rows: Rows::One });
+    }
+}
+
+/// The type of reals that holds them all exactly.
+fn smallest(numbers: &[f64]) -> Scalar {
+    let is_short = |&x: &f64| f64::from(x as f32).to_bits() == x.to_bits();
+    if numbers.iter().all(is_short) { Scalar::F32 } else { Scalar::F64 }
+}
+
+/// The comments of a head, as they gather.
+struct Head {
+    text: String,
+}
+
+impl Head {
+    /// Adds the columns of a kind as properties; `order` is the elements as they are written.
+    fn columns(
+        &mut self,
+        properties: &mut Vec<Property>,
+        file: &MeshFile,
+        kind: ElementKind,
+        order: &[u32],
+    ) {
+        for (id, column) in file.mesh.columns(kind).filter(|(_, column)| column.is_sayable()) {
+            let ty = column.attribute_type();
+            let numbers = numbers(file, id, order);
+            let usual = match (kind, column.name(), ty) {
+                (ElementKind::Edge, ..) => None,
+                (ElementKind::Halfedge, "uv", AttributeType::Vec2) => {
+                    let (scalar, rows) = (smallest(&numbers), Rows::Corners(2));
+                    let name = "texcoord".to_owned();
+                    properties.push(Property { name, scalar, numbers, rows });
+                    continue;
+                }
+                (ElementKind::Halfedge, ..) => None,
+                (_, "normal", AttributeType::Vec3) => Some(&["nx", "ny", "nz"][..]),
+                (_, "color", AttributeType::Vec3) => Some(&["red", "green", "blue"][..]),
+                (_, "alpha", AttributeType::Real) => Some(&["alpha"][..]),
+                (_, "uv", AttributeType::Vec2) => Some(&["s", "t"][..]),
+                _ => None,
+            };
+            let Some(names) = usual else {
+                self.declare(kind, column);
+                let scalar = match ty {
+                    AttributeType::Bool => Scalar::U8,
+                    AttributeType::Int if numbers.iter().all(|x| x.abs() <= 2147483647.0) => {
+                        Scalar::I32
+                    }
+                    AttributeType::Int => Scalar::F64,
+                    _ => smallest(&numbers),
+                };
+                let width = width(ty);
+                let rows = match (kind, width) {
+                    (ElementKind::Halfedge, _) => Rows::Corners(width),
+                    (_, 1) => Rows::One,
+                    _ => Rows::Alike(width),
+                };
+                let name = column.name().to_owned();
+                properties.push(Property { name, scalar, numbers, rows });
+                continue;
+            };
+            let bytes =
+                (names[0] == "red" || names[0] == "alpha").then(|| as_bytes(&numbers)).flatten();
+            match bytes {
+                Some(bytes) => together(properties, names, bytes, Some(Scalar::U8)),
+                None => together(properties, names, numbers, None),
+            }
+        }
+    }
+
+    /// A comment that says what a head cannot.
+    fn declare(&mut self, kind: ElementKind, column: &Column) {
+        let default = column.default_value();
+        let shown = match default {
+            Value::Bool(value) => format!(" {value}"),
+            Value::Int(value) => format!(" {value}"),
+            _ => default.reals().iter().map(|real| format!(" {real}")).collect(),
+        };
+        let (name, ty) = (column.name(), column.attribute_type());
+        self.text += &format!("comment attribute {kind} {name} {ty}{shown}\n");
+    }
+
+    /// Adds objects, groups, materials and smoothing groups: numbers, and comments that name them.
+    fn states(&mut self, faces: &mut Vec<Property>, file: &MeshFile, numbers: &WrittenNumbers) {
+        for library in &file.kept.libraries {
+            self.text += &format!("comment mtllib {}\n", line(library));
+        }
+        if file.kept.states.is_empty() {
+            return;
+        }
+        let states: Vec<_> = numbers.face_order.iter().map(|&f| file.state_of(f)).collect();
+        for (keyword, name) in STATES.into_iter().enumerate() {
+            let mut known: Vec<&[u8]> = Vec::new();
+            let mut places = std::collections::HashMap::new();
+            let mut values = Vec::with_capacity(states.len());
+            for state in &states {
+                let place = state.map_or(MISSING, |state| state.0[keyword]);
+                let value = match file.kept.names.get(place as usize) {
+                    None => -1.0,
+                    Some(name) => *places.entry(name.as_slice()).or_insert_with(|| {
+                        known.push(name);
+                        known.len() as f64 - 1.0
+                    }),
+                };
+                values.push(value);
+            }
+            if known.is_empty() {
+                continue;
+            }
+            for (number, value) in known.into_iter().enumerate() {
+                self.text += &format!("comment {name} {number} {}\n", line(value));
+            }
+            let (scalar, rows) = (Scalar::I32, Rows::One);
+            faces.push(Property { name: name.to_owned(), scalar, numbers: values, rows });
+        }
+    }
+
+    fn finish(
+        self,
+        encoding: Encoding,
+        length: Scalar,
+        elements: &[(&str, usize, &Vec<Property>)],
+    ) -> String {
+        let format = match encoding {
+            Encoding::Ascii => "ascii",
+            Encoding::LittleEndian => "binary_little_endian",
+            Encoding::BigEndian => "binary_big_endian",
+        };
+        let mut text = format!("ply\nformat {format} 1.0\n{}", self.text);
+        for (name, count, properties) in elements.iter().filter(|(_, _, p)| !p.is_empty()) {
+            text += &format!("element {name} {count}\n");
+            for Property { name, scalar, rows, .. } in *properties {
+                let list = match rows {
+                    Rows::One => String::new(),
+                    Rows::Alike(_) => "list uchar ".to_owned(),
+                    Rows::Corners(_) => format!("list {} ", length.name()),
+                };
+                text += &format!("property {list}{} {name}\n", scalar.name());
+            }
+        }
+        text + "end_header\n"
+    }
+}
+
+/// A name as it can stand in a line.
+fn line(name: &[u8]) -> String {
+    let text = String::from_utf8_lossy(name);
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+/// The numbers of a column, element by element.
+fn numbers(file: &MeshFile, column: ColumnId, order: &[u32]) -> Vec<f64> {
+    let mut numbers = Vec::with_capacity(order.len());
+    for value in order.iter().filter_map(|&index| file.mesh.value(column, index)) {
+        match value {
+            Value::Bool(value) => numbers.push(f64::from(u8::from(value))),
+            Value::Int(value) => numbers.push(value as f64),
+            _ => numbers.extend_from_slice(value.reals()),
+        }
+    }
+    numbers
+}
+
+/// Colours as bytes, if that is exact.
+fn as_bytes(numbers: &[f64]) -> Option<Vec<f64>> {
+    let byte = |&x: &f64| {
+        let byte = (x * 255.0).round();
+        (x.is_sign_positive() && byte <= 255.0 && byte / 255.0 == x).then_some(byte)
+    };
+    numbers.iter().map(byte).collect()
+}
+
+fn write_rows(
+    printer: &mut Printer,
+    encoding: Encoding,
+    length: Scalar,
+    properties: &[Property],
+    rows: usize,
+    ends: &[usize],
+) -> io::Result<()> {
+    let mut first = 0;
+    for row in 0..rows {
+        let corners = match ends.get(row) {
+            Some(&end) => first..end,
+            None => 0..0,
+        };
+        for (place, property) in properties.iter().enumerate() {
+            let numbers = match property.rows {
+                Rows::One => &property.numbers[row..=row],
+                Rows::Alike(length) => &property.numbers[row * length..(row + 1) * length],
+                Rows::Corners(each) => &property.numbers[corners.start * each..corners.end * each],
+            };
+            if place > 0 && encoding == Encoding::Ascii {
+                printer.bytes(b" ");
+            }
+            if !matches!(property.rows, Rows::One) {
+                let is_short = matches!(property.rows, Rows::Alike(_));
+                let length = if is_short { Scalar::U8 } else { length };
+                put(printer, encoding, length, numbers.len() as f64);
+                if encoding == Encoding::Ascii && !numbers.is_empty() {
+                    printer.bytes(b" ");
+                }
+            }
+            for (at, &number) in numbers.iter().enumerate() {
+                if at > 0 && encoding == Encoding::Ascii {
+                    printer.bytes(b" ");
+                }
+                put(printer, encoding, property.scalar, number);
+            }
+        }
+        first = corners.end.max(first);
+        match encoding {
+            Encoding::Ascii => printer.end_line()?,
+            _ => printer.hand_on()?,
+        }
+    }
+    Ok(())
+}
+
+#[inline]
+fn put(printer: &mut Printer, encoding: Encoding, scalar: Scalar, number: f64) {
+    macro_rules! put {
+        ($number:expr) => {
+            match encoding {
+                Encoding::BigEndian => printer.bytes(&$number.to_be_bytes()),
+                _ => printer.bytes(&$number.to_le_bytes()),
+            }
+        };
+    }
+    match (encoding, scalar) {
+        (Encoding::Ascii, scalar) if scalar.is_whole() => printer.int(number as i64),
+        (Encoding::Ascii, _) => printer.real(number),
+        (_, Scalar::I8) => put!((number as i8)),
+        (_, Scalar::U8) => put!((number as u8)),
+        (_, Scalar::I16) => put!((number as i16)),
+        (_, Scalar::U16) => put!((number as u16)),
+        (_, Scalar::I32) => put!((number as i32)),
+        (_, Scalar::U32) => put!((number as u32)),
+        (_, Scalar::F32) => put!((number as f32)),
+        (_, Scalar::F64) => put!(number),
+    }
+}

@@ -1,0 +1,106 @@
+//! Numbers as text, with the fewest digits that read back as the same number.
+
+use std::io::{self, Write};
+
+/// A text on its way out, gathered into large pieces.
+pub(super) struct Printer<'o> {
+    output: &'o mut dyn Write,
+    text: Vec<u8>,
+}
+
+/// How much is gathered.
+const PIECE: usize = 1 << 16;
+
+impl<'o> Printer<'o> {
+    pub(super) fn new(output: &'o mut dyn Write) -> Self {
+        Self { output, text: Vec::with_capacity(PIECE + 1024) }
+    }
+
+    #[inline]
+    pub(super) fn bytes(&mut self, bytes: &[u8]) {
+        self.text.extend_from_slice(bytes);
+    }
+
+    #[inline]
+    pub(super) fn word(&mut self, word: &str) {
+        self.bytes(word.as_bytes());
+    }
+
+    #[inline]
+    pub(super) fn int(&mut self, value: i64) {
+        self.word(itoa::Buffer::new().format(value));
+    }
+
+    /// A real as Rust prints it: without an exponent, and without a point if it is whole.
+    #[inline]
+    pub(super) fn real(&mut self, value: f64) {
+        if value.abs() < 1e15 && value.trunc() == value {
+            if value == 0.0 && value.is_sign_negative() {
+                self.word("-");
+            }
+            return self.int(value as i64);
+        }
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format(value);
+        // Where two shortest texts are equally far off, Rust takes the greater, which `zmij` need
+        // not; such numbers have a few binary places alone, and yet many digits.
+        let may_be_tie = text.len() >= 17 && (value * f64::from(1 << 24)).fract() == 0.0;
+        if value.is_finite() && !may_be_tie && !text.contains('e') {
+            self.word(text.strip_suffix(".0").unwrap_or(text));
+        } else {
+            self.word(&value.to_string());
+        }
+    }
+
+    /// A blank and a real, for each.
+    #[inline]
+    pub(super) fn reals(&mut self, values: &[f64]) {
+        for &value in values {
+            self.bytes(b" ");
+            self.real(value);
+        }
+    }
+
+    /// Ends a line, and hands on what has been gathered if it is much.
+    #[inline]
+    pub(super) fn end_line(&mut self) -> io::Result<()> {
+        self.bytes(b"\n");
+        self.hand_on()
+    }
+
+    /// Hands on what has been gathered, if it is much.
+    #[inline]
+    pub(super) fn hand_on(&mut self) -> io::Result<()> {
+        if self.text.len() < PIECE { Ok(()) } else { self.flush() }
+    }
+
+    pub(super) fn flush(&mut self) -> io::Result<()> {
+        self.output.write_all(&self.text)?;
+        self.text.clear();
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reals_are_printed_as_rust_prints_them() {
+        let mut state = 1u64;
+        let mut values = vec![0.0, -0.0, 1e15, 1e16, 123456789012345678.0, 1e-5, 1e-7, 5e-324];
+        values.extend([f64::MAX, f64::NAN, f64::INFINITY, 0.1 + 0.2, 1e22, 100.5, -3.25]);
+        for _ in 0..20_000 {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            values.push(f64::from_bits(state));
+            values.push((state >> 40) as f64 / 1000.0);
+        }
+        for value in values {
+            let mut text = Vec::new();
+            let mut printer = Printer::new(&mut text);
+            printer.real(value);
+            printer.flush().unwrap();
+            assert_eq!(String::from_utf8(text).unwrap(), value.to_string());
+        }
+    }
+}

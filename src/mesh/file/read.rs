@@ -1,0 +1,68 @@
+//! Reading a file of any format.
+
+use std::path::Path;
+
+use super::error::{Failure, FileError, FileReason};
+use super::format::FileFormat;
+use super::mesh_file::MeshFile;
+use super::{msh, obj, off, ply, stl};
+use crate::mesh::dump::read_dump;
+use crate::mesh::repair::Repair;
+use crate::mesh::validate::validate;
+
+/// Reads the file at `path`, in the format that its name ends in. Polygons that are no mesh are
+/// refused, or repaired if that is asked for.
+///
+/// # Errors
+/// Where the file cannot be read, is not of its format, or is no mesh.
+pub fn read_mesh(path: &Path, repair: Option<Repair>) -> Result<MeshFile, FileError> {
+    let name = path.display().to_string();
+    let failed = |reason| FileError { file: name.clone(), line: None, reason };
+    let format = FileFormat::of(path).map_err(failed)?;
+    let text = std::fs::read(path).map_err(|error| failed(FileReason::Io(error)))?;
+    let mut file = read_mesh_from(&name, format, &text, repair)?;
+    file.folder = path.parent().map(Path::to_owned);
+    Ok(file)
+}
+
+/// Reads a file that is in memory; messages call it `name`.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn read_mesh_from(
+    name: &str,
+    format: FileFormat,
+    text: &[u8],
+    repair: Option<Repair>,
+) -> Result<MeshFile, FileError> {
+    let read = match format {
+        FileFormat::Obj => obj::read(text),
+        FileFormat::Ply => ply::read(text),
+        FileFormat::Stl => stl::read(text),
+        FileFormat::Off => off::read(text),
+        FileFormat::Msh => msh::read(text),
+        FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
+    };
+    read.and_then(|contents| contents.build(repair)).map_err(|failure| error(name, failure))
+}
+
+fn error(name: &str, (line, reason): Failure) -> FileError {
+    FileError { file: name.to_owned(), line, reason }
+}
+
+/// The mesh of a file of tables, which has one.
+fn read_tables(text: &[u8]) -> Result<MeshFile, Failure> {
+    let malformed = |words: String| (None, FileReason::Malformed(words));
+    let text = std::str::from_utf8(text).map_err(|error| malformed(error.to_string()))?;
+    let mut dump = read_dump(text).map_err(|error| malformed(error.to_string()))?;
+    match (dump.meshes.pop(), dump.meshes.len()) {
+        (Some((_, mesh)), 0) => {
+            validate(&mesh).map_err(|law| malformed(format!("this is no valid mesh: {law}")))?;
+            Ok(MeshFile::from_tables(mesh))
+        }
+        (last, others) => {
+            let count = others + usize::from(last.is_some());
+            Err(malformed(format!("a file with one `mesh` is wanted; this has {count}")))
+        }
+    }
+}

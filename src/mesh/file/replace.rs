@@ -1,0 +1,103 @@
+//! Writing a file: all of it, or not at all.
+//!
+//! What is written goes to a new file in the same folder, which takes the place of the old one
+//! when it is complete.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use super::error::FileReason;
+
+/// Writes a file: all of it, or not at all. What is to stand in it is written by `write`.
+///
+/// # Errors
+/// [`FileReason::NoFolder`], [`FileReason::ReadOnly`] and [`FileReason::Io`], and what `write` fails with; the old file, if
+/// there was one, is as it was.
+pub fn replace_file(
+    path: &Path,
+    write: impl Fn(&mut dyn Write) -> Result<(), FileReason>,
+) -> Result<(), FileReason> {
+    // A device or a pipe cannot be replaced, only written to. What leads to a pipe need not be a
+    // path: `/dev/stdout`.
+    if fs::metadata(path).is_ok_and(|old| !old.is_file()) {
+        let file = fs::OpenOptions::new().write(true).open(path).map_err(FileReason::Io)?;
+        let mut output = BufWriter::new(file);
+        write(&mut output)?;
+        return output.flush().map_err(FileReason::Io);
+    }
+    let target = followed(path).map_err(FileReason::Io)?;
+    let old = fs::metadata(&target).ok();
+    expect_writable(path)?;
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    if !folder.is_dir() {
+        return Err(FileReason::NoFolder(folder.display().to_string()));
+    }
+    let mut file = new_file(folder).map_err(FileReason::Io)?;
+    {
+        let mut output = BufWriter::with_capacity(1 << 16, file.as_file_mut());
+        write(&mut output)?;
+        output.flush().map_err(FileReason::Io)?;
+    }
+    // The name is to lead to the whole text even if the power fails right behind.
+    file.as_file().sync_all().map_err(FileReason::Io)?;
+    if let Some(old) = old {
+        file.as_file().set_permissions(old.permissions()).map_err(FileReason::Io)?;
+    }
+    file.persist(&target).map_err(|failed| FileReason::Io(failed.error))?;
+    Ok(())
+}
+
+/// Whether a file may be written, if it is there. It could be replaced even so, which is not what
+/// who protected it has meant.
+///
+/// # Errors
+/// [`FileReason::ReadOnly`] and [`FileReason::Io`].
+pub fn expect_writable(path: &Path) -> Result<(), FileReason> {
+    let Some(old) = fs::metadata(path).ok().filter(fs::Metadata::is_file) else {
+        return Ok(());
+    };
+    if old.permissions().readonly() {
+        return Err(FileReason::ReadOnly);
+    }
+    match fs::OpenOptions::new().write(true).open(path) {
+        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileReason::ReadOnly),
+        Err(error) => Err(FileReason::Io(error)),
+        Ok(_) => Ok(()),
+    }
+}
+
+/// Where the links from `path` lead, whether something is there or not.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut at = path.to_owned();
+    // As many links as Linux follows.
+    for _ in 0..40 {
+        match fs::read_link(&at) {
+            // A relative link starts from the folder of the link.
+            Ok(link) => at = at.parent().unwrap_or(Path::new("")).join(link),
+            Err(_) => return Ok(at),
+        }
+    }
+    Err(io::Error::other("too many symbolic links"))
+}
+
+/// A file that will be readable by whom a new file usually is: the process's mask
+/// applies to the mode.
+#[cfg(unix)]
+fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt;
+    tempfile::Builder::new()
+        .prefix(".hedgerow-")
+        .permissions(fs::Permissions::from_mode(0o666))
+        .tempfile_in(folder)
+}
+
+#[cfg(not(unix))]
+fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
+    tempfile::Builder::new().prefix(".hedgerow-").tempfile_in(folder)
+}

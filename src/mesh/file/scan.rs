@@ -1,0 +1,225 @@
+//! Words and numbers of a text, byte by byte.
+//!
+//! A scanner stands somewhere in a text and knows its line. Lines end in LF, CR LF or CR. Where
+//! a format continues lines, a backslash at the end of one is a blank.
+
+use std::borrow::Cow;
+
+/// A place in a text.
+pub(super) struct Scanner<'t> {
+    text: &'t [u8],
+    at: usize,
+    line: u32,
+    continues: bool,
+}
+
+impl<'t> Scanner<'t> {
+    pub(super) fn new(text: &'t [u8]) -> Self {
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        Self { text, at: 0, line: 1, continues: false }
+    }
+
+    /// A scanner of a text whose lines can be continued.
+    pub(super) fn with_continued_lines(text: &'t [u8]) -> Self {
+        Self { continues: true, ..Self::new(text) }
+    }
+
+    /// The line, from 1.
+    pub(super) fn line(&self) -> u32 {
+        self.line
+    }
+
+    /// How many bytes have been read.
+    pub(super) fn position(&self) -> usize {
+        self.at
+    }
+
+    /// What has not been read yet.
+    pub(super) fn rest(&self) -> &'t [u8] {
+        &self.text[self.at..]
+    }
+
+    /// Goes on behind some bytes.
+    pub(super) fn skip(&mut self, bytes: usize) {
+        self.at = (self.at + bytes).min(self.text.len());
+    }
+
+    pub(super) fn is_at_end(&self) -> bool {
+        self.at == self.text.len()
+    }
+
+    #[inline]
+    fn peek(&self) -> Option<u8> {
+        self.text.get(self.at).copied()
+    }
+
+    /// Whether a backslash here is the last of its line; then, where the next line begins.
+    #[cold]
+    fn continuation(&self) -> Option<usize> {
+        if !self.continues {
+            return None;
+        }
+        let mut at = self.at + 1;
+        loop {
+            match self.text.get(at) {
+                None => return Some(at),
+                Some(b'\n') => return Some(at + 1),
+                Some(b'\r') if self.text.get(at + 1) == Some(&b'\n') => return Some(at + 2),
+                Some(b'\r') => return Some(at + 1),
+                Some(byte) if byte.is_ascii_whitespace() => at += 1,
+                Some(_) => return None,
+            }
+        }
+    }
+
+    /// Skips blanks and ends of lines that go on; true if another word of the line stands here.
+    #[inline]
+    pub(super) fn to_word(&mut self) -> bool {
+        let start = self.at;
+        loop {
+            match self.peek() {
+                None | Some(b'\n' | b'\r') => return false,
+                Some(b' ' | b'\t' | b'\x0b' | b'\x0c') => self.at += 1,
+                Some(b'\\') => match self.continuation() {
+                    Some(next) => {
+                        self.line +=
+                            u32::from(next < self.text.len() || self.text[next - 1] != b'\\');
+                        self.at = next;
+                    }
+                    None => return true,
+                },
+                // A comment begins a line or stands after a blank, so that names may have one.
+                Some(b'#') => return self.at == start && !self.is_after_blank(),
+                Some(_) => return true,
+            }
+        }
+    }
+
+    fn is_after_blank(&self) -> bool {
+        self.at == 0 || self.text[self.at - 1].is_ascii_whitespace()
+    }
+
+    /// The next word of the line.
+    pub(super) fn word(&mut self) -> Option<&'t [u8]> {
+        if !self.to_word() {
+            return None;
+        }
+        let start = self.at;
+        while let Some(byte) = self.peek() {
+            if byte.is_ascii_whitespace() || byte == b'\x0b' {
+                break;
+            }
+            if byte == b'\\' && self.continuation().is_some() {
+                break;
+            }
+            self.at += 1;
+        }
+        Some(&self.text[start..self.at])
+    }
+
+    /// The number that the next word of the line is; `Err` if it is another word.
+    #[inline]
+    pub(super) fn number(&mut self) -> Option<Result<f64, &'t [u8]>> {
+        if !self.to_word() {
+            return None;
+        }
+        let start = self.at;
+        if let Ok((number, length)) = fast_float2::parse_partial(&self.text[start..]) {
+            self.at += length;
+            match self.peek() {
+                None | Some(b' ' | b'\n' | b'\r' | b'\t' | b'\x0b' | b'\x0c') => {
+                    return Some(Ok(number));
+                }
+                Some(b'\\') if self.continuation().is_some() => return Some(Ok(number)),
+                Some(_) => self.at = start,
+            }
+        }
+        self.word().map(Err)
+    }
+
+    /// Digits here, up to eighteen of them; `None` if there is none, or more.
+    #[inline]
+    pub(super) fn digits(&mut self) -> Option<u64> {
+        let start = self.at;
+        let mut value = 0u64;
+        while let Some(byte) = self.peek()
+            && byte.is_ascii_digit()
+            && self.at - start < 19
+        {
+            value = value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
+            self.at += 1;
+        }
+        (1..=18).contains(&(self.at - start)).then_some(value)
+    }
+
+    /// Goes past a byte, if it is the next.
+    #[inline]
+    pub(super) fn take(&mut self, byte: u8) -> bool {
+        let is_next = self.peek() == Some(byte);
+        self.at += usize::from(is_next);
+        is_next
+    }
+
+    /// Goes to the start of the next line, over lines that go on.
+    #[inline]
+    pub(super) fn end_line(&mut self) {
+        // Whatever is left is a comment, or words that nobody wants.
+        while self.to_word() {
+            self.word();
+        }
+        while let Some(byte) = self.peek() {
+            self.at += 1;
+            if byte == b'\n' || byte == b'\r' {
+                if byte == b'\r' {
+                    self.take(b'\n');
+                }
+                self.line += 1;
+                return;
+            }
+        }
+    }
+
+    /// Goes to the next line that has a word; false at the end of the text.
+    pub(super) fn to_line(&mut self) -> bool {
+        while !self.to_word() {
+            if self.is_at_end() {
+                return false;
+            }
+            self.end_line();
+        }
+        true
+    }
+
+    /// All words of the line as they stand, without a comment.
+    pub(super) fn text(&mut self) -> Cow<'t, [u8]> {
+        if !self.to_word() {
+            return Cow::Borrowed(b"");
+        }
+        let (start, line) = (self.at, self.line);
+        let mut end = start;
+        while self.to_word() {
+            self.word();
+            end = self.at;
+        }
+        if line == self.line {
+            return Cow::Borrowed(&self.text[start..end]);
+        }
+        // A line that went on: what stood between its parts is a blank.
+        let all = &self.text[start..end];
+        let mut joined = Vec::new();
+        let mut parts = Scanner { text: all, at: 0, line: 0, continues: true };
+        while let Some(word) = parts.word() {
+            if !joined.is_empty() {
+                joined.push(b' ');
+            }
+            joined.extend_from_slice(word);
+        }
+        Cow::Owned(joined)
+    }
+}
+
+/// The start of a word, as text for a message.
+pub(super) fn shown(word: &[u8]) -> String {
+    let text = String::from_utf8_lossy(&word[..word.len().min(40)]);
+    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
+}

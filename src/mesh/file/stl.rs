@@ -1,0 +1,204 @@
+//! Stereolithography: triangles by the places of their corners, as text or as bytes.
+//!
+//! The crate `stl_io` takes every file that begins with `solid ` for text, though many binary
+//! ones do; refuses `solid` without a name, capitals, and several solids in a file; rounds
+//! numbers of text to 32 bits; and writes no text. So the sixty lines it would save are here.
+//!
+//! Triangles share nothing in such a file: equal points become one vertex. Normals follow from
+//! the points and are passed over, as are the two bytes behind each binary triangle, which are
+//! told if they are not 0. A binary file holds 32 bits of each coordinate.
+
+use std::io::{self, Write};
+
+use glam::DVec3;
+
+use super::contents::Contents;
+use super::error::{Failure, FileReason};
+use super::format::Encoding;
+use super::mesh_file::{MeshFile, WrittenNumbers};
+use super::print::Printer;
+use super::scan::{Scanner, shown};
+use crate::mesh::polygons::Polygons;
+use crate::mesh::repair::merge_equal;
+
+const HEADER: usize = 84;
+const TRIANGLE: usize = 50;
+
+/// Reads a file.
+pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
+    let claimed = match text.first_chunk::<HEADER>() {
+        Some(head) => u32::from_le_bytes([head[80], head[81], head[82], head[83]]) as usize,
+        None => 0,
+    };
+    let fits =
+        claimed.checked_mul(TRIANGLE).is_some_and(|size| size == text.len().saturating_sub(HEADER));
+    let start = text.trim_ascii_start();
+    let is_text = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    // Many binary files begin with `solid`, and some have bytes behind the triangles.
+    if text.len() >= HEADER && (fits || !is_text || text[..HEADER].contains(&0)) {
+        read_binary(text, claimed)
+    } else if is_text {
+        read_text(text)
+    } else {
+        Err((None, FileReason::Malformed("this is no STL file: it is too short".into())))
+    }
+}
+
+fn read_binary(text: &[u8], claimed: usize) -> Result<Contents, Failure> {
+    let (triangles, _) = text[HEADER..].as_chunks::<TRIANGLE>();
+    let Some(triangles) = triangles.get(..claimed) else {
+        let words = format!(
+            "its head speaks of {claimed} triangles, and there is room for {} in the file",
+            triangles.len()
+        );
+        return Err((None, FileReason::Malformed(words)));
+    };
+    let mut points = Vec::with_capacity(claimed * 3);
+    let mut tagged = 0;
+    for triangle in triangles {
+        let (numbers, _) = triangle[12..48].as_chunks::<4>();
+        let (corners, _) = numbers.as_chunks::<3>();
+        for corner in corners {
+            points.push(DVec3::from_array(corner.map(|it| f64::from(f32::from_le_bytes(it)))));
+        }
+        tagged += usize::from(triangle[48..] != [0, 0]);
+    }
+    let mut contents = share(points);
+    contents.kept.note_count("triangles with two bytes of a program's own", tagged);
+    contents.encoding = Encoding::LittleEndian;
+    Ok(contents)
+}
+
+fn read_text(text: &[u8]) -> Result<Contents, Failure> {
+    let mut scanner = Scanner::new(text);
+    let mut points = Vec::with_capacity(text.len() / 80);
+    let mut solids = 0;
+    while scanner.to_line() {
+        let line = scanner.line();
+        let malformed = |words: String| (Some(line), FileReason::Malformed(words));
+        let Some(word) = scanner.word() else { continue };
+        let is = |known: &str| word.eq_ignore_ascii_case(known.as_bytes());
+        if is("vertex") {
+            let mut point = [0.0; 3];
+            for number in &mut point {
+                match scanner.number() {
+                    Some(Ok(read)) => *number = read,
+                    _ => return Err(malformed("`vertex` needs three numbers".into())),
+                }
+            }
+            points.push(DVec3::from_array(point));
+        } else if is("endloop") {
+            if points.len() % 3 != 0 {
+                return Err(malformed("a loop of STL has three vertices".into()));
+            }
+        } else if is("solid") {
+            solids += 1;
+        } else if !["facet", "outer", "endfacet", "endsolid"].into_iter().any(is) {
+            return Err(malformed(format!("`{}` is no word of an STL file", shown(word))));
+        }
+        scanner.end_line();
+    }
+    if points.len() % 3 != 0 {
+        let words = "the file ends within a triangle".to_owned();
+        return Err((Some(scanner.line()), FileReason::Malformed(words)));
+    }
+    let mut contents = share(points);
+    contents.kept.note_count("solids, which are one mesh now", if solids > 1 { solids } else { 0 });
+    contents.encoding = Encoding::Ascii;
+    Ok(contents)
+}
+
+/// Makes one vertex of equal points.
+fn share(points: Vec<DVec3>) -> Contents {
+    let mut corners = merge_equal(&points);
+    let mut positions: Vec<DVec3> = Vec::with_capacity(points.len() / 5);
+    for i in 0..corners.len() {
+        // A point that comes first is its own; those behind it find where it has gone.
+        corners[i] = if corners[i] as usize == i {
+            positions.push(points[i]);
+            positions.len() as u32 - 1
+        } else {
+            corners[corners[i] as usize]
+        };
+    }
+    let ends = (1..=corners.len() / 3).map(|end| end * 3).collect();
+    Contents { positions, polygons: Polygons::of_parts(corners, ends), ..Contents::default() }
+}
+
+/// Writes a mesh of triangles.
+pub(super) fn write(
+    output: &mut dyn Write,
+    file: &MeshFile,
+    numbers: &WrittenNumbers,
+) -> Result<(), FileReason> {
+    let mesh = &file.mesh;
+    let is_text = file.encoding == Encoding::Ascii;
+    for (number, &face) in (1..).zip(&numbers.face_order) {
+        let sides = mesh.face_size(face);
+        if sides != 3 {
+            return Err(FileReason::Unheld(format!(
+                "an STL file holds triangles alone, and face {number} has {sides} sides; \
+                 triangulate the mesh, or write another format"
+            )));
+        }
+    }
+    let is_small = |&v: &_| mesh.position(v).as_vec3().is_finite();
+    if let (false, Some(stray)) = (is_text, numbers.vertex_order.iter().position(|v| !is_small(v)))
+    {
+        return Err(FileReason::Unheld(format!(
+            "vertex {} has a coordinate that is too large for the 32 bits of an STL file",
+            stray + 1
+        )));
+    }
+    let mut printer = Printer::new(output);
+    write_triangles(&mut printer, file, numbers, is_text).map_err(FileReason::Io)
+}
+
+fn write_triangles(
+    printer: &mut Printer,
+    file: &MeshFile,
+    numbers: &WrittenNumbers,
+    is_text: bool,
+) -> io::Result<()> {
+    if is_text {
+        printer.bytes(b"solid hedgerow\n");
+    } else {
+        let mut head = [b' '; HEADER];
+        head[..8].copy_from_slice(b"hedgerow");
+        head[80..].copy_from_slice(&(numbers.face_order.len() as u32).to_le_bytes());
+        printer.bytes(&head);
+    }
+    for &face in &numbers.face_order {
+        let mut points = [DVec3::ZERO; 3];
+        for (point, v) in points.iter_mut().zip(file.mesh.face_vertices(face)) {
+            *point = file.mesh.position(v);
+            if !is_text {
+                *point = point.as_vec3().as_dvec3(); // the normal is that of what is written
+            }
+        }
+        let [a, b, c] = points;
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        if is_text {
+            printer.word("  facet normal");
+            printer.reals(&normal.to_array());
+            printer.bytes(b"\n    outer loop\n");
+            for point in points {
+                printer.word("      vertex");
+                printer.reals(&point.to_array());
+                printer.bytes(b"\n");
+            }
+            printer.bytes(b"    endloop\n  endfacet");
+            printer.end_line()?;
+        } else {
+            for number in [normal, a, b, c].into_iter().flat_map(|at| at.as_vec3().to_array()) {
+                printer.bytes(&number.to_le_bytes());
+            }
+            printer.bytes(&[0, 0]);
+            printer.hand_on()?;
+        }
+    }
+    if is_text {
+        printer.bytes(b"endsolid hedgerow\n");
+    }
+    printer.flush()
+}

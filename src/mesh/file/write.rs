@@ -1,0 +1,89 @@
+//! Writing a file of any format.
+
+use std::borrow::Cow;
+use std::io::Write;
+use std::path::Path;
+
+use super::error::{FileError, FileReason};
+use super::format::FileFormat;
+use super::mesh_file::MeshFile;
+use super::replace::replace_file;
+use super::{msh, obj, off, ply, stl};
+use crate::mesh::connectivity::Mesh;
+use crate::mesh::dump::{Dump, write_dump};
+use crate::mesh::level::{Level, validate_level};
+
+/// Writes a mesh to `path`, in the format that its name ends in: all of it, or nothing. A
+/// symbolic link stays one: what it leads to is replaced. The permissions of an old file are
+/// kept.
+///
+/// # Errors
+/// Where the file cannot be written, or its format cannot hold the mesh.
+pub fn write_mesh(path: &Path, file: &MeshFile) -> Result<(), FileError> {
+    let format = FileFormat::of(path);
+    let written = format.and_then(|format| {
+        let file = ready(format, file)?;
+        replace_file(path, |mut output| write_ready(&mut output, format, &file))
+    });
+    written.map_err(|reason| FileError { file: path.display().to_string(), line: None, reason })
+}
+
+/// Writes a mesh in a format. The output should be buffered.
+///
+/// # Errors
+/// As [`write_mesh`].
+pub fn write_mesh_to(
+    output: &mut dyn Write,
+    format: FileFormat,
+    file: &MeshFile,
+) -> Result<(), FileReason> {
+    write_ready(output, format, &*ready(format, file)?)
+}
+
+/// The mesh with what the format wants, if the format can hold it.
+fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileReason> {
+    if format != FileFormat::Halfedges {
+        let mut vertices = file.written_numbers().vertex_order.into_iter();
+        if let Some(stray) = vertices.position(|v| !file.mesh.position(v).is_finite()) {
+            return Err(FileReason::NotFinite { vertex: stray as u32 + 1 });
+        }
+        if !file.mesh.is_polygons() {
+            return Err(FileReason::NotPolygons(below_simple(&file.mesh)));
+        }
+    }
+    let wants_corners = matches!(format, FileFormat::Ply | FileFormat::Halfedges);
+    Ok(match wants_corners && file.kept.has_corners() {
+        false => Cow::Borrowed(file),
+        true => {
+            let mut file = file.clone();
+            file.bring_all();
+            Cow::Owned(file)
+        }
+    })
+}
+
+/// Why a mesh is not of level simple, in words.
+fn below_simple(mesh: &Mesh) -> String {
+    let level = validate_level(mesh, Level::Simple);
+    level.map_or_else(|below| format!(", since {below}"), |()| String::new())
+}
+
+fn write_ready(
+    output: &mut dyn Write,
+    format: FileFormat,
+    file: &MeshFile,
+) -> Result<(), FileReason> {
+    let numbers = file.written_numbers();
+    match format {
+        FileFormat::Obj => obj::write(output, file, &numbers).map_err(FileReason::Io),
+        FileFormat::Ply => ply::write(output, file, &numbers).map_err(FileReason::Io),
+        FileFormat::Stl => stl::write(output, file, &numbers),
+        FileFormat::Off => off::write(output, file, &numbers).map_err(FileReason::Io),
+        FileFormat::Msh => msh::write(output, file, &numbers),
+        FileFormat::Halfedges => {
+            let meshes = vec![("mesh".into(), file.mesh.clone())];
+            let text = write_dump(&Dump { meshes, ..Dump::default() });
+            output.write_all(text.as_bytes()).map_err(FileReason::Io)
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Polygons that use a vertex more than once.
+
+use super::RepairReport;
+use super::polygon_list::PolygonList;
+
+/// Drops corners that repeat the one before, divides polygons that come back to a vertex, and
+/// drops those that are left with fewer than three corners.
+pub(super) fn clean(list: &mut PolygonList, report: &mut RepairReport) {
+    let mut cleaner = Cleaner::default();
+    let sound = (0..list.ends.len()).all(|polygon| {
+        let corners = &list.corners[list.range(polygon)];
+        corners.len() >= 3 && !cleaner.repeats(corners)
+    });
+    if sound {
+        return;
+    }
+    let mut cleaned = Cleaned::default();
+    for polygon in 0..list.ends.len() {
+        let range = list.range(polygon);
+        let corners = &list.corners[range.clone()];
+        let before = cleaned.ends.len();
+        cleaned.origin = list.faces[polygon];
+        let whole = corners.len() >= 3 && !cleaner.repeats(corners);
+        let origins = &list.corner_origins[range];
+        if whole {
+            cleaned.push(corners.iter().copied().zip(origins.iter().copied()));
+        } else {
+            report.repeated_corners += cleaner.divide(corners, origins, &mut cleaned);
+        }
+        match cleaned.ends.len() - before {
+            0 => report.degenerate_faces += 1,
+            1 => {}
+            _ => report.divided_faces += 1,
+        }
+    }
+    let Cleaned { corners, origins, ends, faces, .. } = cleaned;
+    (list.corners, list.corner_origins, list.ends, list.faces) = (corners, origins, ends, faces);
+}
+
+#[derive(Default)]
+struct Cleaned {
+    corners: Vec<u32>,
+    origins: Vec<u32>,
+    ends: Vec<usize>,
+    faces: Vec<u32>,
+    /// The polygon at hand.
+    origin: u32,
+}
+
+impl Cleaned {
+    /// Adds a polygon, if it is one.
+    fn push(&mut self, corners: impl ExactSizeIterator<Item = (u32, u32)>) {
+        if corners.len() < 3 {
+            return;
+        }
+        for (vertex, origin) in corners {
+            self.corners.push(vertex);
+            self.origins.push(origin);
+        }
+        self.ends.push(self.corners.len());
+        self.faces.push(self.origin);
+    }
+}
+
+/// Room to work in.
+#[derive(Default)]
+struct Cleaner {
+    sorted: Vec<u32>,
+    /// The corners of the loop that is still open, each with what it was.
+    open: Vec<(u32, u32)>,
+    /// Where in `open` a vertex stands.
+    places: std::collections::HashMap<u32, usize>,
+}
+
+impl Cleaner {
+    /// Whether a vertex comes twice.
+    fn repeats(&mut self, corners: &[u32]) -> bool {
+        if let &[a, b, c] = corners {
+            return a == b || b == c || c == a;
+        }
+        self.sorted.clear();
+        self.sorted.extend_from_slice(corners);
+        self.sorted.sort_unstable();
+        self.sorted.windows(2).any(|pair| pair[0] == pair[1])
+    }
+
+    /// Cuts loops off at vertices that come again; says how many corners repeat the one before.
+    fn divide(&mut self, corners: &[u32], origins: &[u32], cleaned: &mut Cleaned) -> usize {
+        self.open.clear();
+        self.places.clear();
+        let mut repeated = 0;
+        for (&vertex, &origin) in corners.iter().zip(origins) {
+            match self.places.get(&vertex).copied() {
+                Some(place) if place + 1 == self.open.len() => repeated += 1,
+                Some(place) => {
+                    for &(closed, _) in &self.open[place + 1..] {
+                        self.places.remove(&closed);
+                    }
+                    cleaned.push(self.open.drain(place..));
+                    self.open.push((vertex, origin));
+                }
+                None => {
+                    self.places.insert(vertex, self.open.len());
+                    self.open.push((vertex, origin));
+                }
+            }
+        }
+        cleaned.push(self.open.drain(..));
+        repeated
+    }
+}

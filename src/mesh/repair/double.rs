@@ -1,0 +1,118 @@
+//! Polygons that are there twice.
+
+use super::RepairReport;
+use super::polygon_list::PolygonList;
+
+/// Drops polygons that are there already: those that run alike everywhere, and those that are
+/// the back of another where an edge has three polygons or more. Two polygons back to back and
+/// alone are a closed surface, and stay.
+pub(super) fn drop_doubled(list: &mut PolygonList, report: &mut RepairReport) {
+    let groups = groups(list);
+    if groups.is_empty() {
+        return;
+    }
+    let mut dropped = vec![false; list.ends.len()];
+    // What is left of each group: at most one of either direction.
+    let mut pairs = Vec::new();
+    for group in &groups {
+        let (first, others) = (group[0], &group[1..]);
+        let mut back = None;
+        for &other in others {
+            if !is_back(list, first, other) || back.is_some() {
+                dropped[other] = true;
+            } else {
+                back = Some(other);
+            }
+        }
+        pairs.extend(back.map(|back| (first, back)));
+    }
+    if !pairs.is_empty() {
+        let crowded = crowded(list, &dropped);
+        for (first, back) in pairs {
+            // Their sides are the same edges.
+            dropped[back] |= list.range(first).any(|side| crowded[side]);
+        }
+    }
+    let before = list.ends.len();
+    list.retain(|polygon, _| !dropped[polygon]);
+    report.doubled_faces += before - list.ends.len();
+}
+
+/// Which sides lie at an edge of three polygons or more, without those that are dropped.
+fn crowded(list: &PolygonList, dropped: &[bool]) -> Vec<bool> {
+    let mut at_dropped = vec![false; list.corners.len()];
+    for (polygon, _) in dropped.iter().enumerate().filter(|(_, dropped)| **dropped) {
+        at_dropped[list.range(polygon)].fill(true);
+    }
+    let mut crowded = vec![false; list.corners.len()];
+    for edge in list.sides(&list.neighbours()).edges() {
+        let stays = |&&(_, side): &&(u32, u32)| !at_dropped[side as usize];
+        if edge.iter().filter(stays).count() > 2 {
+            edge.iter().for_each(|&(_, side)| crowded[side as usize] = true);
+        }
+    }
+    crowded
+}
+
+/// The polygons with the same corners in the same order, forward or backward.
+fn groups(list: &PolygonList) -> Vec<Vec<usize>> {
+    let mut hashes: Vec<(u64, u32)> = Vec::with_capacity(list.ends.len());
+    for polygon in 0..list.ends.len() {
+        hashes.push((hash(&list.corners[list.range(polygon)]), polygon as u32));
+    }
+    hashes.sort_unstable();
+    let mut groups = Vec::new();
+    for alike in hashes.chunk_by(|a, b| a.0 == b.0).filter(|alike| alike.len() > 1) {
+        let mut rest: Vec<usize> = alike.iter().map(|&(_, polygon)| polygon as usize).collect();
+        while rest.len() > 1 {
+            let first = rest[0];
+            let is_same = |&other: &usize| is_double(list, first, other);
+            let (group, others) = rest.into_iter().partition::<Vec<_>, _>(is_same);
+            if group.len() > 1 {
+                groups.push(group);
+            }
+            rest = others;
+        }
+    }
+    groups
+}
+
+/// A hash that depends neither on where one begins nor on the direction: from the least vertex
+/// on towards the lesser of its neighbours.
+fn hash(corners: &[u32]) -> u64 {
+    let mix = |hash: u64, &v: &u32| {
+        (hash.rotate_left(26) ^ u64::from(v)).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+    };
+    let least = (0..corners.len()).min_by_key(|&i| corners[i]).unwrap_or(0);
+    let (head, tail) = corners.split_at(least);
+    let forward = tail.iter().chain(head);
+    let backward = tail.iter().take(1).chain(head.iter().rev()).chain(tail.iter().skip(1).rev());
+    if forward.clone().nth(1) <= backward.clone().nth(1) {
+        forward.fold(0, mix)
+    } else {
+        backward.fold(0, mix)
+    }
+}
+
+fn is_double(list: &PolygonList, first: usize, other: usize) -> bool {
+    runs_alike(list, first, other) || is_back(list, first, other)
+}
+
+/// Whether two polygons have the same corners in the same order.
+fn runs_alike(list: &PolygonList, first: usize, other: usize) -> bool {
+    let (first, other) = (&list.corners[list.range(first)], &list.corners[list.range(other)]);
+    let start = other.iter().position(|v| *v == first[0]);
+    first.len() == other.len()
+        && start.is_some_and(|start| first.iter().eq(other[start..].iter().chain(&other[..start])))
+}
+
+/// Whether a polygon has the corners of another in the opposite order.
+fn is_back(list: &PolygonList, first: usize, other: usize) -> bool {
+    let (first, other) = (&list.corners[list.range(first)], &list.corners[list.range(other)]);
+    let start = other.iter().position(|v| *v == first[0]);
+    first.len() == other.len()
+        && start.is_some_and(|start| {
+            let (head, tail) = other.split_at(start + 1);
+            first.iter().eq(head.iter().rev().chain(tail.iter().rev()))
+        })
+}

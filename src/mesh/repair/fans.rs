@@ -1,0 +1,111 @@
+//! Cutting at edges that no mesh has, and a vertex for each fan.
+//!
+//! Two sides are joined where they are the only ones of their edge and run in opposite
+//! directions. The corners at a vertex that hang together across joined sides are a fan.
+//! Each fan gets its own vertex, the first one keeps the old one: all other edges come apart
+//! thereby, but for those whose both ends lie in one fan each, around which the polygons still
+//! hang together. There a corner more is isolated, until no edge is left.
+
+use super::RepairReport;
+use super::polygon_list::{NONE, Neighbours, PolygonList};
+
+/// Cuts and splits until the polygons are a mesh.
+pub(super) fn split(list: &mut PolygonList, report: &mut RepairReport) {
+    let neighbours = list.neighbours();
+    let mut twins = vec![NONE; list.corners.len()];
+    let mut is_cut = false;
+    for edge in list.sides(&neighbours).edges() {
+        match *edge {
+            [_] => {}
+            [(_, a), (_, b)] if list.corners[a as usize] != list.corners[b as usize] => {
+                twins[a as usize] = b;
+                twins[b as usize] = a;
+            }
+            [_, _] => report.twisted_edges += 1,
+            _ => report.crowded_edges += 1,
+        }
+        is_cut |= edge.len() > 2 || (edge.len() == 2 && twins[edge[0].1 as usize] == NONE);
+    }
+    let corners = list.corners.clone();
+    let positions = list.positions.len();
+    loop {
+        list.corners.copy_from_slice(&corners);
+        list.positions.truncate(positions);
+        list.vertices.truncate(positions);
+        list.number_fans(&neighbours, &twins);
+        if !is_cut || !isolate(list, &neighbours, &mut twins) {
+            break;
+        }
+    }
+    report.split_vertices = list.positions.len() - positions;
+}
+
+impl PolygonList {
+    /// Gives each fan of corners a vertex.
+    pub(in crate::mesh) fn number_fans(&mut self, neighbours: &Neighbours, twins: &[u32]) {
+        let mut is_taken = vec![false; self.positions.len()];
+        let mut seen = vec![false; self.corners.len()];
+        for first in 0..self.corners.len() {
+            if seen[first] {
+                continue;
+            }
+            let old = self.corners[first];
+            let vertex = if is_taken[old as usize] {
+                self.positions.push(self.positions[old as usize]);
+                self.vertices.push(self.vertices[old as usize]);
+                self.positions.len() as u32 - 1
+            } else {
+                is_taken[old as usize] = true;
+                old
+            };
+            let mut reach = |corner: u32| {
+                let is_new = !std::mem::replace(&mut seen[corner as usize], true);
+                self.corners[corner as usize] = vertex;
+                is_new
+            };
+            reach(first as u32);
+            // Around the vertex one way, and if that ends, the other way.
+            let mut corner = first as u32;
+            let closed = loop {
+                let twin = twins[neighbours.prev[corner as usize] as usize];
+                if twin == NONE {
+                    break false;
+                }
+                corner = twin;
+                if !reach(corner) {
+                    break true;
+                }
+            };
+            corner = first as u32;
+            while !closed {
+                let twin = twins[corner as usize];
+                if twin == NONE {
+                    break;
+                }
+                corner = neighbours.next[twin as usize];
+                if !reach(corner) {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// Isolates corners at edges that still have several sides which are not joined; says whether
+/// there were any.
+fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bool {
+    let mut found = false;
+    for edge in list.sides(neighbours).edges() {
+        let unjoined = edge.len() > 1 && twins[edge[0].1 as usize] == NONE;
+        for &(_, side) in edge.iter().skip(1).filter(|_| unjoined) {
+            // The side before it at the same corner is joined, or the corner were alone.
+            let before = neighbours.prev[side as usize] as usize;
+            let twin = std::mem::replace(&mut twins[before], NONE);
+            if twin != NONE {
+                twins[twin as usize] = NONE;
+                found = true;
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,143 @@
+//! Polygons under repair.
+
+use glam::DVec3;
+
+use super::RepairReport;
+use crate::mesh::polygons::Polygons;
+use crate::mesh::sides::Sides;
+
+/// Stands for "none".
+pub(in crate::mesh) const NONE: u32 = u32::MAX;
+
+/// Polygons, and which ones of the first list they were.
+#[derive(Clone)]
+pub(in crate::mesh) struct PolygonList {
+    pub(in crate::mesh) positions: Vec<DVec3>,
+    /// The vertices of the corners.
+    pub(in crate::mesh) corners: Vec<u32>,
+    /// Where the polygons end.
+    pub(in crate::mesh) ends: Vec<usize>,
+    /// What the vertices were.
+    pub(in crate::mesh) vertices: Vec<u32>,
+    /// What the polygons were.
+    pub(in crate::mesh) faces: Vec<u32>,
+    /// What the corners were.
+    pub(in crate::mesh) corner_origins: Vec<u32>,
+}
+
+impl PolygonList {
+    pub(in crate::mesh) fn new(positions: Vec<DVec3>, polygons: Polygons) -> Self {
+        let (corners, ends) = polygons.into_parts();
+        Self {
+            vertices: (0..positions.len() as u32).collect(),
+            faces: (0..ends.len() as u32).collect(),
+            corner_origins: (0..corners.len() as u32).collect(),
+            positions,
+            corners,
+            ends,
+        }
+    }
+
+    /// Where the corners of a polygon stand.
+    pub(in crate::mesh) fn range(&self, polygon: usize) -> std::ops::Range<usize> {
+        polygon.checked_sub(1).map_or(0, |before| self.ends[before])..self.ends[polygon]
+    }
+
+    /// Keeps some polygons.
+    pub(in crate::mesh) fn retain(&mut self, mut keep: impl FnMut(usize, &[u32]) -> bool) {
+        let (mut polygons, mut corners, mut start) = (0, 0, 0);
+        for polygon in 0..self.ends.len() {
+            let end = self.ends[polygon];
+            if keep(polygon, &self.corners[start..end]) {
+                self.corners.copy_within(start..end, corners);
+                self.corner_origins.copy_within(start..end, corners);
+                corners += end - start;
+                self.ends[polygons] = corners;
+                self.faces[polygons] = self.faces[polygon];
+                polygons += 1;
+            }
+            start = end;
+        }
+        self.ends.truncate(polygons);
+        self.faces.truncate(polygons);
+        self.corners.truncate(corners);
+        self.corner_origins.truncate(corners);
+    }
+
+    /// Drops vertices that lie nowhere, and the polygons that use them or none that exists.
+    pub(in crate::mesh) fn drop_unusable(&mut self, report: &mut RepairReport) {
+        let usable: Vec<bool> = self.positions.iter().map(|at| at.is_finite()).collect();
+        let is_usable = |&v: &u32| usable.get(v as usize).is_some_and(|&usable| usable);
+        let before = self.ends.len();
+        if !self.corners.iter().all(is_usable) {
+            self.retain(|_, corners| corners.iter().all(is_usable));
+        }
+        report.degenerate_faces += before - self.ends.len();
+        if !usable.iter().all(|&usable| usable) {
+            let itself = |(v, &usable): (u32, &bool)| if usable { v } else { NONE };
+            let kept: Vec<u32> = (0..).zip(&usable).map(itself).collect();
+            report.dropped_vertices += self.merge(&kept);
+        }
+    }
+
+    /// Lets the corners of vertices have others, which stay; says how many vertices went.
+    pub(in crate::mesh) fn merge(&mut self, into: &[u32]) -> usize {
+        let mut numbers = vec![NONE; into.len()];
+        let mut kept = 0;
+        for v in 0..into.len() {
+            if into[v] as usize == v {
+                numbers[v] = kept as u32;
+                self.positions[kept] = self.positions[v];
+                self.vertices[kept] = self.vertices[v];
+                kept += 1;
+            }
+        }
+        self.positions.truncate(kept);
+        self.vertices.truncate(kept);
+        if kept < into.len() {
+            for corner in &mut self.corners {
+                *corner = numbers[into[*corner as usize] as usize];
+            }
+        }
+        into.len() - kept
+    }
+
+    /// The next and the previous corner of each corner in its polygon.
+    pub(in crate::mesh) fn neighbours(&self) -> Neighbours {
+        let mut next: Vec<u32> = (1..=self.corners.len() as u32).collect();
+        let mut prev: Vec<u32> =
+            (0..self.corners.len() as u32).map(|c| c.wrapping_sub(1)).collect();
+        let mut start = 0;
+        for &end in &self.ends {
+            if end > start {
+                next[end - 1] = start as u32;
+                prev[start] = end as u32 - 1;
+            }
+            start = end;
+        }
+        Neighbours { next, prev }
+    }
+
+    /// The polygon of each corner.
+    pub(in crate::mesh) fn polygon_of_corners(&self) -> Vec<u32> {
+        let mut polygons = vec![0; self.corners.len()];
+        for polygon in 0..self.ends.len() {
+            polygons[self.range(polygon)].fill(polygon as u32);
+        }
+        polygons
+    }
+
+    /// The sides of the polygons by edges; side `i` begins at corner `i`.
+    pub(in crate::mesh) fn sides(&self, neighbours: &Neighbours) -> Sides {
+        let vertex = |corner: u32| self.corners[corner as usize];
+        Sides::gather(self.corners.len() as u32, self.positions.len(), |side| {
+            [vertex(side), vertex(neighbours.next[side as usize])]
+        })
+    }
+}
+
+/// The neighbours of each corner in its polygon.
+pub(in crate::mesh) struct Neighbours {
+    pub(in crate::mesh) next: Vec<u32>,
+    pub(in crate::mesh) prev: Vec<u32>,
+}
