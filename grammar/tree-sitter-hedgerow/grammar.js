@@ -76,7 +76,7 @@ module.exports = grammar({
   extras: ($) => [/[ \t\r\n\f\uFEFF]/, $.comment, $.doc, $.file_doc],
 
   // Whether a name goes on a list or begins an assignment shows behind it.
-  conflicts: ($) => [[$.names], [$.star]],
+  conflicts: ($) => [[$.names], [$._spokes]],
 
   inline: ($) => [$._arrow_vertex],
 
@@ -143,7 +143,7 @@ module.exports = grammar({
       "require", field("condition", $._value), optional(seq("else", field("reason", $.text))),
     ),
     guard: ($) => seq("guard", field("level", $.identifier)),
-    alias: ($) => seq("alias", $.name, repeat1($.name)),
+    alias: ($) => seq("alias", $.name, repeat1(seq(optional(","), $.name))),
 
     _statement: ($) => choice($.ring, $.edge, $.star, $.names, $.change),
 
@@ -163,11 +163,12 @@ module.exports = grammar({
 
     star: ($) => seq(
       "vertex", field("name", $.name), ":",
-      choice(repeat1($._spoke), alias($.spokes_of_each, $.period)),
+      choice($._spokes, alias($.spokes_of_each, $.period)),
     ),
     spokes_of_each: ($) => seq(
-      "each", field("index", $.identifier), "{", repeat1($._spoke), "}",
+      "each", field("index", $.identifier), "{", $._spokes, "}",
     ),
+    _spokes: ($) => seq($._spoke, repeat(seq(optional(","), $._spoke))),
     _spoke: ($) => choice($.name, $.fan),
     // A fan has a name only where the name touches the star.
     fan: ($) => prec.right(seq(
@@ -175,7 +176,10 @@ module.exports = grammar({
       optional(seq(alias($._touching, $.identifier), optional($._subscript))),
     )),
 
-    names: ($) => seq(field("what", choice("new", "keep", "erase")), repeat1($.name)),
+    names: ($) => seq(
+      field("what", choice("new", "keep", "erase")),
+      $.name, repeat(seq(optional(","), $.name)),
+    ),
 
     change: ($) => seq(
       field("of", $.name), ".", field("field", $.word), "=", field("value", $._value),

@@ -228,7 +228,9 @@ fn unread(part: &Part) -> Vec<(Span, bool)> {
     let unread = items.filter_map(|item| {
         let span = item.span();
         let is_lost = matches!(item, Item::Broken(_));
-        let is_wrong = errors.iter().any(|error| span.touches(error.start as usize));
+        let mut mended = part.parsed.mended.iter();
+        let is_wrong = errors.iter().any(|error| span.touches(error.start as usize))
+            || mended.any(|mended| mended.start < span.end && span.start < mended.end);
         (is_lost || is_wrong).then_some((span, is_lost))
     });
     unread.collect()

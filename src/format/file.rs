@@ -5,6 +5,7 @@ use super::remark;
 use super::words::Words;
 use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
+use std::ops::Range;
 
 const MARK: &str = "\u{FEFF}";
 
@@ -55,6 +56,8 @@ struct Stays {
     told: Vec<usize>,
     /// Of characters that belong to nothing.
     left: Vec<usize>,
+    /// Items of which words were exchanged.
+    mended: Vec<Range<usize>>,
 }
 
 impl Stays {
@@ -64,7 +67,8 @@ impl Stays {
             spans.flat_map(|span| [span.start as usize, span.end as usize]).collect();
         told.sort_unstable();
         let left = Words::of(source, parsed).leftovers().map(|(at, _)| at).collect();
-        Self { told, left }
+        let mended = parsed.mended.iter().map(|span| span.range()).collect();
+        Self { told, left, mended }
     }
 
     /// Whether something is wrong between two places.
@@ -74,7 +78,10 @@ impl Stays {
             places.get(first).is_some_and(|&place| place < end)
         };
         // What lacks at the end of an item may be told of the place where the next begins.
-        inside(&self.told, end + 1) || inside(&self.left, end)
+        let mut mended = self.mended.iter();
+        inside(&self.told, end + 1)
+            || inside(&self.left, end)
+            || mended.any(|mended| mended.start < end && start < mended.end)
     }
 }
 

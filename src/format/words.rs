@@ -39,6 +39,10 @@ impl<'t> Words<'t> {
         let said = move |span: Span| self.source.get(span.range()).unwrap_or("");
         self.spans().map(move |(span, what)| {
             let word = match what {
+                // A foreign comment may run over lines, which may end otherwise.
+                Ok(kind @ TokenKind::Foreign) => {
+                    Word::Token(kind, said(span).lines().next().unwrap_or("").trim_end())
+                }
                 Ok(kind) => Word::Token(kind, said(span)),
                 Err(kind) => Word::Comment(kind, said(span)),
             };

@@ -89,6 +89,11 @@ impl Lexed {
             broken_off = false;
             let word = &text[range];
             match kind {
+                TokenKind::Foreign if word.starts_with('#') => {
+                    let length = word.trim_end().len() as u32;
+                    let span = Span { end: span.start + length, ..span };
+                    self.tokens.push(Token { kind, span });
+                }
                 TokenKind::Comment => self.comments.push(comment(span, word)),
                 TokenKind::BadNumber => self.number(TokenKind::BadNumber, span, word),
                 TokenKind::Int | TokenKind::Real => self.number(kind, span, word),

@@ -14,6 +14,7 @@
 //! | `$a:part` | anything on the line whose brackets are paired, up to what follows |
 //! | `$a:some` | the same, at least a token |
 //! | `$a:line` | the same, up to the end of the statement |
+//! | `$a:plain` | the same, without the arrow of a path |
 //! | `$a:inside` | the same over several lines: what stands between brackets |
 //! | `$:end` | nothing, at the end of a line |
 //!
@@ -63,6 +64,7 @@ pub(super) enum Class {
     Part,
     Some,
     Line,
+    Plain,
     Inside,
     End,
 }
@@ -124,6 +126,7 @@ fn hole_of(written: &'static str) -> What {
         "part" => Class::Part,
         "some" => Class::Some,
         "line" => Class::Line,
+        "plain" => Class::Plain,
         "inside" => Class::Inside,
         "end" => Class::End,
         _ => Class::Name,
@@ -188,6 +191,12 @@ fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
                 ends.into_iter().filter(|&end| end > at).collect()
             }
             Class::Line => paired(item, at, |end| item.ends_line(end)).pop().into_iter().collect(),
+            Class::Plain => {
+                let line = paired(item, at, |end| item.ends_line(end)).pop();
+                let is_plain =
+                    |end: &usize| (at..*end).all(|at| item.kind(at) != Some(T::FatArrow));
+                line.filter(is_plain).into_iter().collect()
+            }
             Class::Inside => paired(item, at, |_| false),
             Class::End => {
                 if item.ends_line(at) {

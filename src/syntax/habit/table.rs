@@ -94,7 +94,7 @@ const LINES: &[Line] = &[
     // Heads of items.
     sure(
         HEAD,
-        "^def/function/func/fun/fn/void/auto/bool/define/sub/procedure/method/int/Mesh/EdgeRef/FaceRef/VertexRef/HalfedgeRef/optional $f ( $p:inside ) $r:inside { $b=before/rule/after/steps",
+        "^def/function/func/fun/fn/void/auto/bool/define/sub/procedure/method/int/Mesh/EdgeRef/FaceRef/VertexRef/HalfedgeRef/optional $f ( $p:inside ) $r:part { $b=before/rule/after/steps",
         "op $f($p) $r { $b",
         "what is drawn is an operation, `op $f(…) { before { … } after { … } }`",
     ),
@@ -791,17 +791,17 @@ const LINES: &[Line] = &[
     ),
     told(
         DRAWING,
-        "^$a:vertex = $v:line",
+        "^$a:vertex = $v:plain",
         "",
         "`$a` is a vertex: what is set is an attribute, `$a.position = …`",
     ),
     told(
         DRAWING,
-        "^$a = $v:line",
+        "^$a = $v:plain",
         "",
         "what is set is an attribute of something drawn, `v.position = …`; a value is written where it is used",
     ),
-    told(DRAWING, "^$t:word $a = $v:line", "", VALUES),
+    told(DRAWING, "^$t:word $a = $v:plain", "", VALUES),
     sure(
         DRAWING,
         "^$k=face/hole/loop/edge/vertex/new/keep/erase $l:some , $:end",
@@ -1097,13 +1097,13 @@ const LINES: &[Line] = &[
     ),
     sure(
         CODE | PARTS,
-        ". $p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors ( )",
+        ". $p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors ~( )",
         ".$p",
         POINTER,
     ),
     sure(
         CODE | PARTS,
-        "~-> ~$p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors ( )",
+        "~-> ~$p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors ~( )",
         ".$p",
         POINTER,
     ),
@@ -1114,7 +1114,7 @@ const LINES: &[Line] = &[
         "a pointer is read behind a dot: `h.$p`",
     ),
     sure(CODE | PARTS, "~-> ~$p:word", ".$p", "a pointer is read behind a dot: `h.$p`"),
-    told(CODE | PARTS, ". $f:word ( $x:inside )", "", CALLED),
+    told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
     sure(
         CODE | PARTS,
         "( [ $b:inside for $n in $s:inside ] )",

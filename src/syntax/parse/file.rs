@@ -26,6 +26,8 @@ pub struct Parsed {
     pub comments: Vec<Comment>,
     /// What is wrong, in the order of its places.
     pub diagnostics: Vec<Diagnostic>,
+    /// Where items stand that could be read only after some of their words were exchanged.
+    pub mended: Vec<Span>,
 }
 
 /// Reads a text. Takes any text, in time linear in its length.
@@ -36,24 +38,25 @@ pub fn parse(file: FileId, text: &str) -> Parsed {
 /// The same, where some items are known.
 pub(super) fn parse_with(file: FileId, text: &str, known: &Known) -> Parsed {
     let Lexed { tokens, comments, mut diagnostics } = lex(file, text);
+    let mut mended = Vec::new();
     let tree = File {
         docs: file_docs(text, &tokens, &comments),
-        items: items(text, &tokens, &comments, &mut diagnostics, known),
+        items: items(text, &tokens, &comments, (&mut diagnostics, &mut mended), known),
     };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     diagnostics.dedup_by_key(|diagnostic| diagnostic.span().start);
-    Parsed { tree, tokens, comments, diagnostics }
+    Parsed { tree, tokens, comments, diagnostics, mended }
 }
 
 fn items(
     text: &str,
     tokens: &[Token],
     comments: &[Comment],
-    diagnostics: &mut Vec<Diagnostic>,
+    (diagnostics, mended): (&mut Vec<Diagnostic>, &mut Vec<Span>),
     known: &Known,
 ) -> Vec<Item> {
     let grammar = item();
-    let mut reading = Reading { text, grammar: &grammar, diagnostics, found: Vec::new() };
+    let mut reading = Reading { text, grammar: &grammar, diagnostics, mended };
     let mut docs = Docs { text, comments, next: 0 };
     let mut items = Vec::new();
     for range in cut(text, tokens) {
@@ -71,8 +74,6 @@ fn items(
             items.push(item);
         }
     }
-    let told = tell(text, std::mem::take(&mut reading.found));
-    diagnostics.extend(told);
     items
 }
 
@@ -91,8 +92,7 @@ struct Reading<'t, 'g> {
     text: &'t str,
     grammar: &'g Rule<'t, Item>,
     diagnostics: &'g mut Vec<Diagnostic>,
-    /// What was found in the ways of other languages.
-    found: Vec<Found>,
+    mended: &'g mut Vec<Span>,
 }
 
 impl<'t> Reading<'t, '_> {
@@ -117,10 +117,18 @@ impl<'t> Reading<'t, '_> {
             self.diagnostics.extend(report_all(failures, &around));
             return vec![(first, as_it_is.unwrap_or(Item::Broken(whole)))];
         }
+        self.mended.push(whole);
         let mut items = Vec::new();
         // What was put into other words does not live as long as the text.
         let grammar = item();
-        for range in cut(self.text, &mended) {
+        let ranges = cut(self.text, &mended);
+        for (number, range) in ranges.iter().cloned().enumerate() {
+            // Each item tells its own, so that it is known of each whether it is right.
+            let begin = if number == 0 { 0 } else { mended[range.start].span.start };
+            let next_begin = ranges.get(number + 1).map(|next| mended[next.start].span.start);
+            let here = begin..next_begin.unwrap_or(u32::MAX);
+            let own = found.iter().filter(|found| here.contains(&found.span.start));
+            let own = tell(self.text, own.cloned().collect());
             let inside = &mended[range];
             let here = self::whole(inside);
             let (item, failures) = match too_deep(inside) {
@@ -128,14 +136,18 @@ impl<'t> Reading<'t, '_> {
                 Some(_) => (None, Vec::new()),
             };
             let around = Around::new(self.text, inside, next);
-            let told = report_all(failures, &around).into_iter();
-            self.diagnostics.extend(told.filter(|told| !is_consequence(self.text, told, &found)));
+            let mut told = report_all(failures, &around);
+            let first = told.first().cloned().filter(|_| own.is_empty());
+            told.retain(|told| !is_consequence(self.text, told, &found));
+            // An item that is wrong is never without a word.
+            told.extend(first.filter(|_| told.is_empty()));
+            self.diagnostics.extend(own.into_iter().chain(told));
             items.push((here.before(), item.unwrap_or(Item::Broken(here))));
         }
         if items.is_empty() {
+            self.diagnostics.extend(tell(self.text, found));
             items.push((first, Item::Broken(whole)));
         }
-        self.found.extend(found);
         items
     }
 }
