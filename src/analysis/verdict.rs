@@ -164,16 +164,15 @@ impl RuleVerdict {
     pub fn counts(&self) -> Vec<(&'static str, i64, i64)> {
         let per_index = self.per_index.unwrap_or_default();
         let counts = |of: fn(&Change) -> i64| (of(&self.change), of(&per_index));
-        let all: [(_, fn(&Change) -> i64); 5] = [
-            ("V", |change| change.vertices),
-            ("E", |change| change.edges),
-            ("F", |change| change.faces),
-            ("holes", |change| change.holes),
-            ("loops", |change| change.loops),
+        let all = [
+            ("V", counts(|change| change.vertices)),
+            ("E", counts(|change| change.edges)),
+            ("F", counts(|change| change.faces)),
+            ("holes", counts(|change| change.holes)),
+            ("loops", counts(|change| change.loops)),
         ];
-        let all = all.into_iter().enumerate().map(|(at, (name, of))| (at, name, counts(of)));
-        let told = all.filter(|(at, _, by)| *at < 3 || *by != (0, 0));
-        told.map(|(_, name, (constant, per_index))| (name, constant, per_index)).collect()
+        let told = all.into_iter().enumerate().filter(|(at, (_, by))| *at < 3 || *by != (0, 0));
+        told.map(|(_, (name, (constant, per_index)))| (name, constant, per_index)).collect()
     }
 }
 

@@ -103,8 +103,8 @@ impl Faults {
         fans.number_fans(&neighbours, &twins);
         let mut first_fan = vec![NONE; list.positions.len()];
         let mut is_pinched = vec![false; list.positions.len()];
-        for corner in 0..corners.len() {
-            let v = corners[corner] as usize;
+        for (corner, &vertex) in corners.iter().enumerate() {
+            let v = vertex as usize;
             if fans.corners[corner] as usize == v {
                 if first_fan[v] == NONE {
                     first_fan[v] = corner as u32;

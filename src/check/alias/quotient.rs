@@ -251,7 +251,7 @@ fn sectors(spokes: &[Spoke]) -> Vec<(Option<NameId>, Option<Spoke>)> {
     };
     let count = spokes.len();
     let fan_at = |at: usize| Some(spokes[at % count]).filter(|spoke| half(spoke).is_none());
-    let named = (0..count).filter_map(|at| Some((half(&spokes[at]), fan_at(at + 1))));
+    let named = (0..count).map(|at| (half(&spokes[at]), fan_at(at + 1)));
     let named: Vec<_> = named.filter(|(half, _)| half.is_some()).collect();
     if named.is_empty() { vec![(None, fan_at(0))] } else { named }
 }

@@ -92,7 +92,7 @@ impl Reader<'_> {
 
     /// The first word, which may be left out.
     fn head(&mut self) -> Result<Prefixes, String> {
-        if !self.scanner.to_line() {
+        if !self.scanner.next_line() {
             return Err("the file is empty".into());
         }
         if self.scanner.rest()[0].is_ascii_digit() && !self.scanner.rest().starts_with(b"4OFF") {
@@ -124,7 +124,7 @@ impl Reader<'_> {
         let mut counts = [0; 3];
         for (at, count) in counts.iter_mut().enumerate() {
             // The number of edges may be left out.
-            if at == 2 && !self.scanner.to_word() {
+            if at == 2 && !self.scanner.next_word() {
                 break;
             }
             let left = self.scanner.rest().len();
@@ -142,7 +142,7 @@ impl Reader<'_> {
 
     /// The next number, in this line or a later one.
     fn next(&mut self, wanted: &str) -> Result<f64, String> {
-        if !self.scanner.to_line() {
+        if !self.scanner.next_line() {
             return Err(format!("the file ends where {wanted} should stand"));
         }
         match self.scanner.number() {
@@ -170,7 +170,8 @@ impl Reader<'_> {
             }
             // Some programs write three numbers for a colour, some four.
             let mut rest = Vec::new();
-            while (prefixes.color || prefixes.texture) && rest.len() < 6 && self.scanner.to_word() {
+            while (prefixes.color || prefixes.texture) && rest.len() < 6 && self.scanner.next_word()
+            {
                 rest.push(self.next("a colour")?);
             }
             if prefixes.texture {
@@ -217,7 +218,7 @@ impl Reader<'_> {
             ends.push(corners.len());
             self.contents.face_lines.push(line);
             let mut color = Vec::new();
-            while color.len() < 4 && self.scanner.to_word() {
+            while color.len() < 4 && self.scanner.next_word() {
                 color.push(self.next("a colour")?);
             }
             if color.len() < 3 && !color.is_empty() {
@@ -226,7 +227,7 @@ impl Reader<'_> {
             colors.push(&color);
             self.scanner.end_line();
         }
-        if self.scanner.to_line() {
+        if self.scanner.next_line() {
             let line = self.scanner.line();
             self.contents.kept.note("lines behind the last face", line);
         }

@@ -74,7 +74,7 @@ impl<'t> Scanner<'t> {
 
     /// Skips blanks and ends of lines that go on; true if another word of the line stands here.
     #[inline]
-    pub(super) fn to_word(&mut self) -> bool {
+    pub(super) fn next_word(&mut self) -> bool {
         let start = self.at;
         loop {
             match self.peek() {
@@ -101,7 +101,7 @@ impl<'t> Scanner<'t> {
 
     /// The next word of the line.
     pub(super) fn word(&mut self) -> Option<&'t [u8]> {
-        if !self.to_word() {
+        if !self.next_word() {
             return None;
         }
         let start = self.at;
@@ -120,7 +120,7 @@ impl<'t> Scanner<'t> {
     /// The number that the next word of the line is; `Err` if it is another word.
     #[inline]
     pub(super) fn number(&mut self) -> Option<Result<f64, &'t [u8]>> {
-        if !self.to_word() {
+        if !self.next_word() {
             return None;
         }
         let start = self.at;
@@ -164,7 +164,7 @@ impl<'t> Scanner<'t> {
     #[inline]
     pub(super) fn end_line(&mut self) {
         // Whatever is left is a comment, or words that nobody wants.
-        while self.to_word() {
+        while self.next_word() {
             self.word();
         }
         while let Some(byte) = self.peek() {
@@ -180,8 +180,8 @@ impl<'t> Scanner<'t> {
     }
 
     /// Goes to the next line that has a word; false at the end of the text.
-    pub(super) fn to_line(&mut self) -> bool {
-        while !self.to_word() {
+    pub(super) fn next_line(&mut self) -> bool {
+        while !self.next_word() {
             if self.is_at_end() {
                 return false;
             }
@@ -192,12 +192,12 @@ impl<'t> Scanner<'t> {
 
     /// All words of the line as they stand, without a comment.
     pub(super) fn text(&mut self) -> Cow<'t, [u8]> {
-        if !self.to_word() {
+        if !self.next_word() {
             return Cow::Borrowed(b"");
         }
         let (start, line) = (self.at, self.line);
         let mut end = start;
-        while self.to_word() {
+        while self.next_word() {
             self.word();
             end = self.at;
         }

@@ -73,7 +73,7 @@ fn read_text(text: &[u8]) -> Result<Contents, Failure> {
     let mut scanner = Scanner::new(text);
     let mut points = Vec::with_capacity(text.len() / 80);
     let mut solids = 0;
-    while scanner.to_line() {
+    while scanner.next_line() {
         let line = scanner.line();
         let malformed = |words: String| (Some(line), FileReason::Malformed(words));
         let Some(word) = scanner.word() else { continue };

@@ -77,12 +77,8 @@ impl PolygonList {
                 }
             };
             corner = first as u32;
-            while !closed {
-                let twin = twins[corner as usize];
-                if twin == NONE {
-                    break;
-                }
-                corner = neighbours.next[twin as usize];
+            while !closed && twins[corner as usize] != NONE {
+                corner = neighbours.next[twins[corner as usize] as usize];
                 if !reach(corner) {
                     break;
                 }

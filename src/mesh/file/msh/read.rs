@@ -69,7 +69,7 @@ impl<'t> Reader<'t> {
 
     fn file(&mut self) -> Answer<()> {
         let mut has_format = false;
-        while self.scanner.to_line() {
+        while self.scanner.next_line() {
             let line = self.scanner.line();
             let word = self.scanner.word().unwrap_or_default();
             self.scanner.end_line();
@@ -109,7 +109,7 @@ impl<'t> Reader<'t> {
         // Lines are counted in text alone; bytes may look like anything.
         match self.is_text {
             true => {
-                while self.scanner.to_line() {
+                while self.scanner.next_line() {
                     if self.scanner.word() == Some(&end[..]) {
                         break;
                     }
@@ -150,7 +150,7 @@ impl<'t> Reader<'t> {
 
     fn names(&mut self) -> Answer<()> {
         for _ in 0..self.text_count(4)? {
-            if !self.scanner.to_line() {
+            if !self.scanner.next_line() {
                 break;
             }
             let (dimension, tag) = (self.text_number()?, self.text_number()? as i64);
@@ -329,7 +329,7 @@ impl<'t> Reader<'t> {
         let line = self.scanner.line();
         let mut name = String::new();
         for at in 0..self.text_count(1)? {
-            self.scanner.to_line();
+            self.scanner.next_line();
             let text = self.scanner.text();
             if at == 0 {
                 name = String::from_utf8_lossy(&text).trim_matches('"').to_owned();
@@ -409,7 +409,7 @@ fn node_count(element: i64) -> Answer<usize> {
 /// Numbers, as text or as bytes.
 impl Reader<'_> {
     fn text_number(&mut self) -> Answer<f64> {
-        if !self.scanner.to_line() {
+        if !self.scanner.next_line() {
             return Err("the file ends where a number should stand".into());
         }
         match self.scanner.number() {

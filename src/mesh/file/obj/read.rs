@@ -23,7 +23,7 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
         highest: [Highest::default(); 3],
     };
     while !reader.scanner.is_at_end() {
-        if reader.scanner.to_word() {
+        if reader.scanner.next_word() {
             let line = reader.scanner.line();
             reader.statement(line).map_err(|reason| (Some(line), reason))?;
         }
@@ -102,7 +102,7 @@ impl Reader<'_> {
         if count < 3 {
             return Err(FileReason::Malformed("`v` needs three numbers".into()));
         }
-        if count == 5 || (count == 7 && self.scanner.to_word()) {
+        if count == 5 || (count == 7 && self.scanner.next_word()) {
             self.contents.kept.note("vertices with 5 numbers, or more than 7", line);
         }
         let [x, y, z, rest @ ..] = numbers;
@@ -146,7 +146,7 @@ impl Reader<'_> {
             return Err(malformed());
         }
         let kept = &mut self.contents.kept;
-        if width == 3 && self.scanner.to_word() {
+        if width == 3 && self.scanner.next_word() {
             kept.note(&format!("`{statement}` with more than three numbers"), line);
         }
         let rows = if statement == "vt" { &mut kept.texture } else { &mut kept.normals };
@@ -159,7 +159,7 @@ impl Reader<'_> {
         let kept = &self.contents.kept;
         let have =
             [self.contents.positions.len(), kept.texture.rows.len(), kept.normals.rows.len()];
-        while self.scanner.to_word() {
+        while self.scanner.next_word() {
             // Almost all corners are digits alone; others are looked at again.
             let start = self.scanner.position();
             let before = self.scanner.rest();

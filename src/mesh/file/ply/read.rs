@@ -196,7 +196,7 @@ impl<'t> Body<'t> {
             decode(scalar, number, self.encoding == Encoding::BigEndian, &mut numbers);
             return Ok(numbers.first().copied());
         }
-        if !self.scanner.to_line() {
+        if !self.scanner.next_line() {
             return Ok(None);
         }
         match self.scanner.number() {
