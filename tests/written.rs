@@ -41,7 +41,7 @@ fn codes(folder: &Path, found: &mut BTreeSet<String>) {
 fn every_code_is_in_the_reference() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut known = BTreeSet::from(["interrupted".to_owned()]);
-    for layer in ["analysis", "check", "compile", "emit", "resolve", "run", "syntax"] {
+    for layer in ["analysis", "check", "compile", "emit", "resolve", "run", "session", "syntax"] {
         codes(&root.join("src").join(layer), &mut known);
     }
     let page = read("grammar/reference.md");

@@ -128,7 +128,6 @@ mod tests {
             (1.23456789e20, "1.23457e20"),
             (f64::INFINITY, "inf"),
             (f64::NAN, "NaN"),
-            (-0.0, "-0"),
         ];
         for (value, text) in cases {
             assert_eq!(RealText(value, RealDigits::Few).to_string(), text);

@@ -2804,7 +2804,7 @@ pub fn polygon_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
             if v1 == v2 {
                 continue; // `v1` and `v2` are one vertex
             }
-            if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+            if (mesh.face_size(f1) as i64) < 4 {
                 continue; // `f1` would have fewer than 3 sides
             }
             if (mesh.degree(v2) as i64) < 3 {
@@ -2894,10 +2894,10 @@ pub fn polygon_collapse(mesh: &mut Mesh, e: EdgeId) -> Option<VertexId> {
             if f0 == f1 {
                 continue; // `f0` and `f1` are one face
             }
-            if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+            if (mesh.face_size(f0) as i64) < 4 {
                 continue; // `f0` would have fewer than 3 sides
             }
-            if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+            if (mesh.face_size(f1) as i64) < 4 {
                 continue; // `f1` would have fewer than 3 sides
             }
             let mut holes = 0;
@@ -3168,9 +3168,6 @@ pub fn polygon_weld(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
                 }
                 if f == g {
                     continue; // `f` and `g` are one face
-                }
-                if (mesh.face_size(f) as i64) + (mesh.face_size(g) as i64) <= 4 {
-                    continue; // a hole of two edges would be left
                 }
                 let mut corners: Vec<VertexId> = vec![v1, v0];
                 let mut h = P_first;
@@ -3529,8 +3526,8 @@ pub fn polygon_weld(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
             if v1 == v3 {
                 continue; // `v1` and `v3` are one vertex
             }
-            if (mesh.face_size(f) as i64) <= 4 {
-                continue; // a hole of fewer than three edges would be left
+            if (mesh.face_size(f) as i64) < 5 {
+                continue; // `f` would have fewer than 3 sides
             }
             if (mesh.degree(v1) as i64) < 3 {
                 continue; // `v1` would keep a single edge
@@ -3608,8 +3605,8 @@ pub fn polygon_weld(mesh: &mut Mesh, e: EdgeId, e2: EdgeId) -> Option<EdgeId> {
             if v3 == v1 {
                 continue; // `v3` and `v1` are one vertex
             }
-            if (mesh.face_size(f) as i64) <= 4 {
-                continue; // a hole of fewer than three edges would be left
+            if (mesh.face_size(f) as i64) < 5 {
+                continue; // `f` would have fewer than 3 sides
             }
             if (mesh.degree(v3) as i64) < 3 {
                 continue; // `v3` would keep a single edge
@@ -3990,6 +3987,9 @@ pub fn guards_open_star(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
         for i in 0..n {
             sheet.set_vertex_halfedge(w[i], P_first[i]);
         }
+        if !sheet.three_sides(f) {
+            return None; // `f` would have fewer than 3 sides
+        }
         if (0..n).any(|i| !sheet.two_spokes(w[i])) {
             return None; // `w[i]` would keep a single edge
         }
@@ -4202,37 +4202,6 @@ pub fn guards_fill_simply(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
     }
     if !all_differ(&v) {
         return None; // two of `v[i]` are one vertex
-    }
-    // The guard looks at what there would be, on a sheet over the mesh.
-    {
-        let mut sheet = Sheet::new(mesh);
-        let c = sheet.add_vertex();
-        let a: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
-        let b: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
-        let g: Vec<_> = (0..n).map(|_| sheet.add_face()).collect();
-        sheet.set_vertex_halfedge(c, b[0]);
-        for i in 0..n {
-            sheet.set_next(h[i], a[i]);
-            sheet.set_face(h[i], g[i]);
-            sheet.set_next(a[i], b[i]);
-            sheet.set_twin(a[i], b[(i + 1) % n]);
-            sheet.set_vertex(a[i], v[(i + 1) % n]);
-            sheet.set_face(a[i], g[i]);
-            sheet.set_next(b[i], h[i]);
-            sheet.set_vertex(b[i], c);
-            sheet.set_face(b[i], g[i]);
-            sheet.set_twin(b[(i + 1) % n], a[i]);
-            sheet.set_face_halfedge(g[i], h[i]);
-        }
-        if !sheet.two_spokes(c) {
-            return None; // `c` would keep a single edge
-        }
-        if (0..n).any(|i| !sheet.meets_once(g[i])) {
-            return None; // `g[i]` would meet a vertex twice
-        }
-        if !sheet.corners_differ(c) {
-            return None; // two faces around `c` would have the same corners
-        }
     }
     let c_position = mesh.centroid(f);
 
@@ -5550,34 +5519,6 @@ pub fn more_fill(mesh: &mut Mesh, f: FaceId) -> Option<VertexId> {
     }
     if !all_differ(&v) {
         return None; // two of `v[i]` are one vertex
-    }
-    // The guard looks at what there would be, on a sheet over the mesh.
-    {
-        let mut sheet = Sheet::new(mesh);
-        let c = sheet.add_vertex();
-        let a: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
-        let b: Vec<_> = (0..n).map(|_| sheet.add_halfedge()).collect();
-        let g: Vec<_> = (0..n).map(|_| sheet.add_face()).collect();
-        sheet.set_vertex_halfedge(c, b[0]);
-        for i in 0..n {
-            sheet.set_next(h[i], a[i]);
-            sheet.set_face(h[i], g[i]);
-            sheet.set_next(a[i], b[i]);
-            sheet.set_twin(a[i], b[(i + 1) % n]);
-            sheet.set_vertex(a[i], v[(i + 1) % n]);
-            sheet.set_face(a[i], g[i]);
-            sheet.set_next(b[i], h[i]);
-            sheet.set_vertex(b[i], c);
-            sheet.set_face(b[i], g[i]);
-            sheet.set_twin(b[(i + 1) % n], a[i]);
-            sheet.set_face_halfedge(g[i], h[i]);
-        }
-        if !sheet.two_spokes(c) {
-            return None; // `c` would keep a single edge
-        }
-        if (0..n).any(|i| !sheet.meets_once(g[i])) {
-            return None; // `g[i]` would meet a vertex twice
-        }
     }
     let c_position = mesh.centroid(f);
 
@@ -7025,6 +6966,9 @@ pub fn surface_collapse_border(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexI
     if v1 == v2 {
         return None; // `v1` and `v2` are one vertex
     }
+    if (mesh.face_size(f1) as i64) < 4 {
+        return None; // `f1` would have fewer than 3 sides
+    }
     if (mesh.degree(v2) as i64) < 3 {
         return None; // `v2` would keep a single edge
     }
@@ -7109,6 +7053,9 @@ pub fn simple_collapse_border(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId
     }
     if v1 == v2 {
         return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.face_size(f1) as i64) < 4 {
+        return None; // `f1` would have fewer than 3 sides
     }
     if (mesh.degree(v2) as i64) < 3 {
         return None; // `v2` would keep a single edge
@@ -7227,10 +7174,10 @@ pub fn surface_contract(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
     if f0 == f1 {
         return None; // `f0` and `f1` are one face
     }
-    if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+    if (mesh.face_size(f0) as i64) < 4 {
         return None; // `f0` would have fewer than 3 sides
     }
-    if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+    if (mesh.face_size(f1) as i64) < 4 {
         return None; // `f1` would have fewer than 3 sides
     }
     let mut holes = 0;
@@ -7306,10 +7253,10 @@ pub fn simple_contract(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
     if f0 == f1 {
         return None; // `f0` and `f1` are one face
     }
-    if !mesh.is_hole(f0) && (mesh.face_size(f0) as i64) < 4 {
+    if (mesh.face_size(f0) as i64) < 4 {
         return None; // `f0` would have fewer than 3 sides
     }
-    if !mesh.is_hole(f1) && (mesh.face_size(f1) as i64) < 4 {
+    if (mesh.face_size(f1) as i64) < 4 {
         return None; // `f1` would have fewer than 3 sides
     }
     let mut holes = 0;
@@ -8126,9 +8073,6 @@ pub fn surface_fill_hole(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
     if v0 == v1 {
         return None; // `v0` and `v1` are one vertex
     }
-    if (mesh.face_size(f) as i64) < 3 {
-        return None; // `f` would have fewer than 3 sides
-    }
 
     // 3. Reassign every pointer that changes.
     mesh.set_hole(f, false);
@@ -8148,9 +8092,6 @@ pub fn simple_fill_hole(mesh: &mut Mesh, a: HalfedgeId) -> Option<FaceId> {
     }
     if v0 == v1 {
         return None; // `v0` and `v1` are one vertex
-    }
-    if (mesh.face_size(f) as i64) < 3 {
-        return None; // `f` would have fewer than 3 sides
     }
     let mut same = false;
     let mut corners: Vec<VertexId> = vec![v0, v1];
@@ -8211,6 +8152,9 @@ pub fn surface_zip(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
     }
     if v1 == v2 {
         return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.face_size(f) as i64) < 5 {
+        return None; // `f` would have fewer than 3 sides
     }
     if (mesh.degree(v1) as i64) < 3 {
         return None; // `v1` would keep a single edge
@@ -8281,6 +8225,9 @@ pub fn simple_zip(mesh: &mut Mesh, a: HalfedgeId) -> Option<VertexId> {
     }
     if v1 == v2 {
         return None; // `v1` and `v2` are one vertex
+    }
+    if (mesh.face_size(f) as i64) < 5 {
+        return None; // `f` would have fewer than 3 sides
     }
     if (mesh.degree(v1) as i64) < 3 {
         return None; // `v1` would keep a single edge
@@ -9090,9 +9037,9 @@ impl<'m> Sheet<'m> {
         (1..all.len()).all(|at| !all[..at].contains(&all[at]))
     }
 
-    /// Whether a face is a hole or has three sides or more.
+    /// Whether a face or hole has three sides or more.
     fn three_sides(&self, f: FaceId) -> bool {
-        self.is_hole(f) || self.corners(f).len() > 2
+        self.corners(f).len() > 2
     }
 
     /// Whether no vertex is two corners of a face.
@@ -9230,9 +9177,6 @@ pub fn polygon_dissolve_vertex(mesh: &mut Mesh, v: VertexId) -> Option<FaceId> {
     }
     if mesh.is_boundary_vertex(v) && (mesh.degree(v) as i64) <= 2 {
         return None; // the vertex has a single face
-    }
-    if !mesh.spokes(v).filter(|&h| mesh.is_boundary_halfedge(h)).all(|h| 3 < (mesh.face_size(mesh.face(h)) as i64)) {
-        return None; // a hole of two edges would be left
     }
     all_or_nothing(mesh, Level::Surface, |mesh| {
         let border = mesh.is_boundary_vertex(v);

@@ -46,7 +46,7 @@ fn questions_about_a_cube() {
         asm.emit(Inst::RoundReal { to, from: to });
         print(asm, int, to);
     });
-    let ints = ["3", "4", "12", "0", "12", "0", "0", "0", "0", "1", "0"];
+    let ints = ["3", "4", "12", "0", "12", "0", "0", "1", "0", "1", "0"];
     assert_eq!(lines[..11], ints);
     let rest = ["2", "4", "(0, 0, -1)", "(0, 0, -1)", "(-1, -1, -1)", "1"];
     assert_eq!(lines[11..], rest);

@@ -109,7 +109,7 @@ fn questions_and_navigation() {
             "true true true",
             "true true true",
             "true true",
-            "4 4 false",
+            "4 4 true",
             "true true",
             "true",
             "true (0, 0, 1) true",
