@@ -5,7 +5,7 @@
 mod pages;
 
 use hedgerow::analysis::{Analysis, Reader, verdicts};
-use hedgerow::diagnostic::{Rendering, render};
+use hedgerow::diagnostic::{Diagnostic, Rendering, render};
 use hedgerow::library;
 use hedgerow::rewrite::Unwatched;
 use hedgerow::run::test;
@@ -58,6 +58,20 @@ fn pages_hold() {
                     format!("{home}: {name}{}\n", if seen { "" } else { ", not seen" })
                 };
                 items.map(line).collect()
+            }
+            // In a line each, for pages with many: what is told, and what is offered.
+            "told" => {
+                let line = |told: &Diagnostic| {
+                    let (line, column) =
+                        sources.get(told.span().file).line_column(told.span().start as usize);
+                    let notes = told.notes.iter().map(|note| format!("  note: {note}\n"));
+                    let fixes = told.fixes.iter().map(|fix| format!("  help: {}\n", fix.title));
+                    let more: String = notes.chain(fixes).collect();
+                    format!("{line}:{column} {}: {}\n{more}", told.code, told.message)
+                };
+                let count = analysis.diagnostics.len();
+                assert_eq!(count, 1, "{}: one mistake, {count} errors", case.place);
+                analysis.diagnostics.iter().map(line).collect()
             }
             kind => panic!("{}: what is `{kind}`?", case.place),
         }

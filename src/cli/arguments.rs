@@ -68,7 +68,7 @@ pub(super) struct CheckArguments {
     /// Write what rules break: .halfedges for `info`, .svg, and .obj
     #[arg(long, value_name = "DIR")]
     pub witness: Option<PathBuf>,
-    /// Write all sure fixes into the files
+    /// Write what surely mends the files into them
     #[arg(long)]
     pub fix: bool,
     /// Print why what is proved holds, law by law

@@ -158,3 +158,16 @@ fn pictures_go_nowhere_either() {
     }
     assert_eq!(bench.files(), ["folder.svg", "square.obj"]);
 }
+
+#[test]
+fn a_dash_is_standard_output() {
+    let bench = Bench::with_square();
+    let apply = ["apply", &flip(), "square.obj", "--at", "edge:1-3", "-o", "-"];
+    let said = bench.run(&apply);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert!(said.out.starts_with("v ") && said.out.contains("\nf "), "{said:?}");
+    assert!(said.err.contains("applied flip"), "{said:?}");
+    let drawn = bench.run(&["draw", &flip(), "-o", "-"]);
+    assert!(drawn.out.starts_with("<svg"), "{drawn:?}");
+    assert_eq!(bench.files(), ["square.obj"], "no file has this name");
+}

@@ -113,3 +113,54 @@ fn nothing_runs_that_is_not_proved() {
     }
     assert!(!bench.has("out.obj"));
 }
+
+const FORGOTTEN: &str = "\
+op poke(f: face) -> c {
+  before {
+    face f: v0 -h0→ v1 -h1→ v2 -h2→ v0
+  }
+  after {
+    new c, f0, f1, f2, a0, b0, a1, b1, a2, b2
+    face f0: v0 -h0-> v1 -a0-> c -b0-> v0
+    face f1: v1 -h1-> v2 -a1-> c -b1-> v1
+    face f2: v2 -h2-> v0 -a2-> c -b2-> v2
+    delete f
+    c.position = centroid(f);
+  }
+}
+";
+
+#[test]
+fn what_is_sure_is_written_until_nothing_is_left() {
+    let bench = Bench::new();
+    bench.write("poke.hedge", FORGOTTEN);
+    let said = bench.run(&["check", "--fix", "poke.hedge"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert!(said.out.contains("proved  poke"), "{said:?}");
+    assert!(said.err.contains("fixes written"), "{said:?}");
+    let mended = bench.read("poke.hedge");
+    for words in ["-h0-> v1", "erase f\n", "edge e1: a0 | b1", "b2 e1 e2 e3\n"] {
+        assert!(mended.contains(words), "{words}:\n{mended}");
+    }
+    let again = bench.run(&["check", "--fix", "poke.hedge"]);
+    assert!(!again.err.contains("written"), "{again:?}");
+    assert_eq!(bench.read("poke.hedge"), mended);
+}
+
+#[test]
+fn what_depends_on_something_broken_says_so() {
+    let bench = Bench::new();
+    let op = std::fs::read_to_string(example("flip.hedge")).unwrap();
+    let op = op.replace("  after {", "  require mid(v0)\n  after {");
+    let text = format!(
+        "fn bad(v: vertex) -> bool {{ nothing(v) }}\nfn mid(v: vertex) -> bool {{ bad(v) }}\n{op}\
+         op both(e: edge) {{ steps {{ must flip(e) }} }}\n"
+    );
+    bench.write("a.hedge", text);
+    let said = bench.run(&["check", "a.hedge"]);
+    assert_eq!(said.code, 1, "{said:?}");
+    assert!(said.out.contains("not proved  flip"), "{said:?}");
+    assert!(said.out.contains("depends on `bad`, which has an error"), "{said:?}");
+    assert!(said.out.contains("depends on `flip`, which has an error"), "{said:?}");
+    assert_eq!(said.err.matches("error[").count(), 1, "{said:?}");
+}

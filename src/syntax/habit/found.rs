@@ -124,10 +124,11 @@ impl<'t> Match<'t, '_> {
         let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '"');
         let ends = |text: &str| text.chars().next_back().is_some_and(|c| is_word(c) || c == ')');
         let begins = |text: &str| text.chars().next().is_some_and(is_word);
-        if ends(before) && (begins(&text) || text.starts_with(['{', '-', '='])) {
+        let apart = begins(&text) || text.starts_with(['{', '=']);
+        if ends(before) && (apart || before.ends_with(')') && text.starts_with('-')) {
             text.insert(0, ' ');
         }
-        if ends(&text) && begins(behind) {
+        if ends(&text) && (begins(behind) || behind.starts_with('=')) {
             text.push(' ');
         }
         Edit { span, text }

@@ -20,6 +20,15 @@ pub(super) fn sign(written: &str, span: Span, alone: bool) -> Sign {
     let first = written.chars().next().unwrap_or('?');
     let whole = |text: String| Some((span, text));
     match first {
+        '#' if written.starts_with("#include") => {
+            let path = written.split(['"', '<', '>']).nth(1).unwrap_or("std/triangle.hedge");
+            let ours = format!("use \"{path}\"");
+            Sign {
+                kind: None,
+                says: format!("a file is used by its path: `{ours}`"),
+                fix: whole(ours),
+            }
+        }
         '#' => Sign {
             kind: None,
             says: "a comment begins with `//`".to_owned(),

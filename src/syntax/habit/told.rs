@@ -172,6 +172,8 @@ fn whole_line(text: &str, edit: Edit) -> Edit {
     let (start, end) = match alone {
         true => (line.start, span.end as usize + (to_line_end + 1).min(behind.len())),
         false if before.trim().is_empty() => (span.start as usize, span.end as usize + after),
+        // What follows at once stays apart from what is before.
+        false if after == 0 && to_line_end > 0 => (span.start as usize, span.end as usize),
         false => (span.start as usize - blanks, span.end as usize),
     };
     Edit { span: Span::new(span.file, start, end), text: written }
