@@ -41,7 +41,7 @@ test \"edges stay\" {
   assert mesh == start
 }
 test \"one is two\" { assert 1 == 2 }
-script all() { for e in edges { stay(e) } }
+script stay_all() { for e in edges { stay(e) } }
 ";
 
 /// The program itself, over its streams.
@@ -131,7 +131,7 @@ fn lenses_run_what_they_offer() {
         let shown = editor.shown("window/showMessage");
         assert!(shown.contains(ends), "{shown}");
     }
-    let mut run = lens("run script", "all");
+    let mut run = lens("run script", "stay_all");
     let files = [path("in.obj"), path("out.obj")].map(Value::from);
     run["arguments"].as_array_mut().unwrap().extend(files);
     editor.ask("workspace/executeCommand", run);
