@@ -89,8 +89,10 @@ impl Lexed {
             broken_off = false;
             let word = &text[range];
             match kind {
-                TokenKind::Foreign if word.starts_with('#') => {
-                    let length = word.trim_end().len() as u32;
+                // Of a comment of several lines the first is a token, the others are nothing.
+                TokenKind::Foreign if word.starts_with(['#', '/']) => {
+                    let first = word.lines().next().unwrap_or("");
+                    let length = first.trim_end().len() as u32;
                     let span = Span { end: span.start + length, ..span };
                     self.tokens.push(Token { kind, span });
                 }

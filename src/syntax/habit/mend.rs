@@ -98,7 +98,8 @@ fn matching(
 /// A foreign sign of which the table knows nothing.
 fn foreign(item: &mut Item, at: usize) -> Found {
     let span = item.tokens[at].span;
-    let Sign { kind, says, fix } = sign(item.word(at), span, item.is_last(at));
+    let (span, written) = item.comment(at).unwrap_or((span, item.word(at)));
+    let Sign { kind, says, fix } = sign(written, span, item.is_last(at));
     let first = item.word(at).chars().next().map_or(0, u32::from);
     match kind {
         Some(kind) => item.tokens[at].kind = kind,

@@ -1,5 +1,6 @@
 //! The tokens of an item, and where each of them stands.
 
+use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::collections::HashSet;
 use std::ops::Range;
@@ -91,6 +92,14 @@ impl<'t> Item<'t> {
     /// Whether nothing stands between a token and the one before.
     pub(super) fn touches(&self, at: usize) -> bool {
         at > 0 && at < self.tokens.len() && self.between(at).is_empty()
+    }
+
+    /// A comment as other languages write it, of which the token is the first line.
+    pub(super) fn comment(&self, at: usize) -> Option<(Span, &'t str)> {
+        let span = self.token(at)?.span;
+        let rest = self.text.get(span.start as usize..)?;
+        let end = rest.strip_prefix("/*")?.find("*/")? + 4;
+        Some((Span { end: span.start + end as u32, ..span }, rest.get(..end)?))
     }
 
     /// Whether nothing follows a token on its line.
