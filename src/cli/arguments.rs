@@ -112,7 +112,7 @@ pub(super) struct RunArguments {
     /// given, three quarters of the machine's
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
-    /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
+    /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
     /// What the answer looks like
@@ -386,7 +386,7 @@ pub(super) struct TestArguments {
     /// Only tests whose name holds this text
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
-    /// Where the numbers of `random` and `shuffle` come from: the same seed, the same numbers
+    /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
     /// What the answer looks like
