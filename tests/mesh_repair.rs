@@ -37,10 +37,13 @@ fn again(mesh: &Mesh) -> Repaired {
     repair(&positions, &faces, None)
 }
 
+/// Vertices, polygons, the vertices and faces of the result, and what was done.
+type Case = (u32, &'static [&'static [u32]], [usize; 2], RepairReport);
+
 #[test]
 fn each_fault_is_mended_and_counted() {
     let none = RepairReport::default();
-    let cases: &[(u32, &[&[u32]], [usize; 2], RepairReport)] = &[
+    let cases: &[Case] = &[
         // A mesh stays, also two triangles back to back.
         (4, &[&[0, 1, 2], &[2, 1, 3]], [4, 2], none),
         (3, &[&[0, 1, 2], &[2, 1, 0]], [3, 2], none),

@@ -118,7 +118,8 @@ fn repair_makes_a_mesh_and_says_how() {
     let said = bench.run(&["view", "fins.obj", "--repair", "-o", "fins.png"]);
     assert!(said.code == 0 && said.err.starts_with("fins.obj: repaired: "), "{said:?}");
     bench.fails(2, &["info", "fins.obj", "--merge=-1"], "a distance is a number from 0 on");
-    let arguments = ["apply", "std/polygon.hedge::poke", "fins.obj", "--repair", "--at", "face:2"];
+    let arguments =
+        ["apply", "std/polygon.hedge::inset_vertex", "fins.obj", "--repair", "--at", "face:2"];
     let said = bench.run(&[&arguments[..], &["-o", "p.ply", "--format", "json"]].concat());
     assert!(said.out.contains("\"split_vertices\": 4"), "{said:?}");
 }
