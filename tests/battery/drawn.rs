@@ -208,6 +208,7 @@ impl Piece {
             }
         }
         let mut names: BTreeMap<usize, String> = BTreeMap::new();
+        #[allow(clippy::needless_range_loop)]
         for at in 0..self.items.len() {
             let vertex = self.items[at].vertex;
             let known = self.vertices.entry(vertex).or_default();
@@ -539,7 +540,7 @@ impl Piece {
             let in_fan = ring.iter().any(|half| self.fans.contains_key(half));
             let named = ring.iter().position(|&half| self.is_named(half));
             let Some(first) = named else { continue };
-            if !in_fan && !(owner[at].is_none() && random.once_in(3)) {
+            if !(in_fan || owner[at].is_none() && random.once_in(3)) {
                 continue;
             }
             let mut spokes: Vec<String> = Vec::new();
