@@ -4,7 +4,7 @@
 //! by side, the same vertex at the same place, halfedges as arrows inside their faces, and
 //! what is kept, reassigned, new and erased told apart by colour and by stroke. A picture is
 //! written as SVG or PNG. Texts are outlines of letters that come along, so no fonts are
-//! needed. [`text_op`] draws with characters, [`page`] makes a page of many, and [`draw_mesh`]
+//! needed. [`text_op`] draws with characters, `page` makes a page of many, and [`draw_mesh`]
 //! shows a mesh. Nothing is assumed of a drawing, proved or not: there is always a picture.
 
 // What is drawn.

@@ -1,6 +1,6 @@
 //! Proved operations as pointer code in other languages.
 //!
-//! [`cpp`] makes the classic four-phase function over a pointer-based halfedge mesh, [`rust`] a
+//! `cpp` makes the classic four-phase function over a pointer-based halfedge mesh, `rust` a
 //! plain function over [`crate::mesh`]. Both spell the same routine, which is built from the
 //! proof and not from the machine's code: the names of the drawing stay, tests and assignments
 //! that change nothing are left out, and a guard becomes walks and tests on the mesh as it is.

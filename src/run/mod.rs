@@ -1,6 +1,6 @@
 //! Scripts on meshes.
 //!
-//! [`prepare`] lowers a script of a resolved program to register code, with the plans of
+//! `prepare` lowers a script of a resolved program to register code, with the plans of
 //! the operations it calls; [`run`] sets the machine to work on it and says what came of
 //! it: a [`Report`] of what was applied and refused, or a [`Failure`] with a diagnostic.
 //!

@@ -1,6 +1,6 @@
 //! Text to tree: tokens, comments kept, a parser that recovers.
 //!
-//! [`parse`] never fails: it answers with a tree of what could be read, the tokens and
+//! `parse` never fails: it answers with a tree of what could be read, the tokens and
 //! comments for a formatter, and a diagnostic for everything else. It knows how things are
 //! written and nothing of what they mean; `resolve` takes it from there.
 
