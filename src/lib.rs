@@ -108,7 +108,8 @@
 //!
 //! # Features
 //!
-//! All are on by default: `cli`, the command line; `lsp`, the language server; `draw`, pictures.
+//! All are on by default: `cli`, the command line; `lsp`, the language server; `play`, what is behind
+//! a page; `draw`, pictures.
 //! Who calls hedgerow from a program of their own wants none of them:
 //! `hedgerow = { version = "0.1", default-features = false }`.
 //!
@@ -127,7 +128,8 @@
 //! Each folder is a layer, and names only layers below it (a test holds this):
 //!
 //! ```text
-//! 5  cli          lsp       session      the command line; the language server; as a library
+//! 6  cli          lsp       play         the command line; the language server; behind a page
+//! 5  session      lessons                as a library; texts with a gap, and their judge
 //! 4  analysis                            a text taken all the way; plain data out
 //! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
 //!    emit                               pointer code in other languages
@@ -161,11 +163,16 @@ pub mod emit;
 #[doc(hidden)]
 pub mod format;
 #[doc(hidden)]
+pub mod lessons;
+#[doc(hidden)]
 pub mod library;
 #[cfg(feature = "lsp")]
 #[doc(hidden)]
 pub mod lsp;
 pub mod mesh;
+#[cfg(feature = "play")]
+#[doc(hidden)]
+pub mod play;
 #[doc(hidden)]
 pub mod resolve;
 #[doc(hidden)]
@@ -180,6 +187,6 @@ pub mod syntax;
 pub use rewrite::{Unwatched, Watch};
 pub use run::{Argument, OpReport, Report};
 pub use session::{
-    Arguments, Error, Given, Mark, Op, Outcome, Parameter, Program, Reason, Script, Session,
-    Verdict,
+    Arguments, Error, Function, Given, KeptMask, Mark, Match, Op, Outcome, Parameter, Program,
+    Reason, Script, Session, Values, Verdict,
 };

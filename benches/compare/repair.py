@@ -2,7 +2,7 @@
 
     cargo build --release
     pip install pymeshlab; apt-get install libcgal-dev
-    python benches/compare/repair.py [--count 200] [--seed 1] [--keep DIR]
+    python benches/compare/repair.py [--count 200] [--seed 1] [--keep DIR] [--hedgerow PROGRAM]
 
 A generator makes closed and open triangle meshes and breaks them: faces are doubled, turned over,
 given a vertex twice, glued at edges and at vertices. For each tool the table has how many results
@@ -17,6 +17,7 @@ faces, `meshing_repair_non_manifold_edges` (both methods), `meshing_repair_non_m
 
 import argparse
 import collections
+import functools
 import pathlib
 import random
 import subprocess
@@ -166,8 +167,7 @@ def run_meshlab(folder, names):
             meshes.save_current_mesh(str(folder / f"{name}{end}"), save_vertex_normal=False, save_wedge_texcoord=False)
 
 
-def run_hedgerow(folder, names):
-    program = ROOT / "target" / "release" / "hedgerow"
+def run_hedgerow(folder, names, program):
     script = folder / "nothing.hedge"
     script.write_text("script nothing() { }\n")
     for name in names:
@@ -180,6 +180,7 @@ def main():
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--hedgerow", type=pathlib.Path, default=ROOT / "target" / "release" / "hedgerow")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.keep or pathlib.Path(temporary)
@@ -191,7 +192,8 @@ def main():
             points, polygons = broken(rng)
             faces += len(polygons)
             write_obj(folder / f"{name}.obj", points, polygons)
-        tools = [("hedgerow", run_hedgerow, ["hedgerow"]), ("CGAL", run_cgal, ["cgal"])]
+        hedgerow = functools.partial(run_hedgerow, program=arguments.hedgerow)
+        tools = [("hedgerow", hedgerow, ["hedgerow"]), ("CGAL", run_cgal, ["cgal"])]
         tools.append(("MeshLab", run_meshlab, ["meshlab0", "meshlab1"]))
         print(f"{arguments.count} meshes of {faces} faces")
         print(f"{'':<12}{'manifold':>10}{'faces':>10}{'boundary edges':>16}")

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
 use crate::syntax::tree::{Side, Statement};
 
-/// What a change is for.
+/// The purpose of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
     /// It surely mends a diagnostic.
@@ -23,9 +23,9 @@ pub enum Purpose {
 /// A change that is offered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Action {
-    /// What it does, as an imperative.
+    /// The change, as an imperative.
     pub title: String,
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// The replacements; they do not overlap.
     pub edits: Vec<Edit>,

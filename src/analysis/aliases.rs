@@ -6,14 +6,14 @@ use super::Analysis;
 use crate::check::{Counterexample, Identification, Verdict, identifications};
 use crate::diagram::{NameId, Rule};
 
-/// What would come of names of one rule being one.
+/// The outcome if names of one rule are one.
 #[derive(Clone, Debug, Serialize)]
 pub struct RuleAliases {
     /// The op.
     pub op: String,
     /// The rule, where it has a name.
     pub rule: Option<String>,
-    /// Whether it has families: then nothing is asked.
+    /// True if it has families: then nothing is asked.
     pub has_families: bool,
     /// Each set of names that was looked at.
     pub sets: Vec<NamesAsOne>,
@@ -29,7 +29,7 @@ pub struct NamesAsOne {
     /// Why it is not fine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
-    /// What a small mesh comes to that breaks.
+    /// The results on a small mesh that breaks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub comes_to: Option<String>,
     /// That mesh.

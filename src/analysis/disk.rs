@@ -1,8 +1,8 @@
 //! The files of this computer.
 //!
-//! What a program uses was perhaps written by somebody else, and lies wherever its path leads:
-//! so only regular files are opened (a pipe or a device may keep its reader waiting for ever),
-//! only programs by their name, and none beyond a size.
+//! Files that a program uses were perhaps written by somebody else, and lie wherever their paths
+//! lead: so only regular files are opened (a pipe or a device may keep its reader waiting for
+//! ever), only programs by their name, and none beyond a size.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -10,7 +10,8 @@ use std::path::Path;
 
 use super::files::Reader;
 
-/// How many entries of the folders of a workspace are looked at: a home folder may be one.
+/// The number of entries of the folders of a workspace that are looked at: a home folder may be
+/// one.
 const MOST_ENTRIES: usize = 20_000;
 
 /// The largest program, in bytes: 64 MiB.
@@ -74,7 +75,7 @@ fn is_program(path: &Path) -> bool {
     path.extension().is_some_and(|end| end == "hedge")
 }
 
-/// Whether a path leads to a regular file of at most so many bytes.
+/// True if a path leads to a regular file of at most so many bytes.
 ///
 /// # Errors
 /// In words, why it does not.

@@ -1,13 +1,13 @@
 //! One element of a drawing: its pointers before and after, and what becomes of it.
 
 use super::names::{List, Role, SideName, SymbolId, SymbolKind};
-use super::side::{Place, Sketch};
+use super::side::{ElementRef, Sketch};
 use super::snapshot::Snapshot;
 use crate::diagram::Kind;
 use crate::source::Span;
 use crate::syntax::tree::{Item, Rule};
 
-/// What becomes of an element.
+/// The fate of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fate {
     /// It is the same on both sides.
@@ -41,7 +41,7 @@ impl Fate {
 /// A pointer, or another property, on both sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pointer {
-    /// What it is: `next`, `twin`, …
+    /// The word of the pointer: `next`, `twin`, …
     pub name: &'static str,
     /// Its value before, as it is written.
     pub before: String,
@@ -54,11 +54,11 @@ pub struct Pointer {
 pub struct Element {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
-    /// Whether it is a halfedge known only as the twin of one that is drawn.
+    /// True if it is a halfedge known only as the twin of one that is drawn.
     pub is_outer: bool,
-    /// What becomes of it.
+    /// Its fate.
     pub fate: Fate,
     /// Its pointers.
     pub pointers: Vec<Pointer>,
@@ -66,12 +66,12 @@ pub struct Element {
     pub rule: Option<String>,
 }
 
-/// What is not in the drawing.
+/// The word for all that is not in the drawing.
 const OUTSIDE: &str = "outside";
 const NOTHING: &str = "";
 
-/// What there is to say of the name of an element, in the rule that covers `offset`; of a
-/// parameter, whose place is in the head of the op, in the first rule that draws it.
+/// The facts about an element by its name, in the rule that covers `offset`; of a parameter, whose
+/// place is in the head of the op, in the first rule that draws it.
 pub fn element(snapshot: &Snapshot, symbol: SymbolId, offset: usize) -> Option<Element> {
     let rule = match snapshot.rule_at(offset) {
         Some((item, rule, op)) => {
@@ -94,7 +94,7 @@ fn first_rule(snapshot: &Snapshot, symbol: SymbolId) -> Option<&Rule> {
     op.rules.iter().find(draws)
 }
 
-/// What there is to say of an element in one rule.
+/// The facts about an element in one rule.
 pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<Element> {
     let own = snapshot.names().symbol(symbol);
     let SymbolKind::Element(Some(kind)) = own.kind else {
@@ -135,7 +135,7 @@ pub fn element_of(snapshot: &Snapshot, symbol: SymbolId, rule: &Rule) -> Option<
     })
 }
 
-/// Whether `new` and whether `erase` list a name within a rule.
+/// Two answers about a name within a rule: it is listed by `new`, and by `erase`.
 pub fn listed(snapshot: &Snapshot, symbol: SymbolId, rule: Span) -> (bool, bool) {
     let mentions = || {
         snapshot
@@ -147,7 +147,7 @@ pub fn listed(snapshot: &Snapshot, symbol: SymbolId, rule: Span) -> (bool, bool)
     (is_in(List::New), is_in(List::Erase))
 }
 
-/// Where a side of a rule mentions a name in its statements.
+/// The place where a side of a rule mentions a name in its statements.
 pub fn drawn_on(snapshot: &Snapshot, symbol: SymbolId, side: SideName, rule: Span) -> Option<Span> {
     let mut mentions = snapshot.names().mentions_of(symbol);
     let found = mentions.find(|mention| {
@@ -182,11 +182,11 @@ fn pointers(kind: Kind, word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
     }
 }
 
-fn text(place: Option<Place>) -> String {
+fn text(place: Option<ElementRef>) -> String {
     place.map_or(NOTHING.into(), |place| place.text())
 }
 
-fn in_loop(side: &Sketch, word: &str, part: impl Fn(&super::side::Drawn) -> &Place) -> String {
+fn in_loop(side: &Sketch, word: &str, part: impl Fn(&super::side::Drawn) -> &ElementRef) -> String {
     side.place(word).map_or(NOTHING.into(), |drawn| part(&drawn).text())
 }
 
@@ -208,11 +208,11 @@ fn halfedge(word: &str, sides: &[Sketch; 2]) -> Vec<Pointer> {
         before: stays(value(before), value, before),
         after: stays(value(&sides[1]), value, &sides[1]),
     };
-    let run = |place: &Place| match place.word.as_str() {
+    let run = |place: &ElementRef| match place.word.as_str() {
         "" => "the path".to_owned(),
         _ => place.text(),
     };
-    let looped = |side: &Sketch, part: &dyn Fn(&super::side::Drawn) -> Place| {
+    let looped = |side: &Sketch, part: &dyn Fn(&super::side::Drawn) -> ElementRef| {
         side.place(word).map_or(NOTHING.into(), |drawn| run(&part(&drawn)))
     };
     vec![
@@ -237,7 +237,7 @@ fn ends(side: &Sketch, sides: &[Sketch; 2], word: &str) -> String {
     let Some(pair) = side.pairs.iter().find(|pair| pair.edge.word == word) else {
         return NOTHING.into();
     };
-    let origin = |halfedge: &Place| {
+    let origin = |halfedge: &ElementRef| {
         let own = side.origin(&halfedge.word);
         text(own.or_else(|| sides[0].origin(&halfedge.word)))
     };

@@ -9,7 +9,7 @@ use crate::rewrite::Plan;
 use crate::run::Functions;
 use crate::source::{Sources, Span};
 
-/// What came of one operation.
+/// The result of checking one operation.
 #[derive(Clone, Debug, Default)]
 pub struct Examined {
     /// Its proof, if there is one.
@@ -20,7 +20,7 @@ pub struct Examined {
     pub counterexamples: Vec<Counterexample>,
     /// The laws it breaks.
     pub diagnostics: Vec<Diagnostic>,
-    /// What it depends on that has an error: then it is not even looked at.
+    /// A name it depends on that has an error: then it is not even looked at.
     pub lacks: Option<String>,
 }
 
@@ -71,7 +71,7 @@ impl Examined {
     }
 }
 
-/// What an op asks and sets.
+/// The values of an op: those it requires and those it sets.
 fn values(op: &diagram::Op) -> impl Iterator<Item = &diagram::Expr> {
     op.rules.iter().flat_map(|rule| {
         let asked = rule.requires.iter().map(|require| &require.condition);

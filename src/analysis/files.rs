@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use strsim::damerau_levenshtein;
 
-use super::readings::Readings;
+use super::parse_cache::Readings;
 use crate::diagnostic::Diagnostic;
 use crate::library::{self, FOLDER};
 use crate::resolve::Unit;
@@ -18,7 +18,7 @@ use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::Item;
 
-/// Where texts come from.
+/// A source of texts, by their names.
 pub trait Reader {
     /// The text of a file, by its name.
     ///
@@ -53,11 +53,11 @@ impl Reader for Nowhere {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Missing {
     why: String,
-    /// What it may have been meant to be, as `use` would write it.
+    /// The path that was probably meant, as `use` would write it.
     meant: Option<String>,
 }
 
-/// What could not be had, by name.
+/// The files that could not be read, by name.
 pub(super) type Absent = HashMap<String, Missing>;
 
 /// The words with which items begin.
@@ -113,8 +113,8 @@ fn text_of(name: &str, reader: &mut dyn Reader) -> Result<String, String> {
     }
 }
 
-/// Whether a text can be a program, by its first word. What is none is not looked into, so that
-/// no message quotes it.
+/// True if a text can be a program, by its first word. What is none is not looked into, so that no
+/// message quotes it.
 fn is_program(text: &str) -> bool {
     let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim_start);
     let mut lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
@@ -184,7 +184,7 @@ pub(super) struct Part {
     pub parsed: Rc<Parsed>,
     /// The files it uses, by their places among the parts.
     pub uses: Vec<usize>,
-    /// Whether one that it uses could not be had.
+    /// True if one that it uses could not be had.
     pub lacks: bool,
 }
 
@@ -195,8 +195,8 @@ impl Part {
     }
 }
 
-/// What the resolver says, without what only follows from items that cannot be read: what is
-/// wrong in them, and that there is nothing of their name.
+/// The diagnostics of the resolver, without what only follows from items that cannot be read: what
+/// is wrong in them, and that there is nothing of their name.
 pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
     let unread: Vec<(Span, bool)> = parts.iter().flat_map(unread).collect();
     let names = unread.iter().filter(|(_, is_lost)| *is_lost);
@@ -373,24 +373,4 @@ fn cycle(sources: &Sources, chain: &[(FileId, Option<Span>)], last: Span) -> Dia
         };
     }
     error.note("what both files need can stand in a third")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn paths_begin_at_the_folder_of_the_file() {
-        for (here, path, name) in [
-            ("a.hedge", "b.hedge", "b.hedge"),
-            ("x/a.hedge", "./b.hedge", "x/b.hedge"),
-            ("x/a.hedge", "../b.hedge", "b.hedge"),
-            ("a.hedge", "../b.hedge", "../b.hedge"),
-            ("/x/y/a.hedge", "../z/b.hedge", "/x/z/b.hedge"),
-            ("x/a.hedge", "std/triangle.hedge", "std/triangle.hedge"),
-            ("x/a.hedge", "/b.hedge", "/b.hedge"),
-        ] {
-            assert_eq!(name_of(here, path), name, "{path} in {here}");
-        }
-    }
 }

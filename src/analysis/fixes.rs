@@ -1,13 +1,13 @@
-//! What mends a diagnostic: the fixes that it carries, which are sure, and proposals for what
-//! only a person can decide.
+//! Changes that mend a diagnostic: the fixes that it carries, which are sure, and proposals for
+//! what only a person can decide.
 
 use std::ops::Range;
 
 use super::action::{Action, Purpose, append, statement_span};
-use super::demand::lacking;
+use super::dangling_twins::draw_twins;
 use super::element::{Fate, element_of};
+use super::missing_conditions::lacking;
 use super::names::{SymbolId, SymbolKind};
-use super::outside::draw_twins;
 use super::side::subject;
 use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
@@ -15,7 +15,7 @@ use crate::diagram::Kind;
 use crate::source::Span;
 use crate::syntax::tree::{Arrow, Item, Name, Rule, Side, Spoke, Statement};
 
-/// What mends the diagnostics of a part of the text.
+/// The changes that mend the diagnostics of a part of the text.
 pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
     let touches = |span: Span| {
         span.file == snapshot.file()

@@ -1,4 +1,4 @@
-//! What is not written, but known: to be shown between the words.
+//! Hints: facts that are not written, but known, to be shown between the words.
 
 use super::side::Sketch;
 use super::snapshot::Snapshot;
@@ -11,15 +11,15 @@ use crate::syntax::tree::{Item, Op, Rule, Statement};
 pub struct Hint {
     /// The place.
     pub after: Span,
-    /// What is known.
+    /// The text of the hint.
     pub label: String,
-    /// Whether it is a type.
+    /// True if it is a type.
     pub is_type: bool,
-    /// What it means, in a sentence.
+    /// Its meaning, in a sentence.
     pub meaning: String,
 }
 
-/// What is known in a part of the text.
+/// The hints in a part of the text.
 pub fn hints(snapshot: &Snapshot, part: std::ops::Range<usize>) -> Vec<Hint> {
     let mut hints = Vec::new();
     for item in snapshot.items() {
@@ -68,7 +68,7 @@ fn op_hints(snapshot: &Snapshot, op: &Op, hints: &mut Vec<Hint>) {
     }
 }
 
-/// Where the outer halfedges of `before` start and end.
+/// Hints for the start and end of the outer halfedges of `before`.
 fn outer_ends(rule: &Rule, hints: &mut Vec<Hint>) {
     let [before, _] = Sketch::of(rule);
     let statements = rule.before.iter().flat_map(|side| &side.statements);
@@ -95,7 +95,7 @@ fn outer_ends(rule: &Rule, hints: &mut Vec<Hint>) {
     }
 }
 
-/// Whether a name is declared by `let` or `var`: of a loop over `edges`, anybody sees it.
+/// True if a name is declared by `let` or `var`: of a loop over `edges`, anybody sees it.
 fn follows_let(snapshot: &Snapshot, name: Span) -> bool {
     let tokens = &snapshot.parsed().tokens;
     let at = tokens.partition_point(|token| token.span.start < name.start);

@@ -1,4 +1,4 @@
-//! What there is to say about the place under a cursor.
+//! Hovers: information about the place under a cursor.
 
 use std::rc::Rc;
 
@@ -14,16 +14,16 @@ use crate::source::Span;
 use crate::syntax::TokenKind;
 use crate::syntax::tree::{self, Item};
 
-/// What there is to say, and about which part of the text.
+/// A card of information, and the part of the text it is about.
 #[derive(Clone, Debug)]
 pub struct Hover {
     /// The part of the text.
     pub span: Span,
-    /// What there is to say.
+    /// The information.
     pub card: Card,
 }
 
-/// What there is to say.
+/// The information about a place.
 #[derive(Clone, Debug)]
 pub enum Card {
     /// About an op.
@@ -63,15 +63,15 @@ pub struct OpCard {
     pub diagram: Option<Rc<diagram::Op>>,
     /// Why there is none of an op in steps that is proved.
     pub no_example: Option<NoExample>,
-    /// Whether they are those of this text; else they are the last that could be read.
+    /// True if they are those of this text; else they are the last that could be read.
     pub is_current: bool,
-    /// What is proved.
+    /// The verdict of the proof.
     pub verdict: Verdict,
-    /// What is wrong, a line each.
+    /// The errors, a line each.
     pub wrong: Vec<String>,
 }
 
-/// What there is to say about the place at a byte.
+/// The hover at a byte.
 pub fn hover(snapshot: &Snapshot, offset: usize) -> Option<Hover> {
     if let Some(mention) = snapshot.names().at(offset)
         && let Some(card) = of_mention(snapshot, mention, offset)
@@ -171,7 +171,7 @@ fn item_card(snapshot: &Snapshot, name: &str) -> Option<Card> {
     })
 }
 
-/// What there is to say about an op.
+/// The information about an op.
 pub fn op_card(snapshot: &Snapshot, op: &tree::Op) -> OpCard {
     let verdict = snapshot.verdict(op);
     let wrong = snapshot.diagnostics_so_far();

@@ -110,7 +110,7 @@ fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec
         if is_made(target) {
             continue;
         }
-        let place = Place { snapshot, target, attribute: &attribute.text, assigned, made };
+        let place = Target { snapshot, target, attribute: &attribute.text, assigned, made };
         let line = match place.solved(value) {
             Some(old) => format!("{} = {old}", place.text()),
             None => format!("// has no inverse: {}", slice(snapshot, statement)),
@@ -121,7 +121,7 @@ fn restored(snapshot: &Snapshot, assigned: &[&Statement], made: &[&Name]) -> Vec
 }
 
 /// An attribute of an element, which is assigned to.
-struct Place<'s> {
+struct Target<'s> {
     snapshot: &'s Snapshot,
     target: &'s Name,
     attribute: &'s str,
@@ -129,7 +129,7 @@ struct Place<'s> {
     made: &'s [&'s Name],
 }
 
-impl Place<'_> {
+impl Target<'_> {
     fn text(&self) -> String {
         let target = self.snapshot.sources().slice(self.target.span);
         format!("{target}.{}", self.attribute)
@@ -168,7 +168,7 @@ impl Place<'_> {
         }
     }
 
-    /// Whether an expression is the attribute itself.
+    /// True if an expression is the attribute itself.
     fn is(&self, value: &Expr) -> bool {
         let ExprKind::Field(base, field) = &value.kind else {
             return false;
@@ -177,7 +177,7 @@ impl Place<'_> {
         field.text == self.attribute && slice(base.span) == slice(self.target.span)
     }
 
-    /// Whether an expression reads the attribute.
+    /// True if an expression reads the attribute.
     fn reads(&self, value: &Expr) -> bool {
         let mut found = self.is(value);
         value.each_part(&mut |part| match part {
@@ -215,13 +215,13 @@ impl Place<'_> {
         stays.then(|| if is_one { text.to_owned() } else { format!("({text})") })
     }
 
-    /// Whether a word is that of an attribute, and not of something that follows from the mesh.
+    /// True if a word is that of an attribute, and not of something that follows from the mesh.
     fn is_attribute(&self, word: &str) -> bool {
         let mut known = Type::ALL.into_iter().flat_map(fields);
         self.declared(word).is_some() || known.any(|field| field.name == word && field.is_attribute)
     }
 
-    /// Whether a product of the attribute can be divided again: that of a whole number cannot.
+    /// True if a product of the attribute can be divided again: that of a whole number cannot.
     fn divides(&self) -> bool {
         let declared = self.declared(self.attribute);
         declared.is_none_or(|attr| attr.ty.text != "int")

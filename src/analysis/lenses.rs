@@ -1,10 +1,10 @@
-//! What is told and offered above an item.
+//! Lenses: lines above an item with facts and commands.
 
 use super::snapshot::Snapshot;
 use crate::source::Span;
 use crate::syntax::tree::Item;
 
-/// What a lens offers to do.
+/// The command of a lens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Offer {
     /// It tells whether an op is proved, and offers nothing but the picture.
@@ -22,9 +22,9 @@ pub enum Offer {
 pub struct Lens {
     /// The name of the item.
     pub span: Span,
-    /// What it says.
+    /// The text of the lens.
     pub title: String,
-    /// What it offers.
+    /// Its command.
     pub offer: Offer,
     /// The item's name.
     pub name: String,

@@ -1,15 +1,15 @@
-//! What one snapshot of a document leaves to the next: texts that have been read, proofs that
+//! Memory between one snapshot of a document and the next: texts that have been read, proofs that
 //! have been found, and the last diagram of each op that could be read.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
 use super::Examined;
-use super::readings::Readings;
+use super::parse_cache::Readings;
 use crate::diagram;
 use crate::source::Span;
 
-/// How many proofs of earlier texts are remembered, beside those of the text as it is.
+/// The number of proofs of earlier texts that are remembered, beside those of the text as it is.
 const MOST_REMEMBERED: usize = 1024;
 
 #[derive(Clone, Debug, Default)]
@@ -19,7 +19,7 @@ pub(super) struct Memory {
     pub(super) lost: BTreeMap<String, Rc<diagram::Op>>,
     /// By the text of the op.
     proofs: HashMap<String, Remembered>,
-    /// How many there may be before those of earlier texts go.
+    /// The number of proofs there may be before those of earlier texts go.
     room: usize,
 }
 
@@ -39,7 +39,7 @@ pub(super) struct Passage<'t> {
 }
 
 impl Memory {
-    /// What came of an op that is written like this, wherever it stood then.
+    /// The result for an op that is written like this, wherever it stood then.
     pub(super) fn recall(&self, op: Passage) -> Option<Rc<Examined>> {
         let known = self.proofs.get(op.text)?;
         (known.meaning == op.meaning).then(|| moved(&known.examined, known.at, op.span))

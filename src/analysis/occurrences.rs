@@ -1,4 +1,4 @@
-//! Where a name is declared and mentioned, and what renaming it takes.
+//! Occurrences of a name: its declaration and its mentions, and how to rename it.
 
 use super::names::{Mention, Symbol, SymbolId, SymbolKind};
 use super::snapshot::Snapshot;
@@ -53,7 +53,7 @@ pub fn shared(snapshot: &Snapshot, offset: usize) -> Option<Shared> {
     })
 }
 
-/// Where a text mentions an item that may be declared in another file.
+/// The mentions in a text of an item that may be declared in another file.
 pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> {
     let names = snapshot.names();
     let own_name = snapshot.sources().get(snapshot.file()).name();
@@ -68,7 +68,7 @@ pub fn mentions_of_shared(snapshot: &Snapshot, shared: &Shared) -> Vec<Mention> 
     symbol.map_or_else(Vec::new, |(id, _)| names.mentions_of(id).copied().collect())
 }
 
-/// Whether the name means the item of that file here.
+/// True if the name means the item of that file here.
 fn declared_in(snapshot: &Snapshot, shared: &Shared) -> bool {
     declared_elsewhere(snapshot, &shared.name)
         .is_some_and(|place| snapshot.sources().get(place.file).name() == shared.file)
@@ -106,7 +106,7 @@ pub fn renameable(snapshot: &Snapshot, offset: usize) -> Result<Mention, String>
     Ok(mention)
 }
 
-/// What changes the name at a byte everywhere.
+/// The edits that rename the name at a byte everywhere.
 ///
 /// # Errors
 ///
@@ -128,7 +128,7 @@ pub fn rename(snapshot: &Snapshot, offset: usize, to: &str) -> Result<Vec<Edit>,
     Ok(names.mentions_of(mention.symbol).map(edit).collect())
 }
 
-/// What changes the name of an item in a text that may not be the one that declares it.
+/// The edits that rename an item in a text that may not be the one that declares it.
 ///
 /// # Errors
 ///
@@ -147,7 +147,7 @@ pub fn rename_shared(snapshot: &Snapshot, item: &Shared, to: &str) -> Result<Vec
     Ok(edits.collect())
 }
 
-/// Whether a text can be a name.
+/// True if a text can be a name.
 fn is_name(text: &str) -> bool {
     let tokens = parse(Default::default(), text).tokens;
     matches!(tokens.as_slice(), [only] if only.kind.is_name() && only.span.range() == (0..text.len()))
@@ -170,7 +170,7 @@ fn taken<'s>(snapshot: &'s Snapshot, symbol: SymbolId, to: &str) -> Option<&'s S
     found.map(|(_, other)| other)
 }
 
-/// What a name stands for, in words, with an article.
+/// The thing that a name stands for, in words, with an article.
 pub fn a_word(symbol: &Symbol) -> &'static str {
     match symbol.kind {
         SymbolKind::Op => "an op",

@@ -5,7 +5,7 @@ use super::snapshot::Snapshot;
 use crate::source::Span;
 use crate::syntax::tree::{Ident, Item, Op, Rule, Side, Statement};
 
-/// What an entry of the outline is.
+/// The kind of an entry of the outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EntryKind {
     /// An op.
@@ -31,15 +31,15 @@ pub enum EntryKind {
 pub struct Entry {
     /// Its name.
     pub name: String,
-    /// What else is worth seeing beside it; may be empty.
+    /// A detail that is worth seeing beside it; may be empty.
     pub detail: String,
-    /// What it is.
+    /// Its kind.
     pub kind: EntryKind,
     /// All of it.
     pub span: Span,
     /// Its name in the text.
     pub name_span: Span,
-    /// What stands in it.
+    /// The entries inside of it.
     pub children: Vec<Entry>,
 }
 
@@ -79,7 +79,7 @@ fn item_entry(snapshot: &Snapshot, item: &Item) -> Option<Entry> {
     })
 }
 
-/// What an op takes and gives, as it is written.
+/// The parameters and the result of an op, as they are written.
 fn parameters(snapshot: &Snapshot, op: &Op) -> String {
     let head = super::hover::head(snapshot, op);
     head.split_once('(').map_or(String::new(), |(_, rest)| format!("({rest}"))

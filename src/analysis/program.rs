@@ -1,10 +1,12 @@
 //! From a text to proved and compiled operations.
 
 use super::Examined;
-use super::depends::tell_what_is_lacking;
+use super::before::tell_of_before;
+use super::broken_dependencies::tell_what_is_lacking;
 use super::files::{Absent, Part, Parts, Reader, fetch, without_consequences};
-use super::readings::Readings;
-use super::shelves::tell_where;
+use super::foreign::tell_as_elsewhere;
+use super::library_hints::tell_where;
+use super::parse_cache::Readings;
 use crate::check::{Counterexample, Proved};
 use crate::diagnostic::Diagnostic;
 use crate::resolve::{Program, resolve_all};
@@ -12,14 +14,14 @@ use crate::rewrite::Plans;
 use crate::run::{Functions, plan_steps};
 use crate::source::{FileId, Sources, Span};
 
-/// What is known of one file, and of those it uses.
+/// All that is known of one file, and of those it uses.
 #[derive(Clone, Debug)]
 pub struct Analysis {
     /// The file.
     pub file: FileId,
     /// The files whose items can be named in it: itself first, then those it uses.
     pub seen: Vec<FileId>,
-    /// What all files declare, each once, those of `file` first.
+    /// The declarations of all files, each once, those of `file` first.
     pub program: Program,
     /// For each op of the program, its proof, if there is one.
     pub proved: Vec<Option<Proved>>,
@@ -61,6 +63,7 @@ impl Analysis {
         let units: Vec<_> = parts.iter().map(Part::unit).collect();
         let mut resolved = resolve_all(&units);
         without_consequences(&parts, &mut resolved.diagnostics, sources);
+        tell_as_elsewhere(&parts, &mut resolved.diagnostics, sources);
         for part in &parts {
             diagnostics.extend(part.parsed.diagnostics.iter().cloned());
         }
@@ -73,6 +76,7 @@ impl Analysis {
         let seen = seen.collect();
         let (functions, too_large) = Functions::of(&program);
         diagnostics.extend(too_large);
+        tell_of_before(&program, &mut diagnostics);
         let mut proved = Vec::new();
         let mut plans = Vec::new();
         let mut lacks = Vec::new();
@@ -99,7 +103,7 @@ impl Analysis {
         Self { file, seen, program, proved, plans, lacks, counterexamples, diagnostics }
     }
 
-    /// Whether nothing in the file is an error.
+    /// True if nothing in the file is an error.
     pub fn is_sound(&self) -> bool {
         !self.diagnostics.iter().any(Diagnostic::is_error)
     }
@@ -115,6 +119,13 @@ impl Analysis {
         let scripts = self.program.scripts.iter();
         let scripts = scripts.map(|script| (script.name.as_str(), script.span));
         self.meant(name, scripts)
+    }
+
+    /// The index of the function that a name means in the file.
+    pub fn function(&self, name: &str) -> Option<usize> {
+        let functions = self.program.functions.iter();
+        let functions = functions.map(|function| (function.name.as_str(), function.span));
+        self.meant(name, functions)
     }
 
     /// Of all items of a name that of the file, else the first of those it uses.

@@ -2,17 +2,17 @@
 //! an op of its own, `keep` for what stays as it is.
 
 use super::action::{Action, Purpose, append, indentation, statement_span};
+use super::cursor_context::{op_near, rule_near};
 use super::hover::op_named;
 use super::invert::inverse;
-use super::place::{op_near, rule_near};
-use super::rewritten::stays_sound;
 use super::side::subject;
 use super::snapshot::Snapshot;
+use super::soundness::stays_sound;
 use crate::diagnostic::Edit;
 use crate::source::Span;
 use crate::syntax::tree::{Name, Op, Rule, Side, Statement};
 
-/// What is offered at a byte.
+/// The refactorings at a byte.
 pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
     let Some((_, op)) = op_near(snapshot, offset).filter(|(_, op)| op.span.touches(offset)) else {
         return Vec::new();

@@ -7,14 +7,14 @@ use crate::syntax::tree::{Arrow, Loop, Name, Rule, Side, Spoke, Star, Statement}
 
 /// A name as it is drawn: the word, and for a member of a family its shift from the index.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct ElementRef {
     /// The word; nothing for a path or fan without a name.
     pub word: String,
     /// The index and what is added to it.
     pub index: Option<(String, i64)>,
 }
 
-impl Place {
+impl ElementRef {
     fn of(name: &Name) -> Self {
         let index = name.index.as_ref().map(|index| {
             let variable = index.variable.as_ref();
@@ -45,35 +45,35 @@ impl Place {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Drawn {
     /// The halfedge or path.
-    pub item: Place,
+    pub item: ElementRef,
     /// The face or hole.
-    pub face: Place,
-    /// Where it leaves.
-    pub from: Place,
-    /// Where it arrives.
-    pub to: Place,
-    /// What follows.
-    pub next: Place,
-    /// What precedes.
-    pub prev: Place,
+    pub face: ElementRef,
+    /// The end where it starts.
+    pub from: ElementRef,
+    /// The end where it arrives.
+    pub to: ElementRef,
+    /// The successor.
+    pub next: ElementRef,
+    /// The predecessor.
+    pub prev: ElementRef,
 }
 
 /// A pair of twins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
     /// The edge.
-    pub edge: Place,
+    pub edge: ElementRef,
     /// Its halfedges.
-    pub halfedges: [Place; 2],
+    pub halfedges: [ElementRef; 2],
 }
 
 /// A vertex statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spokes {
     /// The vertex.
-    pub vertex: Place,
+    pub vertex: ElementRef,
     /// Its spokes and fans, as they are written.
-    pub spokes: Vec<Place>,
+    pub spokes: Vec<ElementRef>,
     /// The statement, without its keyword and name.
     pub text: String,
 }
@@ -81,7 +81,7 @@ pub struct Spokes {
 /// One side, as it is written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Sketch {
-    /// What stands in loops.
+    /// The halfedges and paths in loops.
     pub drawn: Vec<Drawn>,
     /// The edge statements.
     pub pairs: Vec<Pair>,
@@ -116,8 +116,8 @@ impl Sketch {
             match statement {
                 Statement::Loop(orbit) => sketch.orbit(orbit),
                 Statement::Edge { name, halfedges, .. } => sketch.pairs.push(Pair {
-                    edge: Place::of(name),
-                    halfedges: [Place::of(&halfedges[0]), Place::of(&halfedges[1])],
+                    edge: ElementRef::of(name),
+                    halfedges: [ElementRef::of(&halfedges[0]), ElementRef::of(&halfedges[1])],
                 }),
                 Statement::Vertex(star) => sketch.star(star),
                 _ => {}
@@ -130,15 +130,15 @@ impl Sketch {
         let count = orbit.items.len();
         let around = i64::from(orbit.each.is_some());
         let item = |at: usize| match &orbit.items[at].arrow {
-            Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Place::of(name),
-            Arrow::Path(None) => Place { word: String::new(), index: None },
+            Arrow::Halfedge(name) | Arrow::Path(Some(name)) => ElementRef::of(name),
+            Arrow::Path(None) => ElementRef { word: String::new(), index: None },
         };
-        let from = |at: usize| Place::of(&orbit.items[at].from);
+        let from = |at: usize| ElementRef::of(&orbit.items[at].from);
         for at in 0..count {
             let is_last = at + 1 == count;
             let (to, next) = if is_last {
                 let first = || from(0).shifted(around);
-                let to = orbit.end.as_ref().map_or_else(first, Place::of);
+                let to = orbit.end.as_ref().map_or_else(first, ElementRef::of);
                 (to, item(0).shifted(around))
             } else {
                 (from(at + 1), item(at + 1))
@@ -149,7 +149,7 @@ impl Sketch {
             };
             self.drawn.push(Drawn {
                 item: item(at),
-                face: Place::of(&orbit.name),
+                face: ElementRef::of(&orbit.name),
                 from: from(at),
                 to,
                 next,
@@ -160,13 +160,13 @@ impl Sketch {
 
     fn star(&mut self, star: &Star) {
         let spoke = |spoke: &Spoke| match spoke {
-            Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => Place::of(name),
-            Spoke::Fan(None, _) => Place { word: String::new(), index: None },
+            Spoke::Halfedge(name) | Spoke::Fan(Some(name), _) => ElementRef::of(name),
+            Spoke::Fan(None, _) => ElementRef { word: String::new(), index: None },
         };
         let words = star.spokes.iter().map(|written| match written {
-            Spoke::Halfedge(name) => Place::of(name).text(),
+            Spoke::Halfedge(name) => ElementRef::of(name).text(),
             Spoke::Fan(name, _) => {
-                let name = name.as_ref().map(|name| Place::of(name).text());
+                let name = name.as_ref().map(|name| ElementRef::of(name).text());
                 format!("*{}", name.unwrap_or_default())
             }
         });
@@ -176,18 +176,18 @@ impl Sketch {
             None => words,
         };
         self.stars.push(Spokes {
-            vertex: Place::of(&star.name),
+            vertex: ElementRef::of(&star.name),
             spokes: star.spokes.iter().map(spoke).collect(),
             text,
         });
     }
 
-    /// Where a halfedge or path stands in a loop, seen from itself: what is around a member
-    /// of a family is told relative to its own index.
+    /// The place of a halfedge or path in a loop, seen from itself: what is around a member of a
+    /// family is told relative to its own index.
     pub fn place(&self, word: &str) -> Option<Drawn> {
         let drawn = self.drawn.iter().find(|drawn| drawn.item.word == word)?;
         let own = drawn.item.index.as_ref().map_or(0, |(_, shift)| *shift);
-        let seen = |place: &Place| place.clone().shifted(own.saturating_neg());
+        let seen = |place: &ElementRef| place.clone().shifted(own.saturating_neg());
         Some(Drawn {
             item: seen(&drawn.item),
             face: seen(&drawn.face),
@@ -199,26 +199,26 @@ impl Sketch {
     }
 
     /// The edge and the twin of a halfedge, seen from itself.
-    pub fn pair(&self, word: &str) -> Option<(Place, Place)> {
+    pub fn pair(&self, word: &str) -> Option<(ElementRef, ElementRef)> {
         let (pair, at) = self.pairs.iter().find_map(|pair| {
             let at = pair.halfedges.iter().position(|half| half.word == word)?;
             Some((pair, at))
         })?;
         let own = &pair.halfedges[at].index;
         let own = own.as_ref().map_or(0, |(_, shift)| *shift);
-        let seen = |place: &Place| place.clone().shifted(own.saturating_neg());
+        let seen = |place: &ElementRef| place.clone().shifted(own.saturating_neg());
         Some((seen(&pair.edge), seen(&pair.halfedges[1 - at])))
     }
 
     /// The vertex whose statement lists a spoke or fan.
-    pub fn star_of(&self, word: &str) -> Option<Place> {
+    pub fn star_of(&self, word: &str) -> Option<ElementRef> {
         let star =
             self.stars.iter().find(|star| star.spokes.iter().any(|spoke| spoke.word == word))?;
         Some(star.vertex.clone())
     }
 
-    /// Where a halfedge starts, as far as this side says.
-    pub fn origin(&self, word: &str) -> Option<Place> {
+    /// The start of a halfedge, as far as this side says.
+    pub fn origin(&self, word: &str) -> Option<ElementRef> {
         let own = self.place(word).map(|drawn| drawn.from);
         own.or_else(|| self.star_of(word)).or_else(|| {
             let (_, twin) = self.pair(word)?;
@@ -227,16 +227,16 @@ impl Sketch {
         })
     }
 
-    /// Whether a statement of the side is about an edge, face or vertex.
+    /// True if a statement of the side is about an edge, face or vertex.
     pub fn is_subject(&self, word: &str) -> bool {
         self.drawn.iter().any(|drawn| drawn.face.word == word)
             || self.pairs.iter().any(|pair| pair.edge.word == word)
             || self.stars.iter().any(|star| star.vertex.word == word)
     }
 
-    /// Whether any statement of the side draws a name.
+    /// True if any statement of the side draws a name.
     pub fn draws(&self, word: &str) -> bool {
-        let is = |place: &Place| place.word == word;
+        let is = |place: &ElementRef| place.word == word;
         self.drawn
             .iter()
             .any(|drawn| is(&drawn.item) || is(&drawn.face) || is(&drawn.from) || is(&drawn.to))

@@ -1,4 +1,4 @@
-//! What is called around a cursor, and which argument is being written.
+//! Signature help: the call around a cursor, and which argument is being written.
 
 use super::snapshot::Snapshot;
 use super::words::meaning;
@@ -9,11 +9,11 @@ use crate::syntax::tree::{Item, Param};
 /// One way to call something.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Call {
-    /// How it is written: `split(e: edge) -> m`.
+    /// The signature as it is written: `split(e: edge) -> m`.
     pub label: String,
     /// Its parameters, as they stand in the label.
     pub params: Vec<String>,
-    /// What it does.
+    /// Its documentation.
     pub about: String,
 }
 

@@ -9,11 +9,13 @@ use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
+use super::before::tell_of_before;
 use super::files::{Parts, Reader, fetch, name_of};
-use super::meaning::{Meanings, Read};
+use super::foreign::tell_as_elsewhere;
+use super::library_hints::tell_where;
 use super::memory::{Memory, Passage};
 use super::names::Names;
-use super::shelves::tell_where;
+use super::op_context::{Meanings, Read};
 use super::{Examined, NoExample, StepsVerdict, Verdict, example, files};
 use crate::diagnostic::Diagnostic;
 use crate::diagram;
@@ -25,7 +27,7 @@ use crate::source::{FileId, Sources, Span};
 use crate::syntax::Parsed;
 use crate::syntax::tree::{self, Item};
 
-/// What is known of one text.
+/// All that is known of one text.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     sources: Sources,
@@ -39,7 +41,7 @@ pub struct Snapshot {
     /// The ops of the program, by where their names stand.
     places: HashMap<Span, usize>,
     functions: Functions,
-    /// What is wrong before anything is proved, in whatever file.
+    /// The diagnostics before anything is proved, in whatever file.
     told: Vec<Diagnostic>,
     names: OnceCell<Names>,
     /// For each op what its words mean.
@@ -47,11 +49,11 @@ pub struct Snapshot {
     /// The ops that have to be proved, in order: its own, what the steps of those call, and
     /// those of used files that may break here.
     due: Vec<usize>,
-    /// How many of them have been looked at, from the first.
+    /// The number of them that have been looked at, from the first.
     done: Cell<usize>,
     examined: Vec<OnceCell<Rc<Examined>>>,
     planned: OnceCell<Planned>,
-    /// What has been shown of ops in steps.
+    /// Examples of ops in steps that have been made.
     examples: RefCell<BTreeMap<usize, Result<Rc<diagram::Op>, NoExample>>>,
     memory: Rc<RefCell<Memory>>,
 }
@@ -91,6 +93,7 @@ impl Snapshot {
         let units: Vec<_> = parts.iter().map(files::Part::unit).collect();
         let mut resolved = resolve_all(&units);
         files::without_consequences(&parts, &mut resolved.diagnostics, &sources);
+        tell_as_elsewhere(&parts, &mut resolved.diagnostics, &sources);
         told.extend(resolved.diagnostics);
         tell_where(&mut told, &sources);
         drop(units);
@@ -105,6 +108,7 @@ impl Snapshot {
         let program = resolved.program;
         let (functions, too_large) = Functions::of(&program);
         told.extend(too_large);
+        tell_of_before(&program, &mut told);
         let due = due(&program, &functions, (file, &sources));
         let places = program.ops.iter().enumerate().map(|(number, op)| (op.span, number));
         Self {
@@ -173,7 +177,7 @@ impl Snapshot {
         name_of(self.sources.get(self.file).name(), path)
     }
 
-    /// Whether it depends on a file of this name, be it there or not.
+    /// True if it depends on a file of this name, be it there or not.
     pub fn looks_for(&self, file: &str) -> bool {
         let used = self.used().map(|(_, tree)| tree);
         let own = std::iter::once(&self.parsed.tree);
@@ -194,7 +198,7 @@ impl Snapshot {
         self.names.get_or_init(|| Names::of(&self.parsed.tree))
     }
 
-    /// What it declares.
+    /// The declarations of the program.
     pub fn program(&self) -> &Program {
         &self.program
     }
@@ -219,12 +223,12 @@ impl Snapshot {
         }
     }
 
-    /// Whether the diagram of an op can be read in this text.
+    /// True if the diagram of an op can be read in this text.
     pub fn is_readable(&self, op: &tree::Op) -> bool {
         self.resolved(op).is_some_and(|at| self.program.ops[at].diagram.is_some())
     }
 
-    /// What came of an op of the program, by its index.
+    /// The result for an op of the program, by its index.
     pub fn examined(&self, op: usize) -> &Examined {
         self.examined[op].get_or_init(|| self.examine(op))
     }
@@ -243,12 +247,12 @@ impl Snapshot {
         }
     }
 
-    /// How many ops have been looked at, and how many there are.
+    /// The number of ops that have been looked at, and how many there are.
     pub fn progress(&self) -> (usize, usize) {
         (self.done.get(), self.due.len())
     }
 
-    /// What is proved of an op of the tree.
+    /// The verdict on an op of the tree.
     pub fn verdict(&self, op: &tree::Op) -> Verdict {
         let known = self.resolved(op);
         let proved = known.and_then(|at| self.examined(at).proved.as_ref());
@@ -337,7 +341,7 @@ impl Snapshot {
         })
     }
 
-    /// What is wrong before anything is proved, in whatever file.
+    /// The diagnostics before anything is proved, in whatever file.
     pub(super) fn told(&self) -> impl Iterator<Item = &Diagnostic> {
         self.told.iter()
     }
@@ -350,7 +354,7 @@ impl Snapshot {
         self.located(self.told.iter().chain(proved).chain(planned))
     }
 
-    /// What is known to be wrong, as far as ops have been looked at.
+    /// The diagnostics, as far as ops have been looked at.
     pub fn diagnostics_so_far(&self) -> Vec<Diagnostic> {
         let examined = self.due.iter().filter_map(|&op| self.examined[op].get());
         let proved = examined.flat_map(|examined| &examined.diagnostics);
@@ -401,7 +405,7 @@ impl Snapshot {
     }
 }
 
-/// What came of ops in steps.
+/// The results for ops in steps.
 #[derive(Clone, Debug, Default)]
 struct Planned {
     plans: Plans,

@@ -1,4 +1,4 @@
-//! What each word of a text is, to colour it.
+//! Semantic tokens: the class of each word of a text, to colour it.
 
 use std::collections::HashSet;
 
@@ -12,9 +12,8 @@ use crate::source::Span;
 use crate::syntax::tree::{ActionKind, Block, Item};
 use crate::syntax::{CommentKind, Part, TokenKind};
 
-/// What a word is.
+/// The class of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Class {
     Keyword,
     Type,
@@ -35,7 +34,7 @@ pub enum Class {
     Operator,
 }
 
-/// What else there is to say of a word.
+/// The modifiers of a word.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
     /// It declares its name.
@@ -57,9 +56,9 @@ pub struct Marks {
 pub struct Coloured {
     /// The word; it stands on one line.
     pub span: Span,
-    /// What it is.
+    /// Its class.
     pub class: Class,
-    /// What else there is to say.
+    /// Its modifiers.
     pub marks: Marks,
 }
 
@@ -175,7 +174,7 @@ impl Rules<'_> {
     }
 }
 
-/// Where a type is written.
+/// The places where a type is written.
 fn type_spans(snapshot: &Snapshot) -> HashSet<Span> {
     let mut spans = HashSet::new();
     for item in snapshot.items() {
@@ -220,7 +219,7 @@ fn within(part: Part, spans: &mut HashSet<Span>) {
     }
 }
 
-/// Where `keeps` names a property.
+/// The places where `keeps` names a property.
 fn property_spans(snapshot: &Snapshot) -> HashSet<Span> {
     let ops = snapshot.items().iter().filter_map(|item| match item {
         Item::Op(op) => Some(op),

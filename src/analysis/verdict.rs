@@ -1,4 +1,4 @@
-//! What was proved of each operation, to show.
+//! Verdicts: what was proved of each operation, to show.
 
 use std::collections::BTreeMap;
 
@@ -7,19 +7,19 @@ use serde::Serialize;
 use super::Analysis;
 use crate::check::{Change, Proof, Proved, SizeChange, Turned};
 use crate::diagram::{Level, LoopKind, Property, Rule};
-use crate::resolve::{Program, ResolvedOp};
+use crate::resolve::Program;
 use crate::rewrite::Plan;
 
-/// What was proved of an operation.
+/// The verdict on an operation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Verdict {
     /// Its name.
     pub op: String,
-    /// Whether it keeps every valid mesh valid.
+    /// True if it keeps every valid mesh valid.
     pub proved: bool,
     /// For each alternative what was established; empty if it was not proved.
     pub rules: Vec<RuleVerdict>,
-    /// What it depends on that is broken, if that is why it is not proved.
+    /// A name it depends on that is broken, if that is why it is not proved.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lacks: Option<String>,
     /// If it is an op in steps, what it calls and which level it keeps. All it calls is proved.
@@ -27,7 +27,7 @@ pub struct Verdict {
     pub steps: Option<StepsVerdict>,
 }
 
-/// What is known of an op in steps.
+/// The verdict on an op in steps.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct StepsVerdict {
     /// The ops that it calls.
@@ -36,37 +36,37 @@ pub struct StepsVerdict {
     pub level: Level,
 }
 
-/// What was established of one alternative.
+/// The verdict on one alternative.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct RuleVerdict {
     /// Its name, where it has one.
     pub rule: Option<String>,
-    /// How many ways the mesh around the drawing can lie, all of them looked at.
+    /// The number of ways in which the mesh around the drawing can lie, all of them looked at.
     pub cases: usize,
     /// The change of the numbers of elements.
     #[serde(flatten)]
     pub change: Change,
-    /// What comes for each index, if there are families.
+    /// The change for each index, if there are families.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub per_index: Option<Change>,
     /// Each face that becomes a hole, and each hole that becomes a face, in words.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub turned: Vec<String>,
-    /// Whether it takes constant time.
+    /// True if it takes constant time.
     pub constant_time: bool,
-    /// What the time grows with otherwise.
+    /// The quantities that the time grows with otherwise.
     pub grows_with: Vec<String>,
     /// The properties that are kept, in the words of `keeps`.
     pub keeps: Vec<&'static str>,
     /// The level that is kept at least, where it is not the highest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub keeps_only: Option<KeepsOnly>,
-    /// What its guard asks, if it has one.
+    /// The tests of its guard, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guard: Option<GuardVerdict>,
-    /// How degrees change, by vertex: `-1 +S`; those that stay are left out.
+    /// The changes of degrees, by vertex: `-1 +S`; those that stay are left out.
     pub degrees: BTreeMap<String, String>,
-    /// How the numbers of sides change, by face.
+    /// The changes of the numbers of sides, by face.
     pub sizes: BTreeMap<String, String>,
 }
 
@@ -75,7 +75,7 @@ pub struct RuleVerdict {
 pub struct KeepsOnly {
     /// The level.
     pub level: Level,
-    /// How many things `guard simple` would test.
+    /// The number of things that `guard simple` would test.
     pub untested: usize,
 }
 
@@ -87,21 +87,21 @@ impl KeepsOnly {
     }
 }
 
-/// What a guard asks of the result.
+/// The verdict on a guard.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GuardVerdict {
     /// Its level.
     pub level: Level,
-    /// What is tested before anything is written.
+    /// The tests before anything is written.
     pub tests: Vec<String>,
-    /// What needs no test, and why not.
+    /// The statements that need no test, with the reasons.
     pub proved: Vec<ProvedStatement>,
 }
 
 /// Something that a level asks and that cannot fail.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ProvedStatement {
-    /// What holds after.
+    /// The statement that holds after.
     pub statement: String,
     /// Why it does.
     pub because: &'static str,
@@ -189,19 +189,22 @@ fn changes(changes: &[SizeChange]) -> BTreeMap<String, String> {
     told.collect()
 }
 
+/// The verdict on an op, by its number.
+pub fn verdict(analysis: &Analysis, op: usize) -> Verdict {
+    let name = &analysis.program.ops[op].name;
+    let steps = StepsVerdict::of(&analysis.program, &analysis.plans, op);
+    Verdict::of(name, analysis.proved[op].as_ref(), steps, analysis.lacks[op].clone())
+}
+
 /// The verdict on every op of a file, in order; those of the files it uses are left out.
 pub fn verdicts(analysis: &Analysis) -> Vec<Verdict> {
     let ops = analysis.program.ops.iter().enumerate();
     let ops = ops.filter(|(_, op)| op.span.file == analysis.file);
-    let verdict = |(at, op): (usize, &ResolvedOp)| {
-        let steps = StepsVerdict::of(&analysis.program, &analysis.plans, at);
-        Verdict::of(&op.name, analysis.proved[at].as_ref(), steps, analysis.lacks[at].clone())
-    };
-    ops.map(verdict).collect()
+    ops.map(|(at, _)| verdict(analysis, at)).collect()
 }
 
 impl StepsVerdict {
-    /// What an op in steps calls, if it has a plan.
+    /// The calls of an op in steps, if it has a plan.
     pub(super) fn of(program: &Program, plans: &[Option<Plan>], op: usize) -> Option<Self> {
         let plan = plans.get(op)?.as_ref()?;
         let calls = plan.steps.as_ref()?.calls.iter();

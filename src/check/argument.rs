@@ -224,7 +224,7 @@ impl Words<'_> {
         }
     }
 
-    /// What an arc holds; nothing is said of one that is known to hold no spoke.
+    /// The spokes of an arc; nothing is said of one that is known to hold no spoke.
     fn arc(&self, arc: Arc) -> Option<String> {
         match arc.lies {
             Lies::Empty | Lies::Spoke(_) => None,

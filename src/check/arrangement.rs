@@ -10,7 +10,7 @@ use super::chain::Corner;
 use super::port::Port;
 use crate::diagram::{Drawing, Kind, NameId, Rule, Spoke, Star};
 
-/// What a piece of a star belongs to.
+/// The owner of a piece of a star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lies {
     /// In a named fan.
@@ -23,7 +23,7 @@ pub(super) enum Lies {
     Empty,
 }
 
-/// What lies outside the drawing between two chains of a vertex.
+/// The spokes outside the drawing between two chains of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Arc {
     /// The exit it leaves from.
@@ -32,7 +32,7 @@ pub(super) struct Arc {
     pub to: Port,
     /// The vertex it lies at before.
     pub vertex: NameId,
-    /// Where its spokes belong.
+    /// The owner of its spokes.
     pub lies: Lies,
 }
 
@@ -47,12 +47,12 @@ pub(super) struct Arrangement {
     pub first_spokes: Vec<(NameId, Lies)>,
     /// The paths that the statement leaves no room for a halfedge.
     pub empty_paths: Vec<NameId>,
-    /// Whether it stands for others too, in which settled chains lie elsewhere.
+    /// True if it stands for others too, in which settled chains lie elsewhere.
     pub stands_for_others: bool,
 }
 
-/// How many arrangements of one vertex are looked at; more chains than this allows are
-/// given up on.
+/// The greatest number of arrangements of one vertex that are looked at; more chains than this
+/// allows are given up on.
 const MOST: usize = 40_320;
 
 /// The arrangements of a vertex that agree with its statement, or `None` if there are too
@@ -86,7 +86,7 @@ struct Orders<'a> {
     /// For each chain the listed spokes on it, by their places in the vertex statement, read
     /// clockwise.
     listed: Vec<Vec<usize>>,
-    /// How many spokes the vertex statement lists.
+    /// The number of spokes that the vertex statement lists.
     stated: usize,
     order: Vec<usize>,
     stands_for_others: bool,
@@ -151,7 +151,7 @@ impl<'a> Orders<'a> {
         }
     }
 
-    /// Whether the listed spokes of the first chains follow each other as stated.
+    /// True if the listed spokes of the first chains follow each other as stated.
     fn agrees_so_far(&self, fixed: usize) -> bool {
         let chains = self.order.iter().take(fixed);
         let mut spokes = chains.flat_map(|&chain| &self.listed[chain]);
@@ -292,9 +292,9 @@ fn agree(drawing: &Drawing, star: &Star, pieces: &[Piece], way: &mut Arrangement
 
 /// The ways picked for all vertices, unless they contradict each other.
 ///
-/// Where an arc without a spoke leads from `x` to `y`, the two are twins; so without a spoke
-/// another arc must lead from `y` to `x`, at their other end. And where `after` has a loop of
-/// nothing but empty paths, the match is refused.
+/// The arrangements that agree: where an arc without a spoke leads from `x` to `y`, the two are
+/// twins; so without a spoke another arc must lead from `y` to `x`, at their other end. And where
+/// `after` has a loop of nothing but empty paths, the match is refused.
 pub(super) fn agreeing<'a>(
     rule: &Rule,
     picked: impl Iterator<Item = &'a Arrangement>,
@@ -330,7 +330,7 @@ pub(super) fn agreeing<'a>(
     Some(ways)
 }
 
-/// Whether an arc leaves a halfedge and arrives at the same one.
+/// True if an arc leaves a halfedge and arrives at the same one.
 fn is_own_twin(drawing: &Drawing, arc: Arc) -> bool {
     let item = arc.from.item();
     (arc.from, arc.to) == (Port::Out(item), Port::In(item))

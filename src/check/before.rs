@@ -1,20 +1,41 @@
-//! Whether `before` alone contradicts itself.
+//! Contradictions in `before` alone.
 //!
 //! Then no mesh matches, and whatever else may be wrong follows from it or does not matter yet.
 //! It is found by the laws themselves: a rule that changes nothing breaks them only where its
 //! drawing cannot be.
 
-use super::problem::Problem;
+use super::families::Sizes;
+use super::problem::{Problem, enumerate};
 use super::proved::Broken;
-use super::{ends_agree, next_is_permutation, twin_is_involution, vertices_are_orbits};
-use crate::diagram::{Drawing, Rule};
+use super::{alias, ends_agree, next_is_permutation, twin_is_involution, vertices_are_orbits};
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Drawing, Op, Rule};
 
 /// The codes of what no mesh matches.
 const IMPOSSIBLE: [&str; 5] =
     ["impossible-drawing", "ends-disagree", "spoke-twice", "twin-twice", "twin-of-itself"];
 
-/// What in `before` no mesh matches, if something is so.
-pub(super) fn contradictions(rule: &Rule) -> Option<Broken> {
+/// The parts of the `before` of an op no mesh matches.
+pub fn contradictions(op: &Op) -> Vec<Diagnostic> {
+    let found = op.rules.iter().filter_map(|rule| match rule.has_families() {
+        true => in_before(&Sizes::new(rule).large.rule),
+        false => in_before(rule),
+    });
+    let problems = found.flat_map(|broken| broken.problems);
+    let mut told: Vec<Diagnostic> = Vec::new();
+    for Problem { diagnostic, .. } in problems {
+        // Members of a family are wrong alike.
+        let again =
+            |one: &Diagnostic| (one.code, one.span()) == (diagnostic.code, diagnostic.span());
+        if !told.iter().any(again) {
+            told.push(diagnostic);
+        }
+    }
+    told
+}
+
+/// The part of `before` that no mesh matches, if something is so.
+pub(super) fn in_before(rule: &Rule) -> Option<Broken> {
     let still = Rule {
         after: rule.before.clone(),
         created: Vec::new(),
@@ -25,10 +46,18 @@ pub(super) fn contradictions(rule: &Rule) -> Option<Broken> {
     let drawing = Drawing::new(&still);
     let mut problems = next_is_permutation::test(&drawing);
     problems.extend(twin_is_involution::test(&drawing));
-    problems.extend(ends_agree::test(&drawing));
+    if problems.is_empty() {
+        problems.extend(ends_agree::test(&drawing));
+    }
     if problems.is_empty() && rule.size().is_none() {
         let rings = vertices_are_orbits::test(&drawing);
         problems.extend(rings.err().into_iter().flat_map(|broken| broken.problems));
+    }
+    if problems.is_empty() {
+        problems.extend(ends_agree::neighbours_are_twins(&drawing));
+    }
+    if let Some(told) = always_one(&still, &problems) {
+        return Some(vec![Problem::from(told)].into());
     }
     if !problems.iter().any(|problem| IMPOSSIBLE.contains(&problem.diagnostic.code)) {
         return None;
@@ -47,4 +76,21 @@ pub(super) fn contradictions(rule: &Rule) -> Option<Broken> {
         first.notes.push("no mesh matches `before`: it contradicts itself".into());
     }
     Some(told.into())
+}
+
+/// Tells of names that an `alias` lets be one and that are one in every mesh: the statements make
+/// them so.
+fn always_one(still: &Rule, problems: &[Problem]) -> Option<Diagnostic> {
+    let alias = still.aliases.first()?;
+    problems.first()?;
+    let mut classes = alias::drawable_where_one(still)?;
+    classes.retain(|class| class.len() > 1);
+    let named = |class: &Vec<_>| enumerate(still, class);
+    let sets: Vec<_> = classes.iter().map(named).collect();
+    let message = format!("{} are one in every mesh that `before` matches", sets.join(", and "));
+    Some(
+        Diagnostic::error("alias-always", message, alias.span)
+            .saying("these may be one, and always are")
+            .note("give them one name, and leave them out of the `alias`"),
+    )
 }

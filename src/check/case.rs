@@ -14,7 +14,7 @@ use crate::diagram::{Drawing, Kind, NameId};
 pub(super) enum Step {
     /// A port of the drawing.
     Port(Port),
-    /// What lies outside of it.
+    /// An arc outside of it.
     Arc(Arc),
 }
 
@@ -78,13 +78,13 @@ impl<'a> Case<'a> {
         }
     }
 
-    /// What the first spoke of a path says its vertex is, once fans have moved.
+    /// The vertex that the first spoke of a path says its vertex is, once fans have moved.
     pub(super) fn first_spoke_label(&self, path: NameId) -> Option<NameId> {
         let lies = self.first_spokes.iter().find(|(name, _)| *name == path)?.1;
         self.label(lies, self.drawing.origin_before(path)?)
     }
 
-    /// What is wrong in this case.
+    /// The problems of this case.
     pub fn problems(&self) -> Vec<Problem> {
         if let Some(arc) = self.cut {
             return vec![self.cut_arc(arc)];

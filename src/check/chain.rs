@@ -12,7 +12,7 @@ use crate::diagram::{Drawing, NameId};
 pub(super) struct Chain {
     /// The ports; the first is the entry, the last the exit.
     pub ports: Vec<Port>,
-    /// Whether the last links to the first: then the chain is the whole orbit.
+    /// True if the last links to the first: then the chain is the whole orbit.
     pub closed: bool,
 }
 

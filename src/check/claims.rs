@@ -1,4 +1,4 @@
-//! What a drawing claims beyond the pointers that bind its names; the matcher tests it.
+//! Claims of a drawing beyond the pointers that bind its names; the matcher tests it.
 
 use super::matching::{Bound, Claim, Source, Step};
 use super::reach::Reach;
@@ -68,7 +68,7 @@ impl Reach<'_> {
         claims
     }
 
-    /// Whether the claim is a step already, as a test or as what binds its name.
+    /// True if the claim is a step already, as a test or as what binds its name.
     fn has_step(&self, claim: &Claim) -> bool {
         let rule = self.drawing.rule;
         self.steps.iter().any(|step| match (step, claim) {

@@ -1,4 +1,4 @@
-//! What the time of a rule grows with, in words.
+//! Cost: the quantities that the time of a rule grows with, in words.
 //!
 //! A drawing is of one size. Time grows with what is walked and not drawn: orbits gone around
 //! to find a place or to test an order, paths and fans whose pointers are rewritten, tests of a
@@ -12,7 +12,7 @@ use crate::diagram::{
     Builtin, Collection, Drawing, Expr, ExprKind, Kind, LoopItem, NameId, Spoke, Type,
 };
 
-/// What the time grows with; nothing if it is constant.
+/// The quantities that the time grows with; nothing if it is constant.
 pub(super) fn grows_with(
     drawing: &Drawing,
     matching: &[Step],
@@ -75,7 +75,7 @@ impl Cost<'_> {
         }
     }
 
-    /// What a part of an expression walks.
+    /// The walk of a part of an expression.
     fn of_expression(&self, expr: &Expr) -> Option<String> {
         match &expr.kind {
             ExprKind::Call(builtin, args) => self.of_call(*builtin, args),

@@ -23,6 +23,49 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     law.problems
 }
 
+/// Of two spokes beside each other in a vertex statement the second is the twin of what precedes the
+/// first, and ends where that starts. The law about vertices looks at the spokes and not at these
+/// ends.
+pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
+    let rule = drawing.rule;
+    let before = &drawing.before;
+    let mut problems = Vec::new();
+    for star in rule.before.stars.iter().filter(|star| !star.each) {
+        for (at, spoke) in star.spokes.iter().enumerate() {
+            let next = star.spokes[(at + 1) % star.spokes.len()];
+            let (Spoke::Halfedge(spoke), Spoke::Halfedge(next)) = (*spoke, next) else {
+                continue;
+            };
+            let arrives = before.item_before(spoke.name);
+            let is_half = |item: &NameId| rule.kind(*item) == Kind::Halfedge;
+            let Some(arrives) = arrives.filter(is_half) else {
+                continue;
+            };
+            let ends = [before.loop_target(next.name), before.loop_origin(arrives)];
+            let [Some(end), Some(start)] = ends else {
+                continue;
+            };
+            if end == start {
+                continue;
+            }
+            let [vertex, leaves, comes] =
+                [star.vertex.name, next.name, arrives].map(|name| rule.quoted(name));
+            let message = format!(
+                "no mesh matches: around {vertex} {leaves} is the twin of {comes}, but it ends \
+                     at {}, and {comes} starts at {}",
+                rule.quoted(end),
+                rule.quoted(start),
+            );
+            problems.push(
+                Diagnostic::error("impossible-drawing", message, star.span)
+                    .note("counterclockwise the spoke after `h` is `h.prev.twin`")
+                    .into(),
+            );
+        }
+    }
+    problems
+}
+
 struct Law<'a> {
     drawing: &'a Drawing<'a>,
     problems: Vec<Problem>,

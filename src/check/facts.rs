@@ -1,4 +1,4 @@
-//! What a proof establishes besides validity: the change of the counts, and the cost.
+//! Facts that a proof establishes besides validity: the change of the counts, and the cost.
 
 use super::cost::grows_with;
 use super::families::Sizes;
@@ -7,30 +7,31 @@ use super::matching::Step;
 use super::properties::{SizeChange, degree_changes, evenly, kept, kept_by_families, size_changes};
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Property, Ref, Rule, Side};
 
-/// What was established of a rule.
+/// The facts about a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
-    /// How many ways the mesh around the drawing can lie, all of them looked at.
+    /// The number of ways in which the mesh around the drawing can lie, all of them looked at.
     pub cases: usize,
-    /// How the numbers of elements change; with families, apart from what comes per index.
+    /// The change of the numbers of elements change; with families, apart from what comes per
+    /// index.
     pub change: Change,
-    /// How they change for each index, if there are families.
+    /// The change for each index, if there are families.
     pub per_index: Option<Change>,
-    /// What the time grows with, in words; nothing if it is constant.
+    /// The quantities that the time grows with, in words; nothing if it is constant.
     pub grows_with: Vec<String>,
     /// Everything that is kept besides validity, declared or not.
     pub keeps: Vec<Property>,
-    /// How many tests `guard simple` would make, where that level is not kept.
+    /// The number of tests that `guard simple` would make, where that level is not kept.
     pub untested: usize,
     /// The faces that become holes, and the holes that become faces.
     pub turned: Vec<Turned>,
-    /// How the degrees of the vertices that live on change.
+    /// The changes of the degrees of the vertices that live on.
     pub degrees: Vec<SizeChange>,
-    /// How the numbers of sides of the faces that live on change.
+    /// The changes of the numbers of sides of the faces that live on.
     pub sizes: Vec<SizeChange>,
 }
 
-/// How the numbers of elements change.
+/// The change of the numbers of elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Change {
     /// Vertices.
@@ -50,9 +51,9 @@ pub struct Change {
 pub struct Turned {
     /// Its name.
     pub face: String,
-    /// What it was.
+    /// The kind before.
     pub from: LoopKind,
-    /// What it becomes.
+    /// The kind after.
     pub to: LoopKind,
 }
 

@@ -8,7 +8,7 @@
 //! On shorter cycles members that differ may be one; the shortest are tested one by one, and
 //! what can only be tested when the op runs is gathered from all short cycles.
 //!
-//! Law 7 looks at rings of any length, and has its own argument: [`voltage`](super::voltage).
+//! Law 7 looks at rings of any length, and has its own argument: [`family_rings`](super::family_rings).
 
 use std::borrow::Cow;
 
@@ -19,7 +19,7 @@ use super::matching::Step;
 use super::problem::Problem;
 use super::proved::{Broken, Proof, Rejected, prove as prove_plain, statements, stop_at};
 use super::witness::{self, Outcome};
-use super::{before, mend, reach, start, voltage};
+use super::{before, family_rings, mend, reach, start};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, Level, Loop, Naming, Op, Property, Rule, Spoke, Unrolled};
 
@@ -44,7 +44,7 @@ impl Sizes {
         }
     }
 
-    /// What a level asks on a cycle of some size, of members at index 0.
+    /// The obligations of a level on a cycle of some size, of members at index 0.
     pub fn obligations(&self, level: Level) -> Vec<Obligation> {
         let mut found = Vec::new();
         for other in self.all() {
@@ -63,7 +63,7 @@ impl Sizes {
     }
 }
 
-/// Whether the drawing can match in a surface: no loop has two sides, no vertex one spoke.
+/// True if the drawing can match in a surface: no loop has two sides, no vertex one spoke.
 fn is_in_a_surface(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let halfedges = |orbit: &&Loop| {
@@ -113,7 +113,7 @@ fn laws(op: &Op, sizes: &Sizes) -> Result<Proof, Broken> {
 fn laws_at_large(large: &Rule) -> Result<super::vertices_are_orbits::Rings, Broken> {
     let drawing = Drawing::new(large);
     statements(&drawing)?;
-    voltage::test(&drawing)
+    family_rings::test(&drawing)
 }
 
 /// A family is as long as an orbit of `before` that is drawn with `each`.
@@ -134,13 +134,13 @@ fn sizes_are_known(drawing: &Drawing, matching: &[Step]) -> Vec<Problem> {
     vec![problem.into()]
 }
 
-/// How much longer cycles are looked at than those that are tested one by one, for a mesh that
+/// The number by which cycles are looked at than those that are tested one by one, for a mesh that
 /// breaks.
 const FURTHER: u32 = 3;
 
 /// Tells what is wrong with the names of index 0, and shows it on the shortest cycle.
 fn reject(op: &Op, rule: &Rule, sizes: &Sizes, broken: Broken) -> Rejected {
-    let broken = before::contradictions(&sizes.large.rule).unwrap_or(broken);
+    let broken = before::in_before(&sizes.large.rule).unwrap_or(broken);
     let mut problems = broken.problems;
     let mut outcome = Outcome::NotTried;
     let tested = sizes.small.len() as u32;

@@ -1,4 +1,4 @@
-//! Whether a fan of `before` lies where a spoke can be.
+//! Room for fans: a fan of `before` lies where a spoke can be.
 //!
 //! The loops draw some spokes as neighbours. A fan that is listed between two of these is empty
 //! on every mesh: the op is sound, but applies almost nowhere, and so is not what was meant.

@@ -1,6 +1,6 @@
-//! What is found on cycles of several sizes, said once, of the members at index 0.
+//! Findings on cycles of several sizes, said once, of the members at index 0.
 
-use super::apart;
+use super::distinct_names;
 use super::guard::{Obligation, Statement};
 use crate::diagram::{Drawing, NameId, Unrolled};
 
@@ -31,7 +31,7 @@ pub(super) fn fold_pairs<'a>(
     let mut folded = Vec::new();
     for other in sizes {
         let fold = Fold { large, other };
-        for pair in apart::pairs(&Drawing::new(&other.rule)) {
+        for pair in distinct_names::pairs(&Drawing::new(&other.rule)) {
             let mut pair = pair.map(|name| fold.name(name, name));
             pair.sort_unstable();
             if !folded.contains(&pair) {

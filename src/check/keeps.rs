@@ -4,8 +4,8 @@ use super::guard::{Obligation, obligations};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level};
 
-/// What would have to be tested of the result, for a mesh of the level to stay one. A guard
-/// tests all that its level asks, and a rule with a guard is for meshes of that level.
+/// The tests of the result that would be needed for a mesh of the level to stay one. A guard tests
+/// all that its level asks, and a rule with a guard is for meshes of that level.
 pub(super) fn left_to_test(drawing: &Drawing, level: Level) -> Vec<Obligation> {
     if drawing.rule.guard.is_some_and(|(guard, _)| guard >= level) {
         return Vec::new();

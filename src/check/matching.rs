@@ -1,4 +1,4 @@
-//! How a rule is matched: an order of pointer loads and tests that binds every name.
+//! Matching: an order of pointer loads and tests that binds every name.
 //!
 //! Matching never searches. Starting from the parameters, each name follows from one that
 //! is bound by one pointer; what the drawing claims beyond that is tested. The proof holds
@@ -62,7 +62,7 @@ pub enum Step {
         element: NameId,
         /// The halfedge that is bound; or a path that is all of the loop, to its first.
         halfedge: NameId,
-        /// How many are tried, if not all: further ones would match alike.
+        /// The number that are tried, if not all: further ones would match alike.
         tries: Option<u16>,
     },
     /// Walks an orbit that is drawn with `each`, once around, from a halfedge that is known.
@@ -77,14 +77,14 @@ pub enum Step {
     Bind {
         /// The name.
         name: Bound,
-        /// Where it comes from.
+        /// Its source.
         source: Source,
     },
-    /// What must hold.
+    /// The condition.
     Test(Claim),
 }
 
-/// What a drawing claims.
+/// A claim of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Claim {
     /// The pointer leads to the name.
@@ -96,7 +96,7 @@ pub enum Claim {
     /// Going along the loop, or around the vertex counterclockwise, from the first halfedge,
     /// the second comes before the third.
     InOrder {
-        /// Whether along a loop; else around a vertex.
+        /// True if along a loop; else around a vertex.
         along_loop: bool,
         /// From, goal, stop.
         halfedges: [NameId; 3],
@@ -110,7 +110,7 @@ pub enum Claim {
         halfedge: NameId,
         /// Its vertex, and the one that has a statement.
         vertices: [NameId; 2],
-        /// What it lists.
+        /// The spokes it lists.
         spokes: Vec<NameId>,
     },
     /// The member at index 0 of a family is the halfedge that was given.
@@ -120,7 +120,7 @@ pub enum Claim {
     /// Going along the loop, or around the vertex, the halfedges of a period follow each other
     /// index by index, once around.
     AroundInOrder {
-        /// Whether along a loop; else around a vertex.
+        /// True if along a loop; else around a vertex.
         along_loop: bool,
         /// Those of one period.
         halfedges: Vec<NameId>,
@@ -148,7 +148,7 @@ impl Bound {
 }
 
 impl Source {
-    /// What it starts from.
+    /// The name it starts from.
     pub fn from(self) -> Bound {
         match self {
             Source::Next(from)
@@ -198,7 +198,7 @@ impl Claim {
         }
     }
 
-    /// Whether it is made once for every index, though its names are those of one.
+    /// True if it is made once for every index, though its names are those of one.
     pub fn is_repeated(&self, rule: &Rule) -> bool {
         match self {
             Claim::Begins(_)

@@ -1,8 +1,8 @@
 //! Fixes that are sure: a remedy is offered only after the laws have been tried on the
 //! rule with the remedy in it.
 
+use super::fan_repair::Taken;
 use super::problem::{Problem, Remedy, enumerate};
-use super::taken::Taken;
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::diagram::{
     Drawing, Edge, Kind, LoopItem, LoopKind, Name, NameId, Ref, Role, Rule, Spoke, Star,
@@ -34,6 +34,8 @@ pub(super) fn add_fixes(
             Remedy::Erase(_) => left.is_empty(),
             Remedy::Keep(_)
             | Remedy::Take(_)
+            | Remedy::KeepAndTake { .. }
+            | Remedy::Insert { .. }
             | Remedy::Pair { .. }
             | Remedy::PairAll(_)
             | Remedy::Draw { .. } => left.iter().all(known),
@@ -43,18 +45,45 @@ pub(super) fn add_fixes(
                 left.iter().all(|problem| problem.diagnostic.code == "missing-attribute")
             }
         };
-        good.then(|| remedy.fix(rule))
+        let fix = good.then(|| remedy.fix(rule)).flatten()?;
+        Some((fix, left.is_empty()))
     };
     let mut diagnostics = Vec::new();
+    // The problems of which a fix mends all others, too.
+    let mut causes = Vec::new();
     for (at, problem) in problems.into_iter().enumerate() {
         let mut diagnostic = problem.diagnostic;
-        let mut fixes = problem.remedies.iter().filter_map(|remedy| good(remedy, at)).flatten();
-        if let (Some(fix), None) = (fixes.next(), fixes.next()) {
-            diagnostic.fixes.push(fix);
+        let found: Vec<_> = problem.remedies.iter().filter_map(|remedy| good(remedy, at)).collect();
+        // What mends everything is meant, if something else would mend this problem alone.
+        let all: Vec<_> = found.iter().filter(|(_, mends_all)| *mends_all).collect();
+        let sure = match (found.as_slice(), all.as_slice()) {
+            ([one], _) => Some(one),
+            (_, &[one]) => Some(one),
+            _ => None,
+        };
+        if let Some((fix, mends_all)) = sure {
+            diagnostic.fixes.push(fix.clone());
+            causes.extend(mends_all.then_some(at));
         }
         diagnostics.push(diagnostic);
     }
-    diagnostics
+    match causes.as_slice() {
+        &[cause] => vec![alone(diagnostics, cause)],
+        _ => diagnostics,
+    }
+}
+
+/// The one of several diagnostics that is the cause of all, with what was said of the mesh.
+fn alone(mut diagnostics: Vec<Diagnostic>, cause: usize) -> Diagnostic {
+    let mut told = diagnostics.swap_remove(cause);
+    let of_mesh = |note: &String| {
+        ["carried out literally", "whether this mesh", "on a cycle of"]
+            .iter()
+            .any(|words| note.starts_with(words))
+    };
+    let notes = diagnostics.into_iter().flat_map(|other| other.notes);
+    told.notes.extend(notes.filter(of_mesh));
+    told
 }
 
 impl Remedy {
@@ -92,6 +121,17 @@ impl Remedy {
                 let taker = taken.after.vertex.name;
                 mended.after.stars.retain(|star| star.vertex.name != taker);
                 mended.after.stars.push(taken.after);
+            }
+            Remedy::KeepAndTake { kept, erased } => {
+                let kept = kept_beside(rule, kept, *erased)?;
+                let kept = Remedy::Keep(kept).apply(rule)?;
+                return Remedy::Take(*erased).apply(&kept);
+            }
+            Remedy::Insert { face, at, from, item } => {
+                let orbits = &mut mended.after.loops;
+                let orbit = orbits.iter_mut().find(|orbit| orbit.face.name == *face)?;
+                let [from, item] = [*from, *item].map(|name| Ref::plain(name, span));
+                orbit.items.insert(*at, LoopItem { from, item });
             }
             Remedy::PairAll(pairs) => {
                 let words = edge_names(rule, pairs.len());
@@ -161,7 +201,25 @@ impl Remedy {
                 }
                 names => (format!("keep {}", words(names)), end_of_after(rule)?),
             },
-            Remedy::Take(erased) => return take(rule, *erased),
+            Remedy::Take(erased) => return take(rule, *erased, end_of_after(rule)?),
+            Remedy::KeepAndTake { kept, erased } => {
+                let kept = kept_beside(rule, kept, *erased)?;
+                let keep = Remedy::Keep(kept);
+                let take = take(&keep.apply(rule)?, *erased, end_of_after(rule)?)?;
+                return Some(both(keep.fix(rule)?, take));
+            }
+            Remedy::Insert { face, at, from, item } => {
+                let orbit = rule.after.loops.iter().find(|orbit| orbit.face.name == *face)?;
+                let behind = orbit.items.get(*at).map_or(orbit.end, |item| item.from);
+                if !rule.name(*item).named {
+                    return None;
+                }
+                let drawn = format!("{} {}", rule.name(*from).text, arrow(rule, *item));
+                let loop_of = rule.quoted(*face);
+                let title = format!("draw `{drawn}` in the loop of {loop_of}");
+                let text = format!("{drawn} ");
+                return Some(Fix { title, edits: vec![Edit { span: behind.span.before(), text }] });
+            }
             Remedy::PairAll(pairs) => return pair_all(rule, pairs),
             Remedy::Draw { face, items } => {
                 let word = |name: NameId| &rule.name(name).text;
@@ -175,11 +233,7 @@ impl Remedy {
                 }
                 let mut drawn = String::new();
                 for &(from, item) in items {
-                    let arrow = match rule.kind(item) {
-                        Kind::Path => format!("={}=>", word(item)),
-                        _ => format!("-{}->", word(item)),
-                    };
-                    drawn.push_str(&format!("{} {arrow} ", word(from)));
+                    drawn.push_str(&format!("{} {} ", word(from), arrow(rule, item)));
                 }
                 let (first, _) = items.first()?;
                 (format!("{kind} {}: {drawn}{}", word(*face), word(*first)), end_of_after(rule)?)
@@ -194,16 +248,70 @@ impl Remedy {
     }
 }
 
+/// An item of a loop as it is written.
+fn arrow(rule: &Rule, item: NameId) -> String {
+    let word = &rule.name(item).text;
+    match rule.kind(item) {
+        Kind::Path => format!("={word}=>"),
+        _ => format!("-{word}->"),
+    }
+}
+
+/// The vertices that are kept besides the one that takes the spokes of an erased one.
+fn kept_beside(rule: &Rule, kept: &[NameId], erased: NameId) -> Option<Vec<NameId>> {
+    let all = Remedy::Keep(kept.to_vec()).apply(rule)?;
+    let taker = Taken::of(&all, erased)?.after.vertex.name;
+    let others: Vec<_> = kept.iter().copied().filter(|&name| name != taker).collect();
+    (!others.is_empty()).then_some(others)
+}
+
+/// Two fixes as one: the edits of one place, the first one's first, are one edit.
+fn both(one: Fix, other: Fix) -> Fix {
+    let title = format!("{}, and {}", one.title, other.title);
+    let mut edits = one.edits;
+    for edit in other.edits {
+        match edits.iter_mut().find(|known| known.span == edit.span) {
+            Some(known) => known.text.push_str(&edit.text),
+            None => edits.push(edit),
+        }
+    }
+    Fix { title, edits }
+}
+
 /// Names for new edges that are not taken.
 fn edge_names(rule: &Rule, count: usize) -> Vec<String> {
     let free = (1..).map(|number| format!("e{number}"));
-    let is_free = |word: &String| rule.names.iter().all(|name| name.text != *word);
+    let known = |name: &Name| name.text.split('[').next().unwrap_or_default().to_owned();
+    let is_free = |word: &String| rule.names.iter().all(|name| known(name) != *word);
     free.filter(is_free).take(count).collect()
+}
+
+/// Of the pairs that are alike at every index those at the first; `None` where a family is paired
+/// with itself.
+fn first_of_families(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Vec<[NameId; 2]>> {
+    let mut firsts = Vec::new();
+    for &[one, other] in pairs {
+        let [first, second] = [one, other].map(|half| rule.first_member(half));
+        if first == second {
+            return None;
+        }
+        let [leads, follows] = if first < second { [one, other] } else { [other, one] };
+        if rule.is_first(leads) {
+            firsts.push([leads, follows]);
+        }
+    }
+    Some(firsts)
 }
 
 /// The statements that pair new halfedges, and the names of their edges in `new`.
 fn pair_all(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Fix> {
-    let words = edge_names(rule, pairs.len());
+    let pairs = first_of_families(rule, pairs)?;
+    let mut words = edge_names(rule, pairs.len());
+    for (word, [half, _]) in words.iter_mut().zip(&pairs) {
+        if let Some(cycle) = rule.cycle.as_ref().filter(|_| rule.is_member(*half)) {
+            word.push_str(&format!("[{}]", cycle.letter));
+        }
+    }
     let word = |name: NameId| &rule.name(name).text;
     let statements = pairs.iter().zip(&words).map(|([one, other], edge)| {
         format!("\n    edge {edge}: {} | {}", word(*one), word(*other))
@@ -222,8 +330,9 @@ fn pair_all(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Fix> {
     Some(Fix { title, edits })
 }
 
-/// The statements that carry off the spokes of an erased vertex.
-fn take(rule: &Rule, erased: NameId) -> Option<Fix> {
+/// The statements that carry off the spokes of an erased vertex, at the end of `after` if they are
+/// new there.
+fn take(rule: &Rule, erased: NameId, end: Span) -> Option<Fix> {
     let taken = Taken::of(rule, erased)?;
     let mut named = rule.clone();
     named.names.extend(taken.fan);
@@ -235,7 +344,7 @@ fn take(rule: &Rule, erased: NameId) -> Option<Fix> {
     }
     let mut edits = vec![match written {
         Some(star) => Edit { span: star.span, text: after.clone() },
-        None => Edit { span: end_of_after(rule)?, text: format!("\n    {after}") },
+        None => Edit { span: end, text: format!("\n    {after}") },
     }];
     let mut title = match written {
         Some(_) => format!("write `{after}`"),
@@ -281,7 +390,7 @@ fn list_in_new(rule: &Rule, words: &str) -> Option<Edit> {
     Some(Edit { span: first.before(), text: format!("new {words}\n    ") })
 }
 
-/// Where one more statement can be written: behind the last one of `after`.
+/// The place where one more statement can be written: behind the last one of `after`.
 fn end_of_after(rule: &Rule) -> Option<Span> {
     let side = Drawing::new(rule).after.end_of_statements();
     let lists = rule.created.iter().chain(&rule.erased).map(|mention| mention.span.after());

@@ -18,33 +18,35 @@
 //! 8. `new_is_placed`.
 //!
 //! Rules with `families` are unrolled, and proved for cycles of every size at once by the
-//! argument of `voltage`.
+//! argument of `family_rings`.
 //!
 //! Before all of them `start` asks whether a parameter is drawn. A drawing that would apply
 //! almost nowhere is refused as well (`fans_have_room`).
 //!
-//! Where `before` alone contradicts itself, nothing else is told (`before`).
+//! A `before` that alone contradicts itself is reported alone (`before`).
 //!
-//! What a rejected rule does to a mesh, `witness` finds out by carrying it out, and `mend`
-//! offers what would surely be right: names to keep, list or erase, an edge, a vertex that
-//! takes the spokes of one that is erased (`taken`). Otherwise `reach` finds the order in which
-//! the names are bound, and `properties` holds what `keeps` claims against the drawing; for the
-//! levels, and for what a guard has to test, it asks [`guard`]. Only this layer makes a
-//! [`Proved`], and only that can be compiled. Nothing here knows the machine.
+//! The effect of a rejected rule on a mesh is found by `witness`, which carries it out, and `mend`
+//! offers what would surely be right: names to keep, list or erase, an edge, a vertex that takes
+//! the spokes of one that is erased (`fan_repair`). Otherwise `reach` finds the order in which the
+//! names are bound, and `properties` holds what `keeps` claims against the drawing; for the levels,
+//! and for what a guard has to test, it asks [`guard`]. Only this layer makes a [`Proved`], and
+//! only that can be compiled. Nothing here knows the machine.
 
 mod alias;
-mod apart;
 mod argument;
-mod around;
 mod arrangement;
 mod before;
 mod case;
 mod chain;
 mod claims;
 mod cost;
+mod distinct_names;
 mod ends_agree;
 mod facts;
 mod families;
+mod family_orbits;
+mod family_rings;
+mod fan_repair;
 mod fans_have_room;
 mod fold;
 pub mod guard;
@@ -66,15 +68,14 @@ mod ring_problems;
 mod stale;
 mod star_order;
 mod start;
-mod taken;
 mod twin_is_involution;
 mod unknown_names;
 mod vertices_are_orbits;
-mod voltage;
 mod witness;
 
 pub use alias::{Identification, Verdict, identifications};
 pub use argument::Argument;
+pub use before::contradictions;
 pub use facts::{Change, Facts, Turned, moved_fans, moved_paths};
 pub use properties::SizeChange;
 pub use proved::{Proof, Proved, Rejection, check, examine};

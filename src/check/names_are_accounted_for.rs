@@ -189,6 +189,9 @@ impl Law<'_> {
         if orbits.len() == 1 {
             remedies.push(Remedy::Keep(vec![face]));
         }
+        if let &[item] = names.as_slice() {
+            remedies.extend(insertions(drawing, item));
+        }
         for (orbit, _) in orbits {
             let face = orbit.face.name;
             if drawing.after.mention(face).is_none() && drawing.erased(face).is_none() {
@@ -390,15 +393,17 @@ impl Law<'_> {
         let is_open =
             |half: &NameId| drawing.created(*half).is_some() && !self.explained.contains(half);
         let open: Vec<_> = self.unpaired().into_iter().filter(is_open).collect();
-        if rule.cycle.is_some() || open.len() < 2 || !self.pairings(None).is_empty() {
+        // In a rule that was unrolled the members of a family are told by their first.
+        let told: Vec<_> = open.iter().copied().filter(|&half| rule.is_first(half)).collect();
+        if told.len() < 2 || !self.pairings(None).is_empty() {
             return false;
         }
-        let list = enumerate(rule, &open);
+        let list = enumerate(rule, &told);
         let message = format!("the new halfedges {list} stand in no edge of `after`");
         let word = &rule.name(first).text;
         let mut diagnostic = Diagnostic::error("missing-reassignment", message, span)
             .saying(format!("`{word}.twin` and `{word}.edge` would be unset"));
-        for other in open.iter().filter(|&&other| other != first) {
+        for other in told.iter().filter(|&&other| other != first) {
             if let Some(listed) = drawing.created(*other) {
                 diagnostic = diagnostic.label(listed, "");
             }
@@ -409,6 +414,28 @@ impl Law<'_> {
         self.problems.push(Problem { diagnostic, remedies });
         true
     }
+}
+
+/// The places in the loops of `after` where something may have been forgotten: with the vertex that
+/// has been forgotten with it, or with one that is drawn.
+fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
+    let rule = drawing.rule;
+    if rule.cycle.is_some() {
+        return Vec::new();
+    }
+    let survivors = rule
+        .names_of(Kind::Vertex)
+        .filter(|&vertex| drawing.survives(vertex) || drawing.created(vertex).is_some());
+    let (drawn, forgotten): (Vec<_>, Vec<_>) =
+        survivors.partition(|&vertex| drawing.after.mention(vertex).is_some());
+    let starts = if forgotten.is_empty() { drawn } else { forgotten };
+    let is_kept = |orbit: &Loop| rule.after.kept.iter().any(|kept| kept.name == orbit.face.name);
+    let loops = rule.after.loops.iter().filter(|orbit| !is_kept(orbit));
+    let places = loops.flat_map(|orbit| (1..=orbit.items.len()).map(|at| (orbit.face.name, at)));
+    let remedies = places.flat_map(|(face, at)| {
+        starts.iter().map(move |&from| Remedy::Insert { face, at, from, item })
+    });
+    remedies.collect()
 }
 
 /// Pairs of halfedges that run between the same vertices in opposite directions, if each has
@@ -494,7 +521,12 @@ fn is_forgotten(drawing: &Drawing, kind: Kind, names: &[NameId]) -> Problem {
     };
     let remedies = match kind {
         Kind::Vertex | Kind::Edge | Kind::Face => {
-            vec![Remedy::Keep(names.to_vec()), Remedy::Erase(names.to_vec())]
+            let mut remedies = vec![Remedy::Keep(names.to_vec()), Remedy::Erase(names.to_vec())];
+            let erased = drawing.rule.erased.iter().map(|erased| erased.name);
+            let erased = erased.filter(|&name| kind == Kind::Vertex && rule.kind(name) == kind);
+            let kept = || names.to_vec();
+            remedies.extend(erased.map(|erased| Remedy::KeepAndTake { kept: kept(), erased }));
+            remedies
         }
         Kind::Fan => {
             let vertex = drawing.before.star_of_spoke(names[0]);

@@ -9,7 +9,7 @@ pub(super) struct Pointer {
     pub from: NameId,
     pub to: NameId,
     pub leads: Leads,
-    /// Whether a name is bound by it.
+    /// True if a name is bound by it.
     pub used: bool,
 }
 
@@ -42,9 +42,9 @@ impl Pointer {
     }
 }
 
-/// What the drawing says of halfedge after halfedge: `next` in loops, `twin` in edges,
-/// and the next spoke in vertex statements where the loops and edges do not imply it. Of
-/// pointers between members those from index 0.
+/// The pointers of a drawing, from halfedge after halfedge: `next` in loops, `twin` in edges, and
+/// the next spoke in vertex statements where the loops and edges do not imply it. Of pointers
+/// between members those from index 0.
 pub(super) fn pointers(drawing: &Drawing) -> Vec<Pointer> {
     let rule = drawing.rule;
     let view = &drawing.before;

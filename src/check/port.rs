@@ -12,12 +12,12 @@
 
 use crate::diagram::{Kind, NameId, Rule, Side};
 
-/// Where an item leaves its origin, or arrives at its target.
+/// A port: where an item leaves its origin, or arrives at its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Port {
-    /// Where it leaves its origin.
+    /// The end at which it leaves its origin.
     Out(NameId),
-    /// Where it arrives at its target.
+    /// The end at which it arrives at its target.
     In(NameId),
 }
 
@@ -86,7 +86,7 @@ impl Links {
         self.next[port.index()]
     }
 
-    /// Whether a stated link leads to the port.
+    /// True if a stated link leads to the port.
     pub fn is_reached(&self, port: Port) -> bool {
         self.linked[port.index()]
     }

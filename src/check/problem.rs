@@ -6,9 +6,9 @@ use crate::diagram::{NameId, Rule};
 /// A broken law.
 #[derive(Clone, Debug)]
 pub(super) struct Problem {
-    /// What to tell.
+    /// The message.
     pub diagnostic: Diagnostic,
-    /// What might mend it, to be tried in [`mend`](super::mend).
+    /// The remedies that might mend it, to be tried in [`mend`](super::mend).
     pub remedies: Vec<Remedy>,
 }
 
@@ -21,9 +21,14 @@ pub(super) enum Remedy {
     Keep(Vec<NameId>),
     /// List these names in `new`.
     Create(Vec<NameId>),
-    /// State the ring of the vertex that [takes](super::taken) the spokes of this one, which
+    /// State the ring of the vertex that [takes](super::fan_repair) the spokes of this one, which
     /// is erased.
     Take(NameId),
+    /// The same, and `keep` these vertices, but for the one that takes them.
+    KeepAndTake { kept: Vec<NameId>, erased: NameId },
+    /// A halfedge or path of `before` in a loop of `after` that has forgotten it: behind so many
+    /// of its items, with the vertex where it starts.
+    Insert { face: NameId, at: usize, from: NameId, item: NameId },
     /// `edge e: x | y`
     Pair { edge: NameId, halfedges: [NameId; 2] },
     /// An edge with a new name for each of these pairs, listed in `new`.

@@ -1,4 +1,4 @@
-//! What a proved rule keeps besides validity, and how degrees and sizes change.
+//! Properties that a proved rule keeps besides validity, and how degrees and sizes change.
 //!
 //! Properties are inferred for every rule; what `keeps` declares must be among them. Each is
 //! read off the drawing: that every face stays a triangle, given that all were, is a count of
@@ -17,9 +17,9 @@ use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Op, Property, Rule};
 pub struct SizeChange {
     /// The vertex, or the face.
     pub element: String,
-    /// What the drawn halfedges make of it.
+    /// The part of the drawn halfedges.
     pub constant: i64,
-    /// What those of families make of it, for each index.
+    /// The part of the halfedges of families, for each index.
     pub per_index: i64,
     /// The fans or paths that come.
     pub gains: Vec<String>,
@@ -28,7 +28,7 @@ pub struct SizeChange {
 }
 
 impl SizeChange {
-    /// Whether it stays what it is.
+    /// True if it stays what it is.
     pub fn is_nothing(&self) -> bool {
         self.constant == 0 && self.per_index == 0 && self.gains.is_empty() && self.loses.is_empty()
     }
@@ -117,7 +117,7 @@ fn family_of(rule: &Rule, word: &str) -> Option<NameId> {
     Some(rule.first_member(member))
 }
 
-/// What `keeps` declares and the rule does not keep.
+/// The properties that `keeps` declares and the rule does not keep.
 pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Problem> {
     let broken = op.keeps.iter().filter(|(property, _)| !facts.keeps.contains(property));
     broken
@@ -193,7 +193,7 @@ fn keeps_size(drawing: &Drawing, size: i64) -> bool {
     wrong_size(drawing, size).is_none()
 }
 
-/// Whether the drawing matches where all faces have `size` halfedges.
+/// True if the drawing matches where all faces have `size` halfedges.
 fn matches_faces_of(drawing: &Drawing, size: i64) -> bool {
     drawing.rule.before.loops.iter().all(|orbit| {
         let paths =
@@ -224,8 +224,8 @@ fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
         .next()
 }
 
-/// Whether no hole changes: none is created or erased, each that is drawn has its vertices
-/// and paths as before, and no fan moves, for a hole may lie in it.
+/// True if no hole changes: none is created or erased, each that is drawn has its vertices and
+/// paths as before, and no fan moves, for a hole may lie in it.
 fn keeps_boundary(drawing: &Drawing) -> bool {
     let rule = drawing.rule;
     let may_be_hole = |orbit: &&Loop| orbit.kind != LoopKind::Face;
@@ -248,7 +248,7 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
         && super::facts::moved_fans(drawing).next().is_none()
 }
 
-/// How the degree of each vertex that lives on changes.
+/// The change of the degree of each vertex that lives on.
 pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
     let vertices = rule
@@ -281,7 +281,7 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
         .collect()
 }
 
-/// How the size of each face that lives on changes.
+/// The change of the size of each face that lives on.
 pub(super) fn size_changes(drawing: &Drawing) -> Vec<SizeChange> {
     let rule = drawing.rule;
     let faces =

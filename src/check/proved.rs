@@ -9,9 +9,9 @@ use super::problem::Problem;
 use super::vertices_are_orbits::Rings;
 use super::witness::{self, Outcome};
 use super::{
-    alias, apart, before, ends_agree, families, fans_have_room, mend, names_are_accounted_for,
-    new_is_placed, next_is_permutation, nothing_dangles, properties, reach, start,
-    twin_is_involution, vertices_are_orbits,
+    alias, before, distinct_names, ends_agree, families, fans_have_room, mend,
+    names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles, properties,
+    reach, start, twin_is_involution, vertices_are_orbits,
 };
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, Op, Property, Rule};
@@ -23,7 +23,7 @@ pub struct Proved {
     proofs: Vec<Proof>,
 }
 
-/// What was proved of one rule.
+/// The proof of one rule.
 #[derive(Clone, Debug)]
 pub struct Proof {
     pub(super) matching: Vec<Step>,
@@ -54,17 +54,17 @@ impl Proof {
         self.unrolled.as_deref().unwrap_or(rule)
     }
 
-    /// How the rule is matched.
+    /// The steps by which the rule is matched.
     pub fn matching(&self) -> &[Step] {
         &self.matching
     }
 
-    /// What the guard of the rule asks of the result; some of it is left to test.
+    /// The obligations of the guard; some of it is left to test.
     pub fn guard(&self) -> &[Obligation] {
         &self.guard
     }
 
-    /// What the proof established.
+    /// The facts that the proof established.
     pub fn facts(&self) -> &Facts {
         &self.facts
     }
@@ -86,7 +86,7 @@ impl Proof {
 pub struct Rejection {
     /// Every law it breaks.
     pub diagnostics: Vec<Diagnostic>,
-    /// What each rejected rule does to a mesh when it is carried out literally.
+    /// The outcome of each rejected rule does to a mesh when it is carried out literally.
     pub outcomes: Vec<Outcome>,
 }
 
@@ -125,16 +125,16 @@ pub fn examine(op: &Op) -> Result<Proved, Rejection> {
     }
 }
 
-/// What is told of a rule that is not proved.
+/// The report on a rule that is not proved.
 pub(super) struct Rejected {
     /// Every law it breaks.
     pub diagnostics: Vec<Diagnostic>,
-    /// What it does to a mesh when it is carried out literally.
+    /// The outcome when it is carried out literally.
     pub outcome: Outcome,
 }
 
 fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
-    let mut broken = before::contradictions(rule).unwrap_or(broken);
+    let mut broken = before::in_before(rule).unwrap_or(broken);
     let outcome = witness::find(op, rule, &mut broken);
     let laws = |rule: &Rule| match prove(op, rule) {
         Ok(_) => Vec::new(),
@@ -145,11 +145,11 @@ fn reject(op: &Op, rule: &Rule, broken: Broken) -> Rejected {
 
 /// The laws that a rule breaks.
 pub(super) struct Broken {
-    /// What to tell.
+    /// The messages.
     pub problems: Vec<Problem>,
     /// For law 7 the arcs of the case that fails.
     pub arcs: Option<Vec<Arc>>,
-    /// What carrying it out came to, if that has been tried.
+    /// The outcome of carrying it out, if that has been tried.
     pub outcome: Option<Outcome>,
 }
 
@@ -167,7 +167,7 @@ pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
     statements(&drawing)?;
     let rings = vertices_are_orbits::test(&drawing)?;
     let aliased = alias::allowed(op, rule)?;
-    let matching = reach::matching(op, &drawing, &apart::pairs(&drawing))?;
+    let matching = reach::matching(op, &drawing, &distinct_names::pairs(&drawing))?;
     let guard = match rule.guard {
         Some((level, _)) => aliased.obligations(obligations(&drawing, level), level),
         None => Vec::new(),

@@ -38,7 +38,7 @@ pub(super) fn matching(
     Ok(reach.steps)
 }
 
-/// What is bound, and the steps so far.
+/// The names that are bound, and the steps so far.
 pub(super) struct Reach<'a> {
     pub drawing: &'a Drawing<'a>,
     pub corners: &'a [Corner],
@@ -53,7 +53,7 @@ pub(super) struct Reach<'a> {
 }
 
 impl Reach<'_> {
-    /// Whether a name, or the family that it is a member of, is bound.
+    /// True if a name, or the family that it is a member of, is bound.
     pub fn is_bound(&self, name: NameId) -> bool {
         self.bound[self.drawing.rule.first_member(name).index()]
     }
@@ -180,7 +180,7 @@ impl Reach<'_> {
         }
     }
 
-    /// How a chain leads to its vertex.
+    /// The source from which a chain has its vertex.
     pub fn vertex_source(&self, ports: &[Port]) -> Option<(NameId, Source)> {
         let usable =
             |item: NameId| self.drawing.rule.kind(item) == Kind::Halfedge && self.is_bound(item);
@@ -244,8 +244,8 @@ impl Reach<'_> {
         }
     }
 
-    /// Whether a loop that is one path matches alike wherever it begins: nothing is asked of
-    /// its vertex.
+    /// True if a loop that is one path matches alike wherever it begins: nothing is asked of its
+    /// vertex.
     fn is_alike_around(&self) -> bool {
         let rule = self.drawing.rule;
         let asks = !rule.requires.is_empty() || rule.guard.is_some();

@@ -1,4 +1,4 @@
-//! What is wrong with the rings of spokes of a case, in words.
+//! Problems of the rings of spokes of a case, in words.
 
 use super::arrangement::{Arc, Lies};
 use super::case::{Case, Step};
@@ -116,7 +116,7 @@ impl Case<'_> {
         Diagnostic::error("dangling-outside", message, span).into()
     }
 
-    /// What a step of a cycle is, in words, and where it says so.
+    /// The words for a step of a cycle, and where it says so.
     fn words(&self, step: Step, vertex: NameId) -> (String, Option<Span>) {
         let rule = self.drawing.rule;
         let text = rule.quoted(vertex);
@@ -155,7 +155,7 @@ impl Case<'_> {
         }
     }
 
-    /// Where the vertex statements of `after` say that a halfedge starts.
+    /// The place where the vertex statements of `after` say that a halfedge starts.
     fn star_mention(&self, half: NameId) -> Option<Span> {
         let star = self.drawing.after.star_of_spoke(half)?;
         let star = self.drawing.after.star(star)?;
@@ -301,7 +301,7 @@ impl Case<'_> {
         tokens
     }
 
-    /// What a statement lists for an arc.
+    /// The token that a statement lists for an arc.
     pub(super) fn arc_token(&self, arc: Arc) -> Option<Token> {
         match arc.lies {
             Lies::Fan(fan) => Some(Token::Fan(fan)),
@@ -310,7 +310,7 @@ impl Case<'_> {
         }
     }
 
-    /// Whether the vertex statement of `after` is the cycle, in order.
+    /// The problem that the vertex statement of `after` is the cycle, in order.
     pub(super) fn star_disagrees(&self, vertex: NameId, cycle: &[Step]) -> Option<Problem> {
         let star = self.drawing.after.star(vertex)?;
         let rule = self.drawing.rule;

@@ -1,4 +1,4 @@
-//! Whether a vertex statement of `after` is the ring of spokes, in order.
+//! Order of stars: a vertex statement of `after` is the ring of spokes, in order.
 
 use crate::diagram::{NameId, Spoke};
 
@@ -13,7 +13,7 @@ pub(super) enum Token {
     Rest,
 }
 
-/// Whether the statement, read as a cycle, describes the ring: each spoke and fan where it is
+/// True if the statement, read as a cycle, describes the ring: each spoke and fan where it is
 /// stated, each `*` any run without names.
 pub(super) fn agrees(stated: &[Spoke], ring: &[Token]) -> bool {
     let count = ring.len();

@@ -1,4 +1,4 @@
-//! Whether matching has a place to start from: a parameter that `before` draws.
+//! Start of matching: a parameter that `before` draws.
 //!
 //! It is asked before the laws. Where the parameter is missing in the drawing, much else is
 //! missing with it, and would be told in its stead.

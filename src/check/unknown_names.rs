@@ -7,7 +7,7 @@ use crate::source::Span;
 
 /// Names of `after` that neither `before` nor `new` knows.
 pub(super) struct Unknown {
-    /// What to tell.
+    /// The messages.
     pub problems: Vec<Problem>,
     /// The names that were probably meant.
     pub meant: Vec<NameId>,
@@ -70,7 +70,7 @@ impl Unknown {
     }
 }
 
-/// What is told of names that nothing introduces, each with a place where it stands.
+/// The message about names that nothing introduces, each with a place where it stands.
 fn unknown(drawing: &Drawing, first: (NameId, Span), others: &[(NameId, Span)]) -> Diagnostic {
     let rule = drawing.rule;
     let list: Vec<_> = std::iter::once(&first).chain(others).map(|(name, _)| *name).collect();

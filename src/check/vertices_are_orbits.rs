@@ -14,19 +14,19 @@ use super::proved::Broken;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
 
-/// How many combinations of arrangements are looked at before the checker gives up.
+/// The greatest number of combinations of arrangements before the checker gives up.
 const MOST: usize = 100_000;
 
-/// How many cases are kept to be shown.
+/// The greatest number of cases that are kept to be shown.
 pub(super) const MOST_SHOWN: usize = 12;
 
-/// What the proof of the law has looked at.
+/// The rings that the proof of the law has looked at.
 #[derive(Clone, Debug)]
 pub(super) struct Rings {
     /// The chains of each vertex before, with the number of ways that its arcs can run, or
     /// `None` if one stands for all because nothing changes.
     pub corners: Vec<(Corner, Option<usize>)>,
-    /// How many cases there are.
+    /// The number of cases.
     pub cases: usize,
     /// The first of them.
     pub shown: Vec<RingCase>,
@@ -100,7 +100,7 @@ pub(super) fn test(drawing: &Drawing) -> Result<Rings, Broken> {
     }
 }
 
-/// Whether no statement says anything about the order of the spokes of a vertex.
+/// True if no statement says anything about the order of the spokes of a vertex.
 pub(super) fn is_unstated(drawing: &Drawing, corner: &Corner) -> bool {
     drawing.before.star(corner.vertex).is_none() && drawing.after.star(corner.vertex).is_none()
 }
@@ -124,7 +124,7 @@ pub(super) fn settled(drawing: &Drawing, corner: &Corner, after: &Links) -> Vec<
     chains.filter_map(|(at, chain)| is_settled(chain).then_some(at)).collect()
 }
 
-/// Whether `after` draws something at a vertex that was not drawn there before.
+/// True if `after` draws something at a vertex that was not drawn there before.
 pub(super) fn gains(drawing: &Drawing, corner: &Corner, after: &Links) -> bool {
     let drawn = |port: &Port| {
         let mut chains = corner.chains.iter();

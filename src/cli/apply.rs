@@ -124,7 +124,7 @@ fn values(
     })
 }
 
-/// How a place of this type is written.
+/// An example of how a place of this type is written.
 fn example(ty: Type) -> &'static str {
     match ty {
         Type::Edge => "edge:A-B",
@@ -181,7 +181,7 @@ fn places(params: &[Param], texts: &[String]) -> Result<Vec<Option<Place>>, Fail
     Ok(places)
 }
 
-/// What `apply` did. Elements are named as `--at` would name them in the written file.
+/// The report of `apply`. Elements are named as `--at` would name them in the written file.
 #[derive(Serialize)]
 struct Report {
     op: String,

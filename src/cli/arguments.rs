@@ -1,4 +1,4 @@
-//! What can be said on the command line.
+//! Arguments of the command line.
 
 use std::path::PathBuf;
 
@@ -46,11 +46,15 @@ pub(super) enum Command {
     Fmt(FmtArguments),
     /// Run the tests of programs
     Test(TestArguments),
+    /// Show the page of a browser: program, diagram, mesh in 3D, lessons
+    Play(PlayArguments),
+    /// Learn the language in twelve lessons
+    Learn(LearnArguments),
     /// List the standard library, print a file of it, or copy it out
     Std(StdArguments),
 }
 
-/// What the answer looks like.
+/// The format of the answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
     /// Text for people
@@ -80,7 +84,7 @@ pub(super) struct CheckArguments {
     /// Also show what each operation keeps, and how degrees and sizes change
     #[arg(short, long)]
     pub verbose: bool,
-    /// What the answer looks like
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -95,27 +99,30 @@ pub(super) struct RunArguments {
     /// .halfedges)
     #[arg(verbatim_doc_comment)]
     pub mesh: PathBuf,
-    /// Where to write the result, in one of these formats; without
-    /// it the script may still print and be looked at
+    /// File for the result, in one of these formats; without it the
+    /// script may still print and be looked at
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     pub output: Option<PathBuf>,
-    /// Where to write a picture of the result (.png or .svg)
+    /// File for a picture of the result (.png or .svg)
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
-    /// What it shows in colour: an attribute, as in view
+    /// Values to show in colour: an attribute, as in view
     #[arg(long, value_name = "NAME", requires = "picture")]
     pub attribute: Option<String>,
     /// A parameter of the script; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// How much memory the mesh and lists may take, as 4G; if not
+    /// Most memory that the mesh and lists may take, as 4G; if not
     /// given, three quarters of the machine's
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
-    /// What the answer looks like
+    /// Also tell how each `drain` keeps its keys current
+    #[arg(short, long)]
+    pub verbose: bool,
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
@@ -141,10 +148,10 @@ pub(super) struct ApplyArguments {
     /// A value; a vector is written x,y,z
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Where to write the result, in one of these formats
+    /// File for the result, in one of these formats
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// What the answer looks like
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
@@ -159,11 +166,11 @@ pub(super) struct PlanArguments {
     /// of a file that only uses others those that it uses
     #[arg(value_name = "FILE[::OP]", verbatim_doc_comment)]
     pub op: String,
-    /// What to show it as
+    /// Form in which to show it
     #[arg(long = "as", value_enum, value_name = "KIND", default_value_t)]
     pub shown: Shown,
-    /// How C++ is spelled: fields (h->next), accessors (h->next()),
-    /// or a pattern, such as erase_vertex=delete_vertex({of})
+    /// Spelling of C++: fields (h->next), accessors (h->next()), or a
+    /// pattern, such as erase_vertex=delete_vertex({of})
     #[arg(long = "style", value_name = "STYLE", allow_hyphen_values = true, verbatim_doc_comment)]
     pub style: Vec<String>,
     /// For which mesh class: scotty3d, or a file of styles, one a
@@ -173,12 +180,12 @@ pub(super) struct PlanArguments {
     /// Also the pointers that do not change
     #[arg(long)]
     pub exhaustive: bool,
-    /// Where to write it, if not to standard output
+    /// File to write, if not standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-/// What a plan is shown as.
+/// The forms in which a plan is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum Shown {
     /// Four phases, to read
@@ -201,14 +208,14 @@ pub(super) struct InfoArguments {
     /// Only tell whether the mesh is of this level; exit code 1 if not
     #[arg(long, value_enum, value_name = "LEVEL")]
     pub level: Option<LevelName>,
-    /// What the answer looks like
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     #[command(flatten)]
     pub repair: RepairArguments,
 }
 
-/// What is mended of a mesh that is none.
+/// Mending of a mesh that is none.
 #[derive(Debug, Default, Args)]
 pub(super) struct RepairArguments {
     /// Make a mesh of faces that are none: drop
@@ -230,11 +237,10 @@ fn distance(text: &str) -> Result<f64, String> {
     distance.ok_or_else(|| "a distance is a number from 0 on".to_owned())
 }
 
-/// How the numbers of a file are written, where its format leaves a choice.
+/// The encoding of the numbers of a file, where its format leaves a choice.
 #[derive(Debug, Default, Args)]
 pub(super) struct EncodingArguments {
-    /// How numbers of .ply and .stl are written, if
-    /// not as they were read
+    /// Encoding of the numbers of .ply and .stl, if not as they were read
     #[arg(long, value_enum, value_name = "KIND", verbatim_doc_comment)]
     pub encoding: Option<EncodingName>,
     /// The version of .msh, if not that which was read
@@ -321,10 +327,10 @@ pub(super) struct DrawArguments {
     /// A program, and the operation in it if there are several
     #[arg(value_name = "FILE[::OP]")]
     pub op: String,
-    /// Where to write the picture (.svg or .png)
+    /// File for the picture (.svg or .png)
     #[arg(short, long)]
     pub output: Option<PathBuf>,
-    /// What to draw it as, if not as the end of the output's name says
+    /// Form of the picture, if not as the end of the output's name says
     #[arg(long = "as", value_enum, value_name = "KIND")]
     pub drawn: Option<Drawn>,
     /// One page for all operations of the file: pictures, proofs and plans
@@ -332,7 +338,7 @@ pub(super) struct DrawArguments {
     pub html: bool,
 }
 
-/// What an operation is drawn as.
+/// The forms in which an operation is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Drawn {
     /// A picture
@@ -352,13 +358,13 @@ pub(super) struct LspArguments {
 pub(super) struct ViewArguments {
     /// The mesh (.obj, .ply, .stl, .off, .msh or .halfedges)
     pub mesh: PathBuf,
-    /// Where to write the picture (.png or .svg)
+    /// File for the picture (.png or .svg)
     #[arg(short, long)]
     pub output: PathBuf,
     /// Width and height of the picture
     #[arg(long, value_parser = clap::value_parser!(u32).range(16..=16384))]
     pub size: Option<u32>,
-    /// Where to look from, as a direction
+    /// Direction to look from
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// An attribute to show in colour: NAME, or vertex.NAME
@@ -389,7 +395,11 @@ pub(super) struct TestArguments {
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
-    /// What the answer looks like
+    /// Most memory that the meshes and lists of a test may take, as 4G;
+    /// if not given, three quarters of what there is
+    #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
+    pub memory: Option<usize>,
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -409,4 +419,29 @@ pub(super) struct StdArguments {
     /// Copy it, or all files, to a folder; a single one also to a file (.hedge)
     #[arg(long, value_name = "DIR|FILE")]
     pub copy: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct PlayArguments {
+    /// A program (.hedge), a mesh, or both
+    #[arg(value_name = "FILE", num_args = 0..=2)]
+    pub files: Vec<PathBuf>,
+    /// The port; 0 for any that is free
+    #[arg(long, default_value_t = 0)]
+    pub port: u16,
+    /// Open no browser: print the address only
+    #[arg(long)]
+    pub no_browser: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct LearnArguments {
+    /// The number of a lesson; without it, all are listed
+    pub lesson: Option<String>,
+    /// A program (.hedge): does it solve the lesson?
+    #[arg(value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Write the lesson's program to the file, to begin with
+    #[arg(long, requires = "file")]
+    pub start: bool,
 }

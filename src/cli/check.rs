@@ -134,7 +134,7 @@ pub(super) fn depends(lacks: &str) -> String {
     }
 }
 
-/// What a rule keeps, and how degrees and sizes change, on lines of their own.
+/// The properties that a rule keeps, and how degrees and sizes change, on lines of their own.
 fn details(rule: &RuleVerdict) -> Vec<String> {
     let changes = |changes: &BTreeMap<String, String>| {
         let changes = changes.iter().map(|(element, change)| format!("{element} {change}"));
@@ -150,7 +150,7 @@ fn details(rule: &RuleVerdict) -> Vec<String> {
     told.chain(rule.guard.iter().flat_map(guard)).collect()
 }
 
-/// What a guard tests, and what it need not.
+/// The tests of a guard, and what it need not.
 fn guard(guard: &GuardVerdict) -> Vec<String> {
     let tests = guard.tests.iter();
     let tests = tests.map(|claim| format!("        tested: {claim}"));
@@ -163,7 +163,7 @@ fn guard(guard: &GuardVerdict) -> Vec<String> {
     std::iter::once(title).chain(tests).chain(proved).collect()
 }
 
-/// What was established of a rule, in three parts.
+/// The verdict on a rule, in three parts.
 pub(super) fn show_rule(rule: &RuleVerdict) -> [String; 3] {
     [cases(rule), change(rule), cost(rule)]
 }
@@ -238,7 +238,7 @@ pub(super) struct DiagnosticReport {
 #[derive(Serialize)]
 struct LabelReport {
     #[serde(flatten)]
-    place: Place,
+    place: Location,
     text: String,
 }
 
@@ -251,12 +251,12 @@ struct FixReport {
 #[derive(Serialize)]
 struct EditReport {
     #[serde(flatten)]
-    place: Place,
+    place: Location,
     text: String,
 }
 
 #[derive(Serialize)]
-struct Place {
+struct Location {
     line: usize,
     column: usize,
     end_line: usize,
@@ -268,7 +268,7 @@ pub(super) fn report(diagnostic: &Diagnostic, sources: &Sources) -> DiagnosticRe
         let source = sources.get(span.file);
         let (line, column) = source.line_column(span.start as usize);
         let (end_line, end_column) = source.line_column(span.end as usize);
-        Place { line, column, end_line, end_column }
+        Location { line, column, end_line, end_column }
     };
     DiagnosticReport {
         severity: match diagnostic.severity {

@@ -1,4 +1,4 @@
-//! How many elements a mesh has, before and after.
+//! Counts of the elements of a mesh, before and after.
 
 use serde::Serialize;
 

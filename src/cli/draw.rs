@@ -17,10 +17,10 @@ use crate::diagram::Op;
 use crate::draw::{Picture, Section, draw_op, draw_sheet, page, text_op};
 use crate::run::{Functions, calls_of_steps};
 
-/// How many pixels of an image are a unit of a diagram.
+/// The number of pixels of an image that are a unit of a diagram.
 const PIXELS: f64 = 2.0;
 
-/// Whether a name is that of a picture.
+/// True if a name is that of a picture.
 fn is_picture(path: &Path) -> bool {
     let end = path.extension().map(|end| end.to_ascii_lowercase());
     end.is_some_and(|end| end == "png" || end == "svg")
@@ -147,7 +147,7 @@ fn failures(analysis: &Analysis, op: usize) -> Vec<String> {
     lines
 }
 
-/// What an operation in steps calls that is not proved, a line each.
+/// The calls of an operation in steps that are not proved, a line each.
 fn unproved_steps(analysis: &Analysis, op: usize) -> Vec<String> {
     let (functions, _) = Functions::of(&analysis.program);
     let calls = calls_of_steps(&analysis.program, &functions);
@@ -172,7 +172,7 @@ fn show_verdict(verdict: &Verdict) -> String {
     format!("proved: {}", rules.collect::<Vec<_>>().join("; "))
 }
 
-/// Whether a picture can go to a place: asked before anybody waits for it.
+/// Checks that a picture can go to a place: asked before anybody waits for it.
 pub(super) fn expect_picture(path: &Path) -> Result<(), Failure> {
     let extension = path.extension().and_then(|extension| extension.to_str());
     match extension {

@@ -1,4 +1,4 @@
-//! How a command fails: what it says, and the exit code.
+//! Failures of commands: the message, and the exit code.
 
 use std::fmt::Display;
 use std::process::ExitCode;
@@ -24,7 +24,7 @@ impl Failure {
         Self::Usage(message.to_string())
     }
 
-    /// What is wrong, where it has not been said already.
+    /// The reason, where it has not been said already.
     pub fn reason(&self) -> Option<&str> {
         match self {
             Failure::NotProved | Failure::Silent(_) => None,

@@ -13,7 +13,7 @@ use super::program::{self, Program};
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::source::{FileId, Source};
 
-/// How often a text is looked at anew at most.
+/// The number of times a text is looked at anew at most.
 const MOST_ROUNDS: usize = 64;
 
 /// Reads a program, mends what can surely be mended in its file, and says what that was. Files
@@ -84,7 +84,7 @@ fn round(
     Some((text, titles))
 }
 
-/// Whether a fix lies in the file, and apart from all other edits.
+/// True if a fix lies in the file, and apart from all other edits.
 fn fits(fix: &Fix, (source, file): (&Source, FileId), others: &[&Edit]) -> bool {
     fix.edits.iter().all(|edit| {
         let inside = edit.span.file == file && source.text().get(edit.span.range()).is_some();

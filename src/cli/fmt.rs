@@ -11,7 +11,7 @@ use crate::format::{Formatted, format};
 use crate::mesh::{FileReason, replace_file};
 use crate::source::Sources;
 
-/// What a file is called that comes from standard input.
+/// The name of a file that comes from standard input.
 const STANDARD_INPUT: &str = "<stdin>";
 
 /// Formats files where they are, or standard input to standard output.

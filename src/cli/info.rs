@@ -13,10 +13,10 @@ use crate::mesh::{
     validate_level,
 };
 
-/// How many bars of a histogram are shown.
+/// The number of bars of a histogram that are shown.
 const MOST_BARS: usize = 12;
 
-/// How many of them go into a line of 80 columns.
+/// The number of bars in a line of 80 columns.
 const BARS_IN_A_LINE: usize = 5;
 
 /// Describes a mesh, or the tables of a dump.
@@ -99,7 +99,7 @@ struct DumpReport<'a> {
     names: BTreeMap<&'a str, String>,
 }
 
-/// Whether a mesh is of a level.
+/// Tells if a mesh is of a level.
 fn tell_level(arguments: &InfoArguments, mesh: &Mesh, level: Level) -> Result<(), Failure> {
     let below = validate_level(mesh, level).err().map(|below| below.to_string());
     let file = arguments.mesh.display();
@@ -179,7 +179,7 @@ fn measured(measures: &Measures) -> Vec<Vec<String>> {
     rows
 }
 
-/// What is said of a measure that no number holds.
+/// The text about a measure that no number holds.
 const TOO_FAR: &str = "not measured: the coordinates are too large";
 
 fn row(name: &str, value: impl ToString) -> Vec<String> {

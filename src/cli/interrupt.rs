@@ -33,7 +33,7 @@ pub(super) fn end_at_once() {
     }
 }
 
-/// Whether somebody has asked to stop.
+/// True if somebody has asked to stop.
 pub(super) fn is_asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }

@@ -1,9 +1,9 @@
-//! How much memory a run may take.
+//! Memory that a run may take.
 
 use sysinfo::System;
 
 /// The bytes that a text says: `500M`, `4G`; without a letter, bytes.
-pub(super) fn read(text: &str) -> Result<usize, String> {
+pub fn read(text: &str) -> Result<usize, String> {
     let wrong = || format!("`{text}` is no size: write a number with K, M, G or T, as `4G`");
     let upper = text.trim().to_ascii_uppercase();
     let number = upper.trim_end_matches('B').trim_end_matches('I');
@@ -22,7 +22,7 @@ pub(super) fn read(text: &str) -> Result<usize, String> {
 
 /// Three quarters of what this process may have: of the machine, or of the container that it is
 /// in. All there is where that is not known.
-pub(super) fn usual() -> usize {
+pub fn usual() -> usize {
     let Ok(mut system) = System::new() else {
         return usize::MAX;
     };
@@ -31,20 +31,4 @@ pub(super) fn usual() -> usize {
     let container = system.cgroup_limits().map(|limits| limits.total_memory);
     let least = [Some(machine), container].into_iter().flatten().filter(|&bytes| bytes > 0).min();
     least.map_or(usize::MAX, |bytes| usize::try_from(bytes / 4 * 3).unwrap_or(usize::MAX))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sizes() {
-        assert_eq!(read("4G"), Ok(4 << 30));
-        assert_eq!(read("1.5 MiB"), Ok(3 << 19));
-        assert_eq!(read("1000"), Ok(1000));
-        for wrong in ["", "G", "much", "-1G", "0", "nan"] {
-            assert!(read(wrong).is_err(), "{wrong}");
-        }
-        assert!(usual() > 1 << 24);
-    }
 }

@@ -11,7 +11,7 @@ use crate::mesh::{
     expect_writable, read_dump, read_mesh, write_mesh, write_mesh_to,
 };
 
-/// Whether a file holds tables of halfedges, by its name.
+/// True if a file holds tables of halfedges, by its name.
 pub(super) fn is_tables(path: &Path) -> bool {
     FileFormat::of(path).is_ok_and(|format| format == FileFormat::Halfedges)
 }
@@ -36,7 +36,12 @@ pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile,
         return Err(Failure::usage(format!("{shown}: {message}")));
     }
     if let Some(report) = file.repaired.filter(|report| report.is_changed()) {
-        complain(&format!("{shown}: repaired: {}", report.steps().join(", ")));
+        let mut steps = report.steps();
+        if let (Some(first), Some((line, words))) = (steps.first_mut(), &file.damage) {
+            let line = line.map(|line| format!("line {line}: ")).unwrap_or_default();
+            *first += &format!(" ({line}{words})");
+        }
+        complain(&format!("{shown}: repaired: {}", steps.join(", ")));
     }
     Ok(file)
 }
@@ -188,7 +193,7 @@ pub(super) fn numbers(path: &Path, file: &MeshFile) -> WrittenNumbers {
     }
 }
 
-/// Whether a mesh can: its name tells how it is written.
+/// Checks that a mesh can go to a place: its name tells how it is written.
 pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
     if is_standard(path) {
         return Ok(());
@@ -197,8 +202,8 @@ pub(super) fn expect_mesh(path: &Path) -> Result<(), Failure> {
     expect_place(path)
 }
 
-/// Whether a file can go to a place, as far as can be told before there is one: asked first,
-/// so that nobody waits for a result that cannot be written.
+/// Checks that a file can go to a place, as far as can be told before there is one: asked first, so
+/// that nobody waits for a result that cannot be written.
 pub(super) fn expect_place(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let folder = path.parent().unwrap_or(Path::new(""));

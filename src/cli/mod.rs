@@ -18,13 +18,15 @@ mod fix;
 mod fmt;
 mod info;
 mod interrupt;
+mod learn;
 mod library;
 mod lsp;
-mod memory;
+pub mod memory;
 mod meshes;
 mod output;
 mod place;
 mod plan;
+mod play;
 mod program;
 mod progress;
 mod run;
@@ -70,6 +72,8 @@ pub fn main() -> ExitCode {
         Command::Lsp(arguments) => lsp::lsp(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
         Command::Test(arguments) => test::test(&arguments),
+        Command::Play(arguments) => play::play(&arguments),
+        Command::Learn(arguments) => learn::learn(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     })
 }

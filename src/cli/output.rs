@@ -11,7 +11,7 @@ use super::failure::Failure;
 use crate::diagnostic::{Diagnostic, Rendering, render, shown};
 use crate::source::Sources;
 
-/// How many diagnostics are printed at most.
+/// The number of diagnostics that are printed at most.
 const MOST_DIAGNOSTICS: usize = 50;
 
 /// Why standard output could not be written, for the first time.
@@ -33,9 +33,10 @@ pub(super) fn say_exactly(text: &str) {
     }
 }
 
-/// Whether a file is standard output: `-o -`.
+/// True if a file is standard output: `-o -`, or what systems call it.
 pub(super) fn is_standard(path: &Path) -> bool {
-    path == Path::new("-")
+    let names = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+    names.into_iter().any(|name| path == Path::new(name))
 }
 
 /// Prints data as JSON to standard error, where standard output takes the result itself.

@@ -37,7 +37,7 @@ pub(super) struct Ends {
 pub(super) struct Found {
     /// Its id.
     pub id: u32,
-    /// What else the place could have meant, in words.
+    /// The other things that the place could have meant, in words.
     pub note: Option<String>,
 }
 
@@ -192,31 +192,5 @@ fn expect_ids(obj: &MeshFile, kind: &str) -> Result<(), String> {
         false => Err(format!(
             "an .obj file does not number its {kind}s: write {kind}:A-B with the vertices at its ends"
         )),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_are_read() {
-        let ends = |which| Ends { from: 3, to: 7, which };
-        assert_eq!(read("edge:3-7"), Ok(Place::Edge(ends(None))));
-        assert_eq!(read("halfedge:3-7#2"), Ok(Place::Halfedge(ends(Some(2)))));
-        assert_eq!(read("edge:3"), Ok(Place::EdgeOfId(3)));
-        assert_eq!(read("face:1"), Ok(Place::Face(1)));
-        for text in [
-            "",
-            "edge",
-            "edge:3-",
-            "edge:3-7#",
-            "edge:3#1",
-            "vertex:-1",
-            "corner:1",
-            "face:99999999999",
-        ] {
-            assert!(read(text).is_err(), "{text}");
-        }
     }
 }

@@ -73,7 +73,7 @@ pub(super) fn plan(arguments: &PlanArguments) -> Result<(), Failure> {
     }
 }
 
-/// How C++ is spelled: the target first, then what is said besides.
+/// The style of C++: the target first, then what is said besides.
 fn style(arguments: &PlanArguments) -> Result<Style, Failure> {
     let mut style = Style::default();
     if arguments.shown != Shown::Cpp && (arguments.target.is_some() || !arguments.style.is_empty())
@@ -124,7 +124,7 @@ fn called<'p>(steps: &Steps, program: &'p Program) -> Vec<&'p str> {
     calls.collect()
 }
 
-/// What an op in steps calls, and when it refuses.
+/// The calls of an op in steps, and when it refuses.
 fn show_steps(plan: &Plan, steps: &Steps, program: &Program) -> String {
     let calls = called(steps, program).join(", ");
     let end = match plan.level {
@@ -301,7 +301,7 @@ pub(super) fn show(plan: &Plan, exhaustive: bool) -> String {
     text
 }
 
-/// Whether a row is about a pointer that leads out of the drawing, and is kept.
+/// True if a row is about a pointer that leads out of the drawing, and is kept.
 fn is_outside(row: &Row) -> bool {
     match &row.cell {
         Cell::Set { target, value } => value == Cell::AS_IT_WAS && !target.ends_with(".halfedge"),

@@ -87,7 +87,7 @@ pub(super) fn blame<'n>(
     })
 }
 
-/// Whether a file is a mesh, by its name: where program and mesh have changed places.
+/// True if a file is a mesh, by its name: where program and mesh have changed places.
 fn is_mesh(path: &Path) -> bool {
     let end = path.extension().map(|end| end.to_ascii_lowercase());
     end.is_some_and(|end| end == "obj" || end == "halfedges")
@@ -144,7 +144,7 @@ pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize
 struct Candidate<'p> {
     index: usize,
     name: &'p str,
-    /// Whether it stands in the file itself, not in one that it uses.
+    /// True if it stands in the file itself, not in one that it uses.
     own: bool,
 }
 

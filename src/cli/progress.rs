@@ -10,14 +10,14 @@ use super::interrupt;
 use super::output::{complain, say};
 use crate::rewrite::Watch;
 
-/// How often the bar is drawn, per second.
+/// The number of times the bar is drawn, per second.
 const DRAWS_PER_SECOND: u8 = 10;
 
 /// Shows how far a script is, and what it prints.
 pub(super) struct Progress {
     bar: ProgressBar,
-    /// Where the lines that the script prints go: to standard error if standard output
-    /// is taken by data.
+    /// True if the lines that the script prints go to standard error, since standard output is
+    /// taken by data.
     lines_to_stderr: bool,
 }
 

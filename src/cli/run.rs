@@ -17,7 +17,9 @@ use super::progress::Progress;
 use super::view::attribute;
 use crate::draw::{View, draw_mesh};
 use crate::mesh::{Places, RepairReport};
+use crate::rewrite::Unbounded;
 use crate::run::{self, OpReport, prepare};
+use crate::source::{Sources, Span};
 
 /// Runs a script on a mesh.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
@@ -87,8 +89,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
     let save = started.elapsed().as_secs_f64();
 
+    let drains = prepared.drains().into_iter().filter(|_| arguments.verbose);
     let report = Report {
         script: name,
+        drains: drains.map(|(place, why)| Drain::new(place, why, &program.sources)).collect(),
         repaired: obj.repaired,
         ops: report.ops.into_iter().map(Op::from).collect(),
         before,
@@ -120,6 +124,32 @@ struct Report {
     before: Counts,
     after: Counts,
     seconds: Seconds,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    drains: Vec<Drain>,
+}
+
+/// The report on the keys of a loop `drain`.
+#[derive(Serialize)]
+struct Drain {
+    place: String,
+    keys: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    because: Option<String>,
+}
+
+impl Drain {
+    fn new(place: Span, why: Option<Unbounded>, sources: &Sources) -> Self {
+        let source = sources.get(place.file);
+        let (line, column) = source.line_column(place.start as usize);
+        Self {
+            place: format!("{}:{line}:{column}", source.name()),
+            keys: match why {
+                None => "found from what was written",
+                Some(_) => "found by what they have read",
+            },
+            because: why.map(|why| why.to_string()),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -159,6 +189,9 @@ impl Report {
             parts.push(self.show_ops());
         }
         parts.push(self.show_counts());
+        if !self.drains.is_empty() {
+            parts.push(self.show_drains());
+        }
         let Seconds { load, compile, run, save } = self.seconds;
         parts.push(format!(
             "seconds: load {load:.3}, compile {compile:.3}, run {run:.3}, save {save:.3}"
@@ -180,6 +213,14 @@ impl Report {
             }
         }
         table(&rows, &[false, true, true, false])
+    }
+
+    fn show_drains(&self) -> String {
+        let rows = self.drains.iter().map(|Drain { place, keys, because }| {
+            let because = because.as_ref().map_or_else(String::new, |why| format!(": {why}"));
+            format!("{place}: changed keys of `drain` are {keys}{because}")
+        });
+        rows.collect::<Vec<_>>().join("\n")
     }
 
     fn show_counts(&self) -> String {

@@ -9,6 +9,7 @@ use super::arguments::{Format, RepairArguments, TestArguments};
 use super::check::{DiagnosticReport, report};
 use super::failure::Failure;
 use super::interrupt;
+use super::memory;
 use super::meshes;
 use super::output::{complain_of, say, say_json};
 use super::program::{self, Program};
@@ -16,7 +17,7 @@ use crate::analysis::expect_regular;
 use crate::diagnostic::Diagnostic;
 use crate::mesh::MeshFile;
 use crate::rewrite::Watch;
-use crate::run;
+use crate::run::{self, Conditions};
 use crate::source::Span;
 
 /// The largest mesh that a program loads, in bytes: 1 GiB.
@@ -63,6 +64,8 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
 fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileReport {
     let is_human = arguments.format == Format::Human;
     let analysis = &program.analysis;
+    let memory = arguments.memory.unwrap_or_else(memory::usual);
+    let conditions = Conditions { seed: arguments.seed, memory };
     let mut tests = Vec::new();
     let shown = path.display().to_string();
     if is_human {
@@ -79,7 +82,7 @@ fn run_file(program: &Program, path: &Path, arguments: &TestArguments) -> FileRe
         let mut printed = Lines::default();
         let mut load = |path: &str, span: Span| load(program, path, span);
         let (resolved, plans) = (&analysis.program, &analysis.plans);
-        let done = run::test(resolved, number, plans, arguments.seed, &mut load, &mut printed);
+        let done = run::test(resolved, number, plans, conditions, &mut load, &mut printed);
         let failed = done.err().map(|failure| failure.diagnostic);
         if is_human {
             let word = if failed.is_some() { "FAILED" } else { "ok" };
@@ -123,7 +126,7 @@ fn load(program: &Program, path: &str, span: Span) -> Result<MeshFile, String> {
     read.map_err(|failure| failure.reason().unwrap_or_default().to_owned())
 }
 
-/// What a test prints; it is shown only if the test fails.
+/// The lines that a test prints; it is shown only if the test fails.
 #[derive(Default)]
 struct Lines(Vec<String>);
 

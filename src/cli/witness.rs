@@ -13,7 +13,7 @@ use crate::mesh::{Dump, MeshFile, write_dump, write_mesh};
 /// Writes counterexamples, each under a name of its own.
 #[derive(Default)]
 pub(super) struct Witnesses {
-    /// How many files each name has been used for.
+    /// The number of files that each name has been used for.
     used: BTreeMap<String, usize>,
 }
 

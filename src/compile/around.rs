@@ -17,13 +17,13 @@ impl Reassign<'_, '_, '_, '_> {
             self.orbit_of_runs(orbit, period);
             return;
         }
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         let ends: Vec<_> =
             (0..=period).map(|at| (self.head(&items, at), self.tail(&items, at))).collect();
         for at in 0..period {
             self.item(orbit, at, ends[at].1, ends[at + 1].0);
         }
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
         let head = self.head(&items, 0);
         self.face_halfedge(orbit, head);
         self.face_kind(orbit);
@@ -37,7 +37,7 @@ impl Reassign<'_, '_, '_, '_> {
         for buffer in [heads, tails] {
             asm.emit(Inst::BufferClear { buffer });
         }
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         for item in &orbit.items[..period] {
             let path = item.item.name;
             let asm = &mut self.output.asm;
@@ -51,10 +51,10 @@ impl Reassign<'_, '_, '_, '_> {
             }
             asm.bind(skip);
         }
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
         // From here on an index counts the runs that are there.
         let cycle = self.registers.cycle.replace(heads);
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         let [tail, head] = [(tails, 0), (heads, 1)].map(|end| self.end(end));
         for at in 0..period {
             let count = orbit.items.len();
@@ -65,13 +65,13 @@ impl Reassign<'_, '_, '_, '_> {
                 _ => self.link(item, next, tail, head, false),
             }
         }
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
         self.registers.cycle = cycle;
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         for item in &orbit.items[..period] {
             self.lies_in(item, orbit.face.name);
         }
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
         let head = self.end((heads, 0));
         self.face_halfedge(orbit, head);
         self.face_kind(orbit);
@@ -85,7 +85,7 @@ impl Reassign<'_, '_, '_, '_> {
     /// The first halfedge of some path of a family that is not empty.
     pub(super) fn first_around(&mut self, path: NameId) -> Reg {
         let to = self.output.asm.reg();
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         let asm = &mut self.output.asm;
         let from = self.registers.bound(asm, Bound::First(path));
         let skip = asm.label();
@@ -94,7 +94,7 @@ impl Reassign<'_, '_, '_, '_> {
         }
         asm.emit(Inst::Copy { to, from });
         asm.bind(skip);
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
         to
     }
 }

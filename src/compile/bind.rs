@@ -3,6 +3,7 @@
 use super::collect::Collect;
 use super::reason;
 use super::registers::Home;
+use super::symmetric::is_symmetric;
 use crate::check::matching::{Bound, Source, Step};
 use crate::diagram::{Kind, NameId};
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Phase, Reg};
@@ -98,11 +99,15 @@ impl Collect<'_, '_, '_, '_> {
         }
         self.output.asm.emit(Inst::Copy { to, from: start });
         // One try needs no counting: where it fails, all have failed.
-        if tries == Some(1) {
+        let is_alike = of == ElementField::Edge && is_symmetric(self.drawing, halfedge);
+        if tries == Some(1) || is_alike {
             self.output.asm.bind(begin);
             self.output.asm.bind(again);
             let target = self.begin_word(halfedge);
-            let value = each.split(',').next().unwrap_or_default().to_owned();
+            let value = match is_alike {
+                true => each,
+                false => each.split(',').next().unwrap_or_default().to_owned(),
+            };
             self.row(Cell::Set { target, value });
             return;
         }

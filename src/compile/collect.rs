@@ -17,12 +17,12 @@ pub(super) struct Collect<'o, 's, 'd, 'r> {
     pub output: &'o mut Output<'s>,
     pub drawing: &'d Drawing<'d>,
     pub registers: Registers,
-    /// Where to go when a test fails: the next attempt, or the next alternative.
+    /// The label to jump to when a test fails: the next attempt, or the next alternative.
     pub fail: Label,
     pub rows: &'r mut Vec<Row>,
 }
 
-/// What phase 1 leaves to the others.
+/// The results of phase 1 for the others.
 pub(super) struct Collected {
     pub registers: Registers,
     /// For each path and fan that moves, its halfedges.
@@ -90,10 +90,10 @@ impl Collect<'_, '_, '_, '_> {
             return;
         };
         self.output.asm.emit(Inst::BufferClear { buffer });
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         let from = compute(self);
         self.output.asm.emit(Inst::BufferPush { buffer, from });
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
     }
 
     fn test(&mut self, claim: &Claim) {
@@ -103,7 +103,7 @@ impl Collect<'_, '_, '_, '_> {
         self.row(Cell::Test { claim: reason::claim(self.drawing, claim), reason });
         let mark = self.output.asm.mark();
         let repeated = claim.is_repeated(self.drawing.rule);
-        let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
         let inst = match claim {
             Claim::Leads(source, to) => {
                 let left = self.output.asm.reg();
@@ -167,13 +167,13 @@ impl Collect<'_, '_, '_, '_> {
             }
         };
         self.output.asm.emit(inst);
-        if let Some(turns) = turns {
-            self.registers.end_turns(&mut self.output.asm, turns);
+        if let Some(indices) = indices {
+            self.registers.end_turns(&mut self.output.asm, indices);
         }
         self.output.asm.release(mark);
     }
 
-    /// Whether all of these paths, which may be empty, are.
+    /// The condition that all of these paths, which may be empty, are.
     pub(super) fn are_empty(&mut self, paths: &[NameId]) -> Reg {
         let all = self.output.asm.constant_bool(true);
         paths.iter().fold(all, |left, &path| {
@@ -218,13 +218,13 @@ impl Collect<'_, '_, '_, '_> {
         for require in self.drawing.rule.requires.iter().filter(asked) {
             let mark = self.output.asm.mark();
             let repeated = require.index.is_some();
-            let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+            let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
             let condition = self.expression(&require.condition);
             let refusal = self.output.refusal(require.reason.clone(), Phase::Require);
             let otherwise = self.fail;
             self.output.asm.emit(Inst::Expect { condition, refusal, otherwise });
-            if let Some(turns) = turns {
-                self.registers.end_turns(&mut self.output.asm, turns);
+            if let Some(indices) = indices {
+                self.registers.end_turns(&mut self.output.asm, indices);
             }
             self.output.asm.release(mark);
             let claim = self.output.words(require.condition.span);
@@ -250,7 +250,7 @@ impl Collect<'_, '_, '_, '_> {
                 (true, true) => {
                     let buffer = self.buffer();
                     let once = self.computed_once(assignment);
-                    let turns = self.registers.begin_turns(&mut self.output.asm);
+                    let indices = self.registers.begin_turns(&mut self.output.asm);
                     let width = width(assignment.value.ty);
                     let to = self.output.asm.block(width);
                     self.value(&once, to);
@@ -258,7 +258,7 @@ impl Collect<'_, '_, '_, '_> {
                         let from = to.part(part);
                         self.output.asm.emit(Inst::BufferPush { buffer, from });
                     }
-                    self.registers.end_turns(&mut self.output.asm, turns);
+                    self.registers.end_turns(&mut self.output.asm, indices);
                     Home::Member { buffer, shift: 0 }
                 }
             };
@@ -267,7 +267,7 @@ impl Collect<'_, '_, '_, '_> {
         values
     }
 
-    /// The assignment with walks that are the same at every index made here, before the turns:
+    /// The assignment with walks that are the same at every index made here, before the indices:
     /// else `centroid(f)` would go around the face at each of its corners.
     fn computed_once(&mut self, assignment: &Assignment) -> Assignment {
         let mut walks = Vec::new();
@@ -294,7 +294,7 @@ impl Collect<'_, '_, '_, '_> {
         once
     }
 
-    /// Whether a part of a value walks around single elements of the drawing.
+    /// True if a part of a value walks around single elements of the drawing.
     fn is_the_same_walk(&self, part: &Expr) -> bool {
         use Builtin::{Area, CentroidFace, DegreeFace, DegreeVertex, NormalFace, NormalVertex};
         let single = |argument: &Expr| match argument.kind {

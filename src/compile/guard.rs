@@ -1,29 +1,72 @@
 //! The guard: what the checker left to test, asked of the result before it is written.
 //!
-//! The pointers of phase 3 are set on a sheet over the mesh; then each test looks at one
-//! orbit of the preview. All of it belongs to phase 1.
+//! The pointers of phase 3 are set on a preview of the mesh, as far as tests look at them; then
+//! each test looks at one orbit of the preview. A test that the mesh itself can answer is asked of
+//! it: whether another edge joins two vertices, where no edge leaves them. All of it belongs to
+//! phase 1.
 
 use super::collect::{Collect, Collected};
-use super::onto::Onto;
 use super::reassign::Reassign;
 use super::registers::Home;
 use super::run::Run;
+use super::write_target::{Looks, Onto};
 use crate::check::guard::{Obligation, Statement};
-use crate::diagram::Kind;
-use crate::rewrite::{Cell, Foreseen, Inst, Phase, Reg};
+use crate::diagram::{Kind, NameId};
+use crate::rewrite::{Cell, Foreseen, Inst, Phase, Question, Reg};
 
 impl Collect<'_, '_, '_, '_> {
     /// The tests of the guard; `collected` holds what has been collected so far.
     pub(super) fn guard(&mut self, guard: &[Obligation], collected: &Collected) {
         let mark = self.output.asm.mark();
-        self.preview(collected);
-        for obligation in guard.iter().filter(|obligation| obligation.is_test()) {
-            self.test_statement(&obligation.statement, collected);
+        let tests = guard.iter().filter(|obligation| obligation.is_test());
+        let tests = tests.map(|obligation| &obligation.statement);
+        let mut foreseen = tests.clone().filter(|test| self.joined(test).is_none()).peekable();
+        if foreseen.peek().is_some() {
+            let looks = Looks::of_all(foreseen);
+            self.preview(collected, looks);
+        }
+        for test in tests {
+            self.test_statement(test, collected);
         }
         self.output.asm.release(mark);
     }
 
-    fn preview(&mut self, collected: &Collected) {
+    /// Two vertices that would be joined twice exactly if they are joined now: the test asks for
+    /// a second edge between them, no edge that is drawn joins them before, and after it only the
+    /// one that is asked about; edges that are not drawn end where they did.
+    fn joined(&self, test: &Statement) -> Option<[NameId; 2]> {
+        let Statement::SingleEdge { halfedge, .. } = *test else {
+            return None;
+        };
+        let (drawing, rule) = (self.drawing, self.drawing.rule);
+        let ends = [drawing.origin_after(halfedge)?, drawing.target_after(halfedge)?];
+        let are_drawn = ends.iter().all(|&end| drawing.before.mention(end).is_some());
+        let names = || (0..rule.names.len() as u32).map(NameId);
+        let is_plain = rule.aliases.is_empty()
+            && names().all(|name| rule.kind(name) != Kind::Fan && !rule.is_member(name));
+        if ends[0] == ends[1] || !are_drawn || !is_plain {
+            return None;
+        }
+        let joins = |[from, to]: [NameId; 2]| [from, to] == ends || [to, from] == ends;
+        for other in rule.names_of(Kind::Halfedge) {
+            if drawing.before.mention(other).is_some() {
+                let before = [drawing.origin_before(other)?, drawing.target_before(other)?];
+                if joins(before) {
+                    return None;
+                }
+            }
+            if drawing.after.mention(other).is_some() {
+                let after = [drawing.origin_after(other)?, drawing.target_after(other)?];
+                let is_asked = other == halfedge || drawing.after.twin(other) == Some(halfedge);
+                if joins(after) && !is_asked {
+                    return None;
+                }
+            }
+        }
+        Some(ends)
+    }
+
+    fn preview(&mut self, collected: &Collected, looks: Looks) {
         let rule = self.drawing.rule;
         self.output.asm.emit(Inst::PreviewClear);
         for name in rule.created.iter().map(|created| created.name) {
@@ -44,7 +87,7 @@ impl Collect<'_, '_, '_, '_> {
             drawing: self.drawing,
             registers: self.registers.clone(),
             collected,
-            onto: Onto::Preview,
+            onto: Onto::Preview(looks),
             rows: &mut rows,
         }
         .emit();
@@ -55,7 +98,7 @@ impl Collect<'_, '_, '_, '_> {
         // The paths of a family lie in one buffer.
         let repeated =
             statement.is_repeated(rule) && !matches!(statement, Statement::OneHoleAlong(_));
-        let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
         let to = self.output.asm.reg();
         let inst = match statement {
             Statement::OneHoleAlong(path) => {
@@ -66,17 +109,26 @@ impl Collect<'_, '_, '_, '_> {
                 };
                 Inst::ForeseeAlong { condition, to, buffer }
             }
-            statement => {
-                let (condition, element, at) = self.question(statement);
-                Inst::Foresee { condition, to, element, at }
-            }
+            statement => match self.joined(statement) {
+                Some(ends) => {
+                    let elements = ends.map(|end| self.element(end));
+                    Inst::Ask { question: Question::Adjacent, to, elements }
+                }
+                None => {
+                    let (condition, element, at) = self.question(statement);
+                    Inst::Foresee { condition, to, element, at }
+                }
+            },
         };
         self.output.asm.emit(inst);
+        if let Inst::Ask { .. } = inst {
+            self.output.asm.emit(Inst::Not { to, from: to });
+        }
         let reason = statement.refusal(rule);
         let refusal = self.output.refusal(reason.clone(), Phase::Guard);
         self.output.asm.emit(Inst::Expect { condition: to, refusal, otherwise: self.fail });
-        if let Some(turns) = turns {
-            self.registers.end_turns(&mut self.output.asm, turns);
+        if let Some(indices) = indices {
+            self.registers.end_turns(&mut self.output.asm, indices);
         }
         let claim = format!("after it, {}", statement.claim(rule));
         self.row(Cell::Test { claim, reason });

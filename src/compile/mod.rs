@@ -15,14 +15,15 @@ mod walk;
 mod around;
 mod around_vertex;
 mod assign;
-mod onto;
 mod reassign;
+mod write_target;
 
 mod expression;
+mod index_loop;
 mod reason;
 mod registers;
 mod run;
-mod turns;
+mod symmetric;
 
 pub use expression::{
     Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,

@@ -4,15 +4,16 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::collect::Collect;
-use super::onto::Onto;
 use super::reassign::Reassign;
 use super::registers::{Home, Registers};
+use super::write_target::Onto;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
-use crate::diagram::{Drawing, Kind, Op, Property, Rule};
+use crate::diagram::{Drawing, Kind, NameId, Op, Property, Rule};
 use crate::mesh::{ElementKind, Level};
 use crate::rewrite::{
-    Assembler, Cell, Code, Function, Inst, Label, Phase, Plan, Refusal, Reg, Row, Stage, TooLarge,
+    Assembler, Cell, Code, Function, Holder, Inst, Label, Matched, Phase, Plan, Refusal, Reg, Row,
+    Stage, TooLarge,
 };
 use crate::source::{Sources, Span};
 
@@ -34,11 +35,14 @@ pub fn compile(
     let widths: Vec<_> = op.params.iter().map(|param| width(param.ty)).collect();
     let params: Vec<_> = widths.iter().map(|&width| output.asm.block(width)).collect();
     let mut stages = Vec::new();
+    let mut matched = Vec::new();
     for (rule, proof) in op.rules.iter().zip(proved.proofs()) {
         let next_rule = output.asm.label();
         let mark = output.asm.mark();
         let rule = proof.drawn(rule);
-        stages.push(alternative(&mut output, rule, proof, &params, next_rule));
+        let (stage, names) = alternative(&mut output, rule, proof, &params, next_rule);
+        stages.push(stage);
+        matched.push(names);
         output.asm.release(mark);
         output.asm.bind(next_rule);
     }
@@ -57,6 +61,7 @@ pub fn compile(
         places: output.places,
         refusals: output.refusals,
         stages,
+        matched,
         steps: None,
     })
 }
@@ -83,13 +88,14 @@ fn alternative(
     proof: &Proof,
     params: &[Reg],
     fail: Label,
-) -> Stage {
+) -> (Stage, Matched) {
     let drawing = Drawing::new(rule);
     let registers = Registers::new(&mut output.asm, &drawing, params);
     let mut stage = Stage { rule: rule.label.clone(), ..Stage::default() };
     let mut collected =
         Collect { output, drawing: &drawing, registers, fail, rows: &mut stage.collect }
             .emit(proof.matching(), proof.guard());
+    let matched = matched(output, &drawing, &collected.registers);
     allocate(output, &drawing, &mut collected.registers, &mut stage.allocate);
     Reassign {
         output,
@@ -104,7 +110,23 @@ fn alternative(
     let result =
         rule.result.map(|result| collected.registers.element(&mut output.asm, result.name));
     output.asm.emit(Inst::Return { result });
-    stage
+    (stage, matched)
+}
+
+/// The homes of the names of `before` when all has matched.
+fn matched(output: &Output, drawing: &Drawing, registers: &Registers) -> Matched {
+    let rule = drawing.rule;
+    let names = (0..rule.names.len() as u32).map(NameId);
+    let bound = names.filter(|&name| drawing.before.mention(name).is_some());
+    let named = bound.filter(|&name| rule.name(name).named && rule.is_first(name));
+    let names = named.filter_map(|name| {
+        let holder = match registers.home(name) {
+            Home::Reg(reg) => Holder::Reg(reg),
+            Home::Member { buffer, .. } => Holder::Buffer(buffer),
+        };
+        Some((rule.name(name).text.clone(), kind_of_element(rule.kind(name))?, holder))
+    });
+    Matched { from: output.asm.next_inst(), names: names.collect() }
 }
 
 fn allocate(
@@ -128,11 +150,11 @@ fn allocate(
             Home::Reg(to) => asm.emit(new(to)),
             Home::Member { buffer, .. } => {
                 asm.emit(Inst::BufferClear { buffer });
-                let turns = registers.begin_turns(asm);
+                let indices = registers.begin_turns(asm);
                 let from = asm.reg();
                 asm.emit(new(from));
                 asm.emit(Inst::BufferPush { buffer, from });
-                registers.end_turns(asm, turns);
+                registers.end_turns(asm, indices);
             }
         }
         let target = rule.name(name).text.clone();
@@ -148,11 +170,11 @@ fn erase(output: &mut Output, drawing: &Drawing, registers: &mut Registers, rows
         let Some(kind) = kind.filter(|_| rule.is_first(name)) else {
             continue;
         };
-        let turns = rule.is_member(name).then(|| registers.begin_turns(asm));
+        let indices = rule.is_member(name).then(|| registers.begin_turns(asm));
         let element = registers.element(asm, name);
         asm.emit(Inst::Erase { kind, element });
-        if let Some(turns) = turns {
-            registers.end_turns(asm, turns);
+        if let Some(indices) = indices {
+            registers.end_turns(asm, indices);
         }
         let word = &rule.name(name).text;
         rows.push(Row { cell: Cell::Note(format!("erase {word}")), executed: true });
@@ -170,7 +192,7 @@ pub(super) fn kind_of_element(kind: Kind) -> Option<ElementKind> {
     }
 }
 
-/// What all alternatives of an operation are written into.
+/// The output that all alternatives of an operation are written into.
 pub(super) struct Output<'a> {
     pub asm: Assembler,
     pub sources: &'a Sources,

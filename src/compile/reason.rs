@@ -29,7 +29,7 @@ pub(super) fn source(drawing: &Drawing, source: Source) -> String {
     format!("{}.{pointer}", bound(drawing, from))
 }
 
-/// What a claim says, as the table prints it.
+/// The words of a claim, as the table prints it.
 pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
     let word = |name: NameId| drawing.rule.name(name).text.clone();
     match claim {

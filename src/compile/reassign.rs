@@ -1,10 +1,10 @@
 //! Phase 3, reassign: every pointer of every named element.
 
 use super::collect::Collected;
-use super::onto::Onto;
 use super::operation::Output;
 use super::registers::Registers;
 use super::run::Run;
+use super::write_target::Onto;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId};
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
@@ -53,10 +53,10 @@ impl Reassign<'_, '_, '_, '_> {
     /// Does something about a name: of a family, for each index.
     pub(super) fn for_each(&mut self, name: NameId, what: impl FnOnce(&mut Self)) {
         let repeated = self.drawing.rule.is_member(name);
-        let turns = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
         what(self);
-        if let Some(turns) = turns {
-            self.registers.end_turns(&mut self.output.asm, turns);
+        if let Some(indices) = indices {
+            self.registers.end_turns(&mut self.output.asm, indices);
         }
     }
 
@@ -66,8 +66,8 @@ impl Reassign<'_, '_, '_, '_> {
 
     pub(super) fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
         self.rows.push(Row::set(target, value, inst.is_some()));
-        if let Some(inst) = inst {
-            self.output.asm.emit(self.onto.aim(inst));
+        if let Some(inst) = inst.and_then(|inst| self.onto.aim(inst)) {
+            self.output.asm.emit(inst);
         }
     }
 

@@ -1,4 +1,4 @@
-//! Where the names of a rule live: in the window, or, one slot for each index, in a buffer.
+//! Registers of the names of a rule: in the window, or, one slot for each index, in a buffer.
 
 use std::collections::HashMap;
 
@@ -8,7 +8,7 @@ use crate::diagram::{Drawing, Expr, ExprKind, Kind, NameId};
 use crate::rewrite::{Assembler, Inst, Reg};
 use crate::source::Span;
 
-/// Where something lives.
+/// The home of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Home {
     /// In a register.
@@ -17,7 +17,7 @@ pub(super) enum Home {
     Member {
         /// The buffer.
         buffer: u16,
-        /// What is added to the index.
+        /// The shift of the index.
         shift: i16,
     },
 }
@@ -126,7 +126,7 @@ impl Registers {
         }
     }
 
-    /// Where it stands whether a path is empty, if it may be.
+    /// The slot that tells whether a path is empty, if it may be.
     pub fn home_of_empty(&self, path: NameId) -> Option<Home> {
         self.empty[path.index()]
     }

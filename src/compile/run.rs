@@ -6,7 +6,7 @@ use crate::check::{moved_fans, moved_paths};
 use crate::diagram::{NameId, Spoke};
 use crate::rewrite::{Cell, ElementField, Inst, Walk};
 
-/// Where the halfedges of a path or fan are.
+/// The place of the halfedges of a path or fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Run {
     /// All of them; of a family those of every index, one after the other.
@@ -48,12 +48,12 @@ impl Collect<'_, '_, '_, '_> {
             return Run { buffer, ends: None };
         }
         let ends = self.buffer();
-        let turns = self.registers.begin_turns(&mut self.output.asm);
+        let indices = self.registers.begin_turns(&mut self.output.asm);
         one(self, run, buffer);
         let to = self.output.asm.reg();
         self.output.asm.emit(Inst::BufferLength { buffer, to });
         self.output.asm.emit(Inst::BufferPush { buffer: ends, from: to });
-        self.registers.end_turns(&mut self.output.asm, turns);
+        self.registers.end_turns(&mut self.output.asm, indices);
         Run { buffer, ends: Some(ends) }
     }
 

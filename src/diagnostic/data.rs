@@ -2,7 +2,7 @@
 
 use crate::source::Span;
 
-/// How much a diagnostic weighs.
+/// The severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// The program means something, but probably not what was wanted.
@@ -16,23 +16,23 @@ pub enum Severity {
 pub struct Label {
     /// The place.
     pub span: Span,
-    /// What to say; may be empty.
+    /// The text of the label; may be empty.
     pub text: String,
 }
 
 /// One replacement in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What is replaced; empty to insert.
+    /// The span that is replaced; empty to insert.
     pub span: Span,
-    /// What stands there afterwards.
+    /// The text that stands there afterwards.
     pub text: String,
 }
 
 /// A change that surely removes the diagnostic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// What the change does, as an imperative: "insert `edge e2: c | c'`".
+    /// The change, as an imperative: "insert `edge e2: c | c'`".
     pub title: String,
     /// The replacements; they do not overlap.
     pub edits: Vec<Edit>,
@@ -41,7 +41,7 @@ pub struct Fix {
 /// Something to tell the person who wrote the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How much it weighs.
+    /// Its severity.
     pub severity: Severity,
     /// A stable name in kebab case, which `hedgerow explain` documents.
     pub code: &'static str,
@@ -49,9 +49,9 @@ pub struct Diagnostic {
     pub message: String,
     /// The place it is about: the first label is the primary one.
     pub labels: Vec<Label>,
-    /// What helps to understand it.
+    /// Remarks that help to understand it.
     pub notes: Vec<String>,
-    /// What would surely mend it.
+    /// Changes that surely mend it.
     pub fixes: Vec<Fix>,
 }
 
@@ -101,7 +101,7 @@ impl Diagnostic {
         self.labels[0].span
     }
 
-    /// Whether the program cannot be used.
+    /// True if the program cannot be used.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
     }

@@ -1,9 +1,9 @@
-//! What each code means, for `hedgerow explain`: one text, shown, printed and tested.
+//! Explanations of codes, for `hedgerow explain`: one text, shown, printed and tested.
 
 /// All sections, a code each.
 const TEXT: &str = include_str!("explained.md");
 
-/// What a code means: the law, why it matters, a program that breaks it, what mends it.
+/// The explanation of a code: the law, why it matters, a program that breaks it, what mends it.
 pub fn explain(code: &str) -> Option<&'static str> {
     sections().find(|(known, _)| *known == code).map(|(_, text)| text)
 }

@@ -1,4 +1,4 @@
-//! What is wrong, as data: a code, a message, places, notes and fixes.
+//! Diagnostics as data: a code, a message, places, notes and fixes.
 //!
 //! Every layer that can fail turns its failures into [`Diagnostic`]s in one place;
 //! [`render`] prints them to a terminal, [`explain`] says what a code means. A message is one line, lower case, and can be

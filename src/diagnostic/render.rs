@@ -15,15 +15,15 @@ use std::ops::Range;
 /// The longest line that is shown, in bytes; of longer ones only the place is told.
 const WIDEST: usize = 400;
 
-/// How many places are drawn that say nothing; the message names more.
+/// The greatest number of places that are drawn and say nothing; the message names more.
 const MOST_SILENT: usize = 4;
 
-/// How to print.
+/// The style of printing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rendering {
-    /// Whether to colour.
+    /// True to colour.
     pub colour: bool,
-    /// How many diagnostics to print at most; the rest is counted.
+    /// The greatest number of diagnostics to print; the rest is counted.
     pub most: usize,
 }
 
@@ -45,7 +45,7 @@ pub fn render(diagnostics: &[Diagnostic], sources: &Sources, how: Rendering) -> 
     out
 }
 
-/// What is said of the diagnostics that are not printed.
+/// The line about the diagnostics that are not printed.
 fn rest(left: &[Diagnostic]) -> String {
     let errors = left.iter().filter(|left| left.is_error()).count();
     let warnings = left.len() - errors;
@@ -60,7 +60,7 @@ fn rest(left: &[Diagnostic]) -> String {
 }
 
 /// A place as `ariadne` wants it, in characters.
-type Place = (FileId, Range<usize>);
+type SourceRange = (FileId, Range<usize>);
 
 struct Page<'s> {
     texts: Texts<'s>,
@@ -195,7 +195,7 @@ struct Texts<'s> {
 
 impl Texts<'_> {
     /// A span as a place in its text: within it, on whole characters.
-    fn place(&self, span: Span) -> Option<Place> {
+    fn place(&self, span: Span) -> Option<SourceRange> {
         let text = source_of(self.sources, span.file)?.text();
         let start = text.floor_char_boundary(span.start as usize);
         let end = text.ceil_char_boundary(span.end as usize).max(start);
@@ -204,7 +204,7 @@ impl Texts<'_> {
         Some((span.file, before..before + within))
     }
 
-    /// Whether the first or the last line of a span is longer than anyone reads.
+    /// True if the first or the last line of a span is longer than anyone reads.
     fn is_wide(&self, span: Span) -> bool {
         let Some(source) = source_of(self.sources, span.file) else {
             return false;
@@ -231,84 +231,5 @@ impl Cache<FileId> for &mut Texts<'_> {
 
     fn display<'a>(&self, file: &'a FileId) -> Option<impl fmt::Display + 'a> {
         source_of(self.sources, *file).map(|source| shown(source.name()).into_owned())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const PLAIN: Rendering = Rendering { colour: false, most: 2 };
-
-    #[test]
-    fn any_span_in_any_text_is_rendered() {
-        let texts = ["", "\n", "aé𝄞\r\nz\u{2028}\u{1b}[31m\ty", "\u{FEFF}x", "é"];
-        let mut sources = Sources::new();
-        let files: Vec<_> = texts.iter().map(|text| sources.add("a", *text)).collect();
-        let files = files.into_iter().chain([FileId(99)]);
-        for file in files {
-            for start in 0..16 {
-                for end in start..18 {
-                    let span = Span::new(file, start, end);
-                    let other = Span::new(FileId(2), end, end + start);
-                    let found = Diagnostic::error("a-code", "said", span).label(other, "other");
-                    let found = found.label(span.after(), "after").fix("mend", span, "");
-                    for colour in [false, true] {
-                        let how = Rendering { colour, most: 1 };
-                        let text = render(std::slice::from_ref(&found), &sources, how);
-                        assert!(text.contains("said") && text.contains("mend"), "{text}");
-                        assert!(colour || !text.contains('\u{1b}'), "{text}");
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn each_file_is_shown_once_and_remarks_follow() {
-        let mut sources = Sources::new();
-        let one = sources.add("one.hedge", "edge e: a | é\nedge f: b | c\n");
-        let two = sources.add("two.hedge", "é\nuse x\n");
-        let found = Diagnostic::error("missing-thing", "`f` is missing", Span::new(one, 20, 21))
-            .saying("needed")
-            .label(Span::new(two, 3, 6), "elsewhere")
-            .label(Span::new(one, 0, 4), "drawn here")
-            .note("a note")
-            .fix("insert `g`", Span::new(one, 15, 15), "g");
-        assert_eq!(
-            render(&[found], &sources, PLAIN),
-            "\
-error[missing-thing]: `f` is missing
-   ╭─[ one.hedge:2:6 ]
-   │
- 1 │ edge e: a | é
-   │ ──┬─
-   │   ╰─── drawn here
- 2 │ edge f: b | c
-   │      ┬
-   │      ╰── needed
-   │
-   ├─[ two.hedge:2:1 ]
-   │
- 2 │ use x
-   │ ─┬─
-   │  ╰─── elsewhere
-───╯
-  note: a note
-  help: insert `g` (one.hedge:2:1)
-
-"
-        );
-    }
-
-    #[test]
-    fn what_is_not_shown_is_counted() {
-        let mut sources = Sources::new();
-        let span = Span::new(sources.add("a", "b"), 0, 1);
-        let error = Diagnostic::error("e", "m", span);
-        let warning = Diagnostic::warning("w", "m", span);
-        let all = [&error, &error, &error, &warning, &warning].map(Clone::clone);
-        let text = render(&all, &sources, PLAIN);
-        assert!(text.ends_with("… and 1 more error and 2 more warnings\n"), "{text}");
     }
 }

@@ -27,15 +27,3 @@ pub(super) fn showable(character: char) -> char {
         shown => shown,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn nothing_is_left_to_obey() {
-        assert!(matches!(shown("a\tb\né𝄞"), Cow::Borrowed(_)));
-        assert_eq!(shown("\u{1b}[31mred\u{7}\u{9b}2J"), "\u{FFFD}[31mred\u{FFFD}\u{FFFD}2J");
-        assert_eq!(shown("a\u{202e}b\u{2066}c\r\nd"), "a\u{FFFD}b\u{FFFD}c \nd");
-    }
-}

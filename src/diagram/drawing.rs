@@ -1,4 +1,4 @@
-//! Where each name of a rule stands, on each side.
+//! The places of the names of a rule, on each side.
 //!
 //! A [`View`] is the index of one side: the loop and place of each halfedge and path, the
 //! edge of each halfedge, the statement of each element. Where a name stands twice the first
@@ -40,22 +40,22 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Where `new` lists a name.
+    /// The place where `new` lists a name.
     pub fn created(&self, name: NameId) -> Option<Span> {
         self.created[name.index()]
     }
 
-    /// Where `erase` lists a name.
+    /// The place where `erase` lists a name.
     pub fn erased(&self, name: NameId) -> Option<Span> {
         self.erased[name.index()]
     }
 
-    /// Whether a name is drawn before and is not erased.
+    /// True if a name is drawn before and is not erased.
     pub fn survives(&self, name: NameId) -> bool {
         self.before.mention(name).is_some() && self.erased(name).is_none()
     }
 
-    /// Whether a halfedge is drawn before only as the twin of one in a loop.
+    /// True if a halfedge is drawn before only as the twin of one in a loop.
     pub fn is_outer(&self, halfedge: NameId) -> bool {
         self.rule.kind(halfedge) == Kind::Halfedge
             && self.before.mention(halfedge).is_some()
@@ -97,8 +97,8 @@ impl<'a> Drawing<'a> {
         view.loop_target(item).or_else(|| self.origin_after(view.twin(item)?))
     }
 
-    /// Whether a path may have no halfedge: its ends before are one vertex, and it is
-    /// not the whole of its loop.
+    /// True if a path may have no halfedge: its ends before are one vertex, and it is not the whole
+    /// of its loop.
     pub fn may_be_empty(&self, path: NameId) -> bool {
         let alone = self.before.loop_of_item(path).is_some_and(|l| l.items.len() == 1);
         !alone && self.before.loop_origin(path) == self.before.loop_target(path)
@@ -186,7 +186,7 @@ impl<'a> View<'a> {
         self.side
     }
 
-    /// Where a name is first mentioned on this side.
+    /// The place where a name is first mentioned on this side.
     pub fn mention(&self, name: NameId) -> Option<Span> {
         self.mention[name.index()]
     }

@@ -8,7 +8,6 @@ use crate::source::Span;
 
 /// The type of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Type {
     Bool,
     Int,
@@ -62,12 +61,12 @@ impl Type {
         }
     }
 
-    /// Whether values of this type are vectors.
+    /// True if values of this type are vectors.
     pub fn is_vector(self) -> bool {
         matches!(self, Type::Vec2 | Type::Vec3 | Type::Vec4)
     }
 
-    /// Whether values of this type are square matrices.
+    /// True if values of this type are square matrices.
     pub fn is_matrix(self) -> bool {
         matches!(self, Type::Mat3 | Type::Mat4)
     }
@@ -82,7 +81,7 @@ impl Type {
         }
     }
 
-    /// Whether values of this type are elements of the mesh.
+    /// True if values of this type are elements of the mesh.
     pub fn is_element(self) -> bool {
         matches!(self, Type::Vertex | Type::Halfedge | Type::Edge | Type::Face)
     }
@@ -93,9 +92,9 @@ impl Type {
 pub struct Expr {
     /// Its type.
     pub ty: Type,
-    /// What it is.
+    /// Its kind.
     pub kind: ExprKind,
-    /// Where it stands.
+    /// Its place in the source.
     pub span: Span,
 }
 
@@ -136,7 +135,7 @@ impl Expr {
     }
 }
 
-/// What an expression is.
+/// The kind of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A truth value.
@@ -187,7 +186,6 @@ pub enum ExprKind {
 
 /// A pointer of the mesh, as navigation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Pointer {
     Next,
     Prev,
@@ -218,7 +216,7 @@ pub enum Access {
 pub struct Attribute {
     /// Its name.
     pub name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub span: Span,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
@@ -226,16 +224,15 @@ pub struct Attribute {
     pub element: Type,
     /// The type of its values.
     pub ty: Type,
-    /// What an element begins with: a constant. Without one, an op gives each new element
-    /// its value.
+    /// The constant that an element begins with. Without one, an op gives each new element its
+    /// value.
     pub default: Option<Expr>,
-    /// Whether it is scratch, gone when the run is over.
+    /// True if it is scratch, gone when the run is over.
     pub private: bool,
 }
 
 /// An operator with one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Unary {
     NegateInt,
     NegateReal,
@@ -247,7 +244,6 @@ pub enum Unary {
 
 /// An operator with two operands of fixed types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Binary {
     AddInt,
     SubtractInt,
@@ -289,7 +285,6 @@ pub enum Binary {
 
 /// A function that is part of the language. Types in, type out:
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Builtin {
     /// vertex -> int: its spokes. Of a face: its corners.
     DegreeVertex,
@@ -457,11 +452,11 @@ impl Collection {
 /// An aggregate over a collection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fold {
-    /// What is made of the values.
+    /// The function of the values.
     pub function: FoldFunction,
     /// The variable's number, among the script's (or op's) variables.
     pub variable: u32,
-    /// What it runs over.
+    /// The collection it runs over.
     pub collection: Collection,
     /// Which elements count.
     pub filter: Option<Expr>,
@@ -469,10 +464,9 @@ pub struct Fold {
     pub body: Expr,
 }
 
-/// What an aggregate makes of its values. Of nothing: `sum` and `count` are zero; `mean`,
-/// `min`, `max`, `argmin` and `argmax` are a run-time error.
+/// The function of an aggregate. Of nothing: `sum` and `count` are zero; `mean`, `min`, `max`,
+/// `argmin` and `argmax` are a run-time error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum FoldFunction {
     Mean,
     Sum,
@@ -481,9 +475,9 @@ pub enum FoldFunction {
     /// The first element with the least, or the greatest, value.
     ArgMin,
     ArgMax,
-    /// How many of the bodies are true.
+    /// The number of bodies that are true.
     Count,
-    /// Whether any, or all, of the bodies are true.
+    /// True if any, or all, of the bodies are true.
     Any,
     All,
 }

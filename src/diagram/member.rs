@@ -6,7 +6,7 @@
 use super::{NameId, Ref, Role, Rule, Side, Spoke};
 
 impl Rule {
-    /// Whether it has families that are not unrolled.
+    /// True if it has families that are not unrolled.
     pub fn has_families(&self) -> bool {
         self.cycle.as_ref().is_some_and(|cycle| cycle.size.is_none())
     }
@@ -16,7 +16,7 @@ impl Rule {
         self.cycle.as_ref()?.size
     }
 
-    /// Whether a name is a member of a family.
+    /// True if a name is a member of a family.
     pub fn is_member(&self, name: NameId) -> bool {
         matches!(self.name(name).role, Role::Member { .. })
     }
@@ -53,7 +53,7 @@ impl Rule {
         self.turned(name, -i64::from(self.index(name)))
     }
 
-    /// Whether a name is single, or a member at index 0.
+    /// True if a name is single, or a member at index 0.
     pub fn is_first(&self, name: NameId) -> bool {
         self.index(name) == 0
     }

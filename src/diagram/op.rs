@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Attribute, Expr, Level, Type};
 use crate::source::Span;
 
-/// What a name of a diagram stands for.
+/// The kind of element or run that a name of a diagram stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Kind {
     /// A vertex.
@@ -64,17 +64,17 @@ impl NameId {
 pub struct Name {
     /// The word, or for what has no name a description: "the path of `f0`".
     pub text: String,
-    /// What it stands for.
+    /// Its kind.
     pub kind: Kind,
-    /// Whether a person gave the name; what is drawn without one is not named.
+    /// True if a person gave the name; what is drawn without one is not named.
     pub named: bool,
-    /// Whether it is one element or run, or one for each index.
+    /// One element or run, or one for each index.
     pub role: Role,
-    /// Where it is first mentioned.
+    /// The place where it is first mentioned.
     pub span: Span,
 }
 
-/// How many elements, or runs, a name stands for.
+/// The number of elements or runs that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     /// One.
@@ -102,9 +102,9 @@ impl Name {
 pub struct Ref {
     /// The name.
     pub name: NameId,
-    /// What the subscript adds to the index: 1 in `h[i+1]`. Zero where there is none.
+    /// The summand of the subscript: 1 in `h[i+1]`. Zero where there is none.
     pub shift: i32,
-    /// Where it is mentioned.
+    /// The place of the mention.
     pub span: Span,
 }
 
@@ -120,7 +120,7 @@ impl Ref {
 pub struct Op {
     /// Its name.
     pub name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub name_span: Span,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
@@ -128,7 +128,7 @@ pub struct Op {
     pub params: Vec<Param>,
     /// The type of its result, if it has one.
     pub result: Option<Type>,
-    /// What it claims to keep, and where.
+    /// The properties it claims to keep, and where.
     pub keeps: Vec<(Property, Span)>,
     /// The alternatives, tried in order.
     pub rules: Vec<Rule>,
@@ -183,7 +183,7 @@ impl Property {
 pub struct Param {
     /// Its name.
     pub name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub span: Span,
     /// Its type.
     pub ty: Type,
@@ -196,7 +196,8 @@ pub struct Param {
 pub struct Rule {
     /// Its name, where it has one.
     pub label: Option<String>,
-    /// What it was done to, where it is no rule of a program but an example of what an op does.
+    /// The subject of the example, where it is no rule of a program but an example of what an op
+    /// does.
     pub example: Option<Example>,
     /// All its names, in order of first mention: elements, paths and fans.
     pub names: Vec<Name>,
@@ -209,7 +210,7 @@ pub struct Rule {
     pub result: Option<Ref>,
     /// The drawing before.
     pub before: Side,
-    /// What must hold, in order.
+    /// The conditions, in order.
     pub requires: Vec<Require>,
     /// The level that the mesh has, and that it must have again afterwards.
     pub guard: Option<(Level, Span)>,
@@ -217,9 +218,9 @@ pub struct Rule {
     pub aliases: Vec<Alias>,
     /// The drawing after.
     pub after: Side,
-    /// What is created.
+    /// The elements that are created.
     pub created: Vec<Ref>,
-    /// What is erased.
+    /// The elements that are erased.
     pub erased: Vec<Ref>,
     /// The attributes that are set.
     pub assignments: Vec<Assignment>,
@@ -251,12 +252,12 @@ impl Rule {
         self.name(id).quoted()
     }
 
-    /// What a name stands for.
+    /// The element or run that a name stands for.
     pub fn kind(&self, id: NameId) -> Kind {
         self.name(id).kind
     }
 
-    /// Whether an `alias` lets two names stand for one element.
+    /// True if an `alias` lets two names stand for one element.
     pub fn may_be_one(&self, left: NameId, right: NameId) -> bool {
         let lists = |alias: &Alias, name: NameId| alias.names.iter().any(|of| of.name == name);
         let mut aliases = self.aliases.iter();
@@ -269,13 +270,13 @@ impl Rule {
     }
 }
 
-/// What an op was done to, for an example of it.
+/// The subject of an example of an op.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Example {
-    /// What the mesh is called: "a cube".
+    /// The name of the mesh: "a cube".
     pub mesh: &'static str,
-    /// Where the vertices lie before and after, by name, if the mesh is flat and no two of them
-    /// lie at one place; y points up.
+    /// The positions of the vertices before and after, by name, if the mesh is flat and no two of
+    /// them lie at one place; y points up.
     pub places: [Vec<Option<[f64; 2]>>; 2],
 }
 
@@ -333,7 +334,7 @@ pub struct Loop {
     /// Its halfedges and paths, in order; the origin of the first ends the last. With `each`
     /// one period of them, or in an unrolled rule all of them.
     pub items: Vec<LoopItem>,
-    /// Whether it is drawn with `each`.
+    /// True if it is drawn with `each`.
     pub each: bool,
     /// The vertex written at the end; the origin of the first item, in a good drawing.
     pub end: Ref,
@@ -368,7 +369,7 @@ pub struct Star {
     pub vertex: Ref,
     /// Its spokes; with `each` one period of them, or in an unrolled rule all of them.
     pub spokes: Vec<Spoke>,
-    /// Whether it is drawn with `each`.
+    /// True if it is drawn with `each`.
     pub each: bool,
     /// The whole statement.
     pub span: Span,
@@ -388,7 +389,7 @@ pub enum Spoke {
 /// `require … else "…"`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Require {
-    /// What must hold; its names are those of the rule.
+    /// The condition; its names are those of the rule.
     pub condition: Expr,
     /// The reason for a refusal.
     pub reason: String,

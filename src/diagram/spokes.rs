@@ -3,8 +3,8 @@
 use super::{Drawing, Kind, Loop, NameId, Ref, Spoke};
 
 impl Drawing<'_> {
-    /// Whether all that started at a vertex before still does after, so that its `halfedge`
-    /// stays right, whichever it is.
+    /// True if all that started at a vertex before still does after, so that its `halfedge` stays
+    /// right, whichever it is.
     pub fn keeps_its_spokes(&self, vertex: NameId) -> bool {
         let rule = self.rule;
         let stays =
@@ -40,9 +40,9 @@ impl Drawing<'_> {
         paths.min_by_key(|&path| self.is_empty_somewhere(path))
     }
 
-    /// Where a path begins after: the path itself, and while all before may be empty, what
-    /// follows it in its loop. Where it is empty its two ends are one vertex, so whatever is the
-    /// first of these that is there starts at its vertex, under whichever name.
+    /// The beginnings of a path in `after`: the path itself, and while all before may be empty,
+    /// what follows it in its loop. Where it is empty its two ends are one vertex, so whatever is
+    /// the first of these that is there starts at its vertex, under whichever name.
     pub fn heads_after(&self, path: NameId) -> Vec<NameId> {
         let size = self.rule.size().unwrap_or(1) as usize;
         let period = |orbit: &Loop| orbit.items.len() / if orbit.each { size } else { 1 };

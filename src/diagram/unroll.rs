@@ -19,7 +19,7 @@ use super::{
     Spoke, Star,
 };
 
-/// How the members of families are called.
+/// The names of the members of families.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Naming {
     /// By their numbers: `h[0]`, `h[1]`, `h[2]`.
@@ -100,7 +100,7 @@ impl Unrolled {
     }
 }
 
-/// What stands between the brackets.
+/// The subscript between the brackets.
 fn subscript(index: u32, size: u32, naming: Naming, letter: &str) -> String {
     match naming {
         Naming::Numbers => index.to_string(),
@@ -118,7 +118,7 @@ fn called(family: &super::Name, subscript: String) -> String {
     }
 }
 
-/// How many members of each family are drawn in pictures.
+/// The number of members of each family that are drawn in pictures.
 const DRAWN: u32 = 4;
 
 impl Rule {

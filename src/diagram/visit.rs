@@ -47,7 +47,7 @@ impl Expr {
         }
     }
 
-    /// Whether the expression has a free index.
+    /// True if the expression has a free index.
     pub fn has_members(&self) -> bool {
         let mut found = false;
         self.each(&mut |expr| found |= matches!(expr.kind, ExprKind::Member(..)));

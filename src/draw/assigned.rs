@@ -8,9 +8,9 @@ use glam::DVec2;
 use super::figure::Figure;
 use crate::diagram::{Access, Binary, Builtin, Expr, ExprKind, NameId, Unary};
 
-/// What a number from outside stands for.
+/// The number that stands for one from outside.
 const SOME: f64 = 0.5;
-/// How deep an expression is read.
+/// The greatest depth to which an expression is read.
 const DEPTH: usize = 64;
 
 /// For each assignment of a position the vertex and the place, if it can be told.

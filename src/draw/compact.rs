@@ -11,12 +11,12 @@ use super::steps::{Grain, data};
 use super::svg::escaped;
 use super::words::Words;
 
-/// How many steps a unit has.
+/// The number of steps to a unit.
 const STEPS: f64 = 5.0;
 const GRAIN: Grain = Grain { parts: STEPS, measure: 1.0, slack: 2 };
-/// How wide it is shown, in units: hovers are small, and more than that they cut.
+/// The width at which it is shown, in units: hovers are small, and more than that they cut.
 const WIDEST: f64 = 460.0;
-/// How many the size of a letter has.
+/// The number of steps to the size of a letter.
 const EM: f64 = 125.0;
 
 impl Picture {

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-/// How far apart the points of a bent curve are, about.
+/// The distance between the points of a bent curve, about.
 const STEP: f64 = 4.0;
 
 /// A polyline of at least two points.
@@ -152,27 +152,27 @@ pub(super) fn angle(direction: DVec2) -> f64 {
     (-direction.y).atan2(direction.x)
 }
 
-/// How far to turn counterclockwise from one angle to another: over 0, up to a full turn.
+/// The angle counterclockwise from one angle to another: over 0, up to a full turn.
 pub(super) fn turn(from: f64, to: f64) -> f64 {
     let turn = (to - from).rem_euclid(std::f64::consts::TAU);
     if turn < 1e-9 { std::f64::consts::TAU } else { turn }
 }
 
-/// How far a point is from a segment.
+/// The distance of a point from a segment.
 pub(super) fn distance(point: DVec2, [a, b]: [DVec2; 2]) -> f64 {
     let along = b - a;
     let t = ((point - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
     (a + along * t - point).length()
 }
 
-/// Whether two segments cross at a point inside both.
+/// True if two segments cross at a point inside both.
 pub(super) fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let slack = 1e-6;
     side(a, b, c) * side(a, b, d) < -slack && side(c, d, a) * side(c, d, b) < -slack
 }
 
-/// Whether a point lies inside a polygon.
+/// True if a point lies inside a polygon.
 pub(super) fn inside(point: DVec2, polygon: &[DVec2]) -> bool {
     let mut inside = false;
     for at in 0..polygon.len() {
@@ -191,23 +191,4 @@ pub(super) fn area(outline: &[DVec2]) -> f64 {
     let count = outline.len();
     let pieces = (0..count).map(|at| outline[(at + 1) % count].perp_dot(outline[at]));
     pieces.sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn left_of_the_way_right_is_up() {
-        assert_eq!(left(DVec2::X), -DVec2::Y);
-        assert!((direction(std::f64::consts::FRAC_PI_2) - left(DVec2::X)).length() < 1e-12);
-    }
-
-    #[test]
-    fn cuts_and_offsets() {
-        let line = Curve::through([DVec2::ZERO, DVec2::new(10.0, 0.0)]);
-        let part = line.cut(2.0, 7.0).offset(3.0);
-        assert_eq!(part.points(), [DVec2::new(2.0, -3.0), DVec2::new(7.0, -3.0)]);
-        assert_eq!(Curve::through([]).length(), 0.0);
-    }
 }

@@ -1,4 +1,4 @@
-//! Where the vertices of an example go: one that was done to a mesh, not drawn by a person.
+//! Places of the vertices of an example: one that was done to a mesh, not drawn by a person.
 //!
 //! On a flat mesh they lie where they do there. On another one they are placed as those of any
 //! drawing; what the op moves to a place that the drawing does not tell goes to the middle of its

@@ -5,14 +5,14 @@ use glam::DVec2;
 use super::curve::{area, inside};
 use super::figure::Orbit;
 use super::hatch::{hatch, ticks};
+use super::label_boxes::Spot;
+use super::label_positions::inner_spots;
 use super::panel::{Hatched, LETTERS, Panel};
-use super::room::Spot;
 use super::shape::{Ink, Path, Stroke};
-use super::spots::inner_spots;
 use crate::diagram::{LoopKind, NameId};
 
 impl Panel<'_> {
-    /// What lies on both sides of an edge.
+    /// The colour of what lies on both sides of an edge.
     pub(super) fn ground(&self, edge: NameId) -> Ink {
         let mut strands = self.side.strands.iter();
         let at = strands.position(|strand| strand.edge == Some(edge));

@@ -1,17 +1,17 @@
-//! Where the fans of a vertex spread.
+//! Directions in which the fans of a vertex spread.
 
 use std::f64::consts::TAU;
 
 use super::curve::turn;
 use crate::diagram::{NameId, Spoke, Star};
 
-/// How far a fan reaches.
+/// The radius of a fan.
 pub(super) const FAN: f64 = 34.0;
-/// How much is left free beside a spoke, and how wide a fan spreads at most.
+/// The angle that is left free beside a spoke, and how wide a fan spreads at most.
 const FREE: f64 = 0.32;
 const WIDEST: f64 = 2.0;
 
-/// What is drawn around a vertex.
+/// The loops, spokes and fans around a vertex.
 pub(super) struct Around {
     /// The directions of all that ends there.
     pub drawn: Vec<f64>,

@@ -6,14 +6,14 @@
 //! has one place. Nothing is assumed of the drawing: a name that stands twice is taken where
 //! it stands first, and an end that nothing tells is a loose node.
 
-use super::twice;
+use super::split_vertices;
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, View};
 
-/// What a node is.
+/// The kind of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Node {
     Vertex(NameId),
-    /// Where a strand bends.
+    /// A bend of a strand.
     Bend,
     /// An end that no name tells.
     Loose,
@@ -47,7 +47,7 @@ pub(super) struct Strand {
     pub items: [Option<NameId>; 2],
     /// From end to end.
     pub nodes: Vec<usize>,
-    /// Whether it is a path.
+    /// True if it is a path.
     pub is_path: bool,
 }
 
@@ -57,7 +57,7 @@ impl Strand {
         [self.nodes[0], self.nodes[self.nodes.len() - 1]]
     }
 
-    /// What it is called on both sides.
+    /// Its name on both sides.
     fn key(&self) -> Option<NameId> {
         self.edge.or(self.items[0])
     }
@@ -76,7 +76,7 @@ pub(super) struct Orbit {
 pub(super) struct Side {
     pub strands: Vec<Strand>,
     pub loops: Vec<Orbit>,
-    /// Whether each vertex is drawn.
+    /// The vertices that are drawn.
     pub shown: Vec<NameId>,
     /// For each name the first dart it runs along.
     pub darts: Vec<Option<Dart>>,
@@ -140,10 +140,10 @@ impl<'a> Figure<'a> {
             figure.nodes.push(Node::Vertex(name));
         }
         let mut before = figure.read(None);
-        let copies = twice::split(&mut figure, &mut before);
+        let copies = split_vertices::split(&mut figure, &mut before);
         figure.bend(&mut before, None);
         let mut after = figure.read(Some(&before));
-        twice::follow(&figure, &mut after, &copies);
+        split_vertices::follow(&figure, &mut after, &copies);
         figure.bend(&mut after, Some(&before));
         figure.before = before;
         figure.after = after;

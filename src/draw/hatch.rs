@@ -4,9 +4,9 @@ use glam::DVec2;
 
 use super::curve::{Curve, distance, left};
 
-/// How far apart the lines are.
+/// The distance between two lines.
 const APART: f64 = 8.0;
-/// How far from the outline the hatching around a figure begins.
+/// The distance from the outline the hatching around a figure begins.
 const ASIDE: f64 = 20.0;
 
 /// Slanted lines inside a polygon, but for the islands in it.

@@ -8,28 +8,28 @@
 //! shows a mesh. Nothing is assumed of a drawing, proved or not: there is always a picture.
 
 // What is drawn.
-mod after;
+mod after_layout;
 mod assigned;
-mod bends;
+mod components;
 mod example;
+mod family_sector;
 mod figure;
+mod layout;
 mod outer;
-mod pieces;
-mod place;
-mod sector;
+mod routing;
+mod split_vertices;
 mod status;
-mod twice;
 
 // How it is drawn.
+mod arrows;
 mod curve;
+mod curve_fit;
 mod fan;
-mod fit;
 mod hatch;
+mod label_boxes;
+mod label_positions;
 mod letters;
-mod pen;
-mod room;
 mod shape;
-mod spots;
 
 mod faces;
 mod panel;
@@ -39,9 +39,9 @@ mod strands;
 mod sheet;
 
 // A mesh.
-mod raster;
+pub mod raster;
 mod view;
-mod viridis;
+pub mod viridis;
 
 // What it is written as.
 mod compact;
@@ -56,5 +56,6 @@ pub use page::{Section, page};
 pub use png::TooLarge;
 pub use shape::{Picture, TextBox};
 pub use sheet::{draw_op, draw_sheet};
+pub use status::fates;
 pub use text::text_op;
 pub use view::{View, draw_mesh};

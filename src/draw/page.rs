@@ -15,7 +15,7 @@ pub struct Section {
     pub docs: Vec<String>,
     /// Its picture, if its diagrams can be read.
     pub picture: Option<Picture>,
-    /// What was proved, or why nothing was, a paragraph each.
+    /// The verdict, a paragraph each.
     pub verdict: Vec<String>,
     /// The table of its plan, if it is proved.
     pub plan: Option<String>,

@@ -1,15 +1,15 @@
 //! One side of a rule, drawn: first the lines, then the texts where the lines leave room.
 //!
-//! What a panel shows of each kind is written beside it: [`faces`](super::faces),
+//! The elements of each kind are drawn beside it: [`faces`](super::faces),
 //! [`strands`](super::strands) and [`stars`](super::stars).
 
 use glam::DVec2;
 
 use super::curve::{Curve, angle, cross, distance, inside};
+use super::family_sector::sector;
 use super::figure::{Dart, Figure, Node, Side, Strand};
+use super::label_boxes::{Room, Spot};
 use super::letters::{Label, name};
-use super::room::{Room, Spot};
-use super::sector::sector;
 use super::shape::{Group, Ink, Path};
 use super::status::Status;
 use crate::diagram::{Kind, NameId};
@@ -17,7 +17,7 @@ use crate::diagram::{Kind, NameId};
 /// The size of the letters.
 pub(super) const LETTERS: f64 = 17.0;
 pub(super) const SMALL_LETTERS: f64 = 14.0;
-/// How far from its outline the hatching of a hole around a figure reaches.
+/// The distance that the hatching of a hole around a figure reaches.
 const TICKS: f64 = 40.0;
 
 /// A side while it is drawn.
@@ -36,9 +36,9 @@ pub(super) struct Panel<'a> {
     pub fans: Vec<(usize, NameId, [f64; 2])>,
     pub groups: Vec<Group>,
     pub texts: Vec<Text>,
-    /// What is hatched of holes.
+    /// The hatching of holes.
     pub hatched: Vec<Hatched>,
-    /// What is drawn where.
+    /// The room that is taken.
     pub room: Room,
 }
 
@@ -46,12 +46,12 @@ pub(super) struct Panel<'a> {
 pub(super) struct Hatched {
     pub group: usize,
     pub outline: Vec<DVec2>,
-    /// Whether the hole lies around the outline.
+    /// True if the hole lies around the outline.
     pub is_around: bool,
 }
 
 impl Hatched {
-    /// Whether it may reach a place.
+    /// True if it may reach a place.
     fn reaches(&self, at: DVec2) -> bool {
         let next = self.outline.iter().cycle().skip(1);
         let mut sides = self.outline.iter().zip(next);
@@ -68,7 +68,7 @@ pub(super) struct Text {
     name: NameId,
     label: Label,
     spots: Vec<Spot>,
-    /// What it is set off with from the lines below it.
+    /// The ground that sets it off from the lines below it.
     pub ground: Option<Ink>,
 }
 
@@ -131,7 +131,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// How many pairs of strands cross.
+    /// The number of pairs of strands that cross.
     pub fn crossings(&self) -> usize {
         let mut count = 0;
         for (at, curve) in self.curves.iter().enumerate() {
@@ -216,7 +216,7 @@ impl<'a> Panel<'a> {
         self.groups[group].write(label, at, ink);
     }
 
-    /// What becomes of a name.
+    /// The status of a name.
     pub fn status(&self, name: NameId) -> Status {
         Status::of(&self.figure.drawing, name)
     }
@@ -234,7 +234,7 @@ impl<'a> Panel<'a> {
         self.groups.len() - 1
     }
 
-    /// Whether a name is not faded.
+    /// True if a name is not faded.
     pub fn stands_out(&self, name: NameId) -> bool {
         self.strong[name.index()]
     }

@@ -31,6 +31,20 @@ impl std::error::Error for TooLarge {}
 impl Picture {
     /// The picture as PNG, with `scale` pixels to a unit.
     pub fn png(&self, scale: f64) -> Result<Vec<u8>, TooLarge> {
+        let pixmap = self.pixmap(scale)?;
+        let (width, height) = (pixmap.width(), pixmap.height());
+        pixmap.encode_png().map_err(|_| TooLarge { width, height })
+    }
+
+    /// The picture as pixels, with `scale` of them to a unit: how many there are in a row, and all
+    /// of them, row by row, as red, green and blue.
+    pub fn rgb(&self, scale: f64) -> Result<(usize, Vec<[u8; 3]>), TooLarge> {
+        let pixmap = self.pixmap(scale)?;
+        let pixels = pixmap.pixels().iter().map(|one| [one.red(), one.green(), one.blue()]);
+        Ok((pixmap.width() as usize, pixels.collect()))
+    }
+
+    fn pixmap(&self, scale: f64) -> Result<Pixmap, TooLarge> {
         let [width, height] =
             self.size().map(|side| (side * scale).ceil().clamp(1.0, MOST_PIXELS + 1.0));
         let too_large = TooLarge { width: width as u32, height: height as u32 };
@@ -75,7 +89,7 @@ impl Picture {
                 }
             }
         }
-        pixmap.encode_png().map_err(|_| too_large)
+        Ok(pixmap)
     }
 }
 

@@ -11,24 +11,24 @@ use glam::{DVec2, DVec3};
 
 /// A square image: rows of pixels, red, green, blue and opacity, colours multiplied by opacity.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Image {
-    /// How many pixels a row has, and how wide it is in the picture.
+pub struct Image {
+    /// The number of pixels of a row, and how wide it is in the picture.
     pub side: u32,
     pub size: f64,
     pub pixels: Vec<[u8; 4]>,
 }
 
 /// A square of pixels that is drawn on.
-pub(super) struct Raster {
+pub struct Raster {
     side: usize,
     near: Vec<f32>,
     pixels: Vec<[u8; 4]>,
 }
 
-/// Where on a polygon a pixel lies.
-pub(super) struct Place<'a> {
+/// The place of a pixel on a polygon.
+pub struct Sample<'a> {
     pub at: DVec2,
-    /// How much of each corner there is in it; together one.
+    /// The weight of each corner; together one.
     pub weights: &'a [f64],
 }
 
@@ -39,13 +39,13 @@ impl Raster {
         Self { side, near: vec![f32::NEG_INFINITY; side * side], pixels: vec![[0; 4]; side * side] }
     }
 
-    /// How many pixels wide it is.
+    /// The width in pixels.
     pub fn side(&self) -> f64 {
         self.side as f64
     }
 
     /// Draws a polygon: places in pixels, z towards the one who looks.
-    pub fn polygon(&mut self, corners: &[DVec3], colour: &dyn Fn(&Place) -> [u8; 3]) {
+    pub fn polygon(&mut self, corners: &[DVec3], colour: &dyn Fn(&Sample) -> [u8; 3]) {
         let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
         let mut weights = vec![0.0; corners.len()];
         let rows = span(flat.iter().map(|at| at.y), self.side);
@@ -66,7 +66,7 @@ impl Raster {
                     if near > self.near[place] {
                         self.near[place] = near;
                         let weights = &weights;
-                        let [red, green, blue] = colour(&Place { at, weights });
+                        let [red, green, blue] = colour(&Sample { at, weights });
                         self.pixels[place] = [red, green, blue, 255];
                     }
                 }
@@ -74,7 +74,7 @@ impl Raster {
         }
     }
 
-    /// What has been drawn, to be so wide in a picture; each pixel the mean of four.
+    /// The image that has been drawn, to be so wide in a picture; each pixel the mean of four.
     pub fn image(mut self, size: f64) -> Image {
         let side = self.side / 2;
         let pixels = mem::take(&mut self.pixels);
@@ -108,7 +108,7 @@ pub(super) fn sides(corners: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ 
 /// The mean value coordinates of a place (M. S. Floater, "Mean value coordinates", 2003): in a
 /// triangle the usual ones; in other polygons they are continuous, and between two corners on
 /// a side.
-fn weigh(at: DVec2, corners: &[DVec2], weights: &mut [f64]) {
+pub fn weigh(at: DVec2, corners: &[DVec2], weights: &mut [f64]) {
     if let &[a, b, c] = corners {
         let whole = (b - a).perp_dot(c - a);
         let (second, third) = ((at - a).perp_dot(c - a), (b - a).perp_dot(at - a));
@@ -142,48 +142,4 @@ fn weigh(at: DVec2, corners: &[DVec2], weights: &mut [f64]) {
         }
     }
     weights.iter_mut().for_each(|weight| *weight /= sum);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The colour in the middle of an image of two squares that cross.
-    #[test]
-    fn the_nearest_is_seen_in_any_order() {
-        let square = |near: [f64; 2], red: u8| {
-            let corner = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
-            let [left, right] = near;
-            let corners = [
-                corner(0.0, 0.0, left),
-                corner(16.0, 0.0, right),
-                corner(16.0, 16.0, right),
-                corner(0.0, 16.0, left),
-            ];
-            (corners, red)
-        };
-        let [rising, falling] = [square([0.0, 1.0], 10), square([1.0, 0.0], 20)];
-        for order in [[rising, falling], [falling, rising]] {
-            let mut raster = Raster::new(8);
-            for (corners, red) in order {
-                raster.polygon(&corners, &|_| [red, 0, 0]);
-            }
-            let image = raster.image(8.0);
-            let row: Vec<_> = image.pixels[32..40].iter().map(|pixel| pixel[0]).collect();
-            assert_eq!(row, [20, 20, 20, 20, 10, 10, 10, 10]);
-        }
-    }
-
-    #[test]
-    fn weights_give_back_the_place() {
-        let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (1.0, 1.0), (0.0, 3.0)];
-        let corners = corners.map(|(x, y)| DVec2::new(x, y));
-        let mut weights = [0.0; 5];
-        for at in [(0.5, 0.5), (3.0, 2.0), (4.0, 1.0), (0.0, 0.0)] {
-            let at = DVec2::new(at.0, at.1);
-            weigh(at, &corners, &mut weights);
-            let back: DVec2 = corners.iter().zip(&weights).map(|(c, w)| *c * *w).sum();
-            assert!((back - at).length() < 1e-9, "{at}: {back}");
-        }
-    }
 }

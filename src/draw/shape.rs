@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use super::curve::{Curve, left};
-use super::fit::follow;
+use super::curve_fit::follow;
 use super::letters::{Glyph, Label, moved};
 use super::raster::Image;
 use super::status::Status;
@@ -151,14 +151,14 @@ impl Path {
     }
 }
 
-/// What a line or an area is drawn with: a meaning, with a colour in light and in dark.
+/// The ink of a line or an area: a meaning, with a colour in light and in dark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Ink {
     /// The ground.
     Paper,
     /// The inside of a face.
     Face,
-    /// What is there for orientation only.
+    /// The ink of what is there for orientation only.
     Muted,
     /// A colour that means a number; the same by day and by night.
     Colour([u8; 3]),
@@ -205,7 +205,7 @@ impl Ink {
     }
 }
 
-/// How a path is drawn.
+/// The way a path is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Paint {
     /// Filled.
@@ -214,10 +214,10 @@ pub(super) enum Paint {
     Stroke(Stroke),
 }
 
-/// How much ground is shown around a text that stands on a line.
+/// The width of the ground that is shown around a text that stands on a line.
 const AIR: f64 = 2.0;
 
-/// How much of what stands back is seen.
+/// The opacity of what stands back.
 pub(super) const FADED: f64 = 0.28;
 
 /// A line: its ink, width, dashes and opacity. Its ends are round.
@@ -253,10 +253,10 @@ pub(super) struct Shape {
 pub(super) struct Group {
     /// Its id, unique in its picture; empty for decoration.
     pub id: String,
-    /// What a viewer shows of it: "halfedge a, reassigned".
+    /// The title that a viewer shows: "halfedge a, reassigned".
     pub title: String,
     pub shapes: Vec<Shape>,
-    /// Whether it stands back behind the others.
+    /// True if it stands back behind the others.
     pub is_faded: bool,
 }
 
@@ -325,7 +325,7 @@ pub struct TextBox {
 pub struct Picture {
     pub(super) title: String,
     pub(super) size: DVec2,
-    /// What lies below the groups, in the upper left.
+    /// The image below the groups, in the upper left.
     pub(super) image: Option<Image>,
     pub(super) groups: Vec<Group>,
     pub(super) texts: Vec<TextBox>,
@@ -338,12 +338,12 @@ impl Picture {
         self.size.to_array()
     }
 
-    /// Where its texts stand.
+    /// The boxes of its texts.
     pub fn texts(&self) -> &[TextBox] {
         &self.texts
     }
 
-    /// How many pairs of edges and paths cross; none, wherever the pattern is planar and
+    /// The number of pairs of edges and paths that cross; none, wherever the pattern is planar and
     /// keeps its places.
     pub fn crossings(&self) -> usize {
         self.crossings

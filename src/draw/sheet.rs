@@ -5,15 +5,15 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
+use super::arrows::harpoon;
 use super::curve::{Curve, direction};
 use super::figure::{Figure, Node};
+use super::label_boxes::{Room, Spot};
+use super::label_positions::{beyond_dot, widest_circle, widest_gap};
+use super::layout::places;
 use super::letters::{Label, Style, name, words};
 use super::panel::{LETTERS, Panel};
-use super::pen::harpoon;
-use super::place::places;
-use super::room::{Room, Spot};
 use super::shape::{Group, Ink, Path, Picture, Step, Stroke, TextBox};
-use super::spots::{beyond_dot, widest_circle, widest_gap};
 use super::status::Status;
 use crate::diagram::{Drawing, NameId, Op, Rule};
 
@@ -25,7 +25,7 @@ const MOST_BETWEEN: f64 = 260.0;
 const CAPTION: f64 = 15.0;
 /// By how much better places on each side must be than one on both, for a name to have them.
 const APART: f64 = 14.0;
-/// How much larger a figure is made whose texts overlap, and how often.
+/// The factor by which a figure is enlarged whose texts overlap, and how often.
 const GROWTH: f64 = 1.15;
 const TRIES: usize = 8;
 
@@ -233,7 +233,7 @@ fn vertex_labels(figure: &Figure, panels: &[Panel; 2]) -> Vec<(usize, Label, [DV
     labels
 }
 
-/// How many units of a picture the radius of the figure is: so many that edges are long and
+/// The number of units of a picture to the radius of the figure: so many that edges are long and
 /// faces wide enough for arrows and names.
 fn scale(figure: &Figure, places: &[Vec<DVec2>; 2]) -> f64 {
     let mut scale: f64 = 128.0;
@@ -314,7 +314,7 @@ impl Sheet {
         }
     }
 
-    /// How wide a column is.
+    /// The width of a column.
     fn column(&self) -> f64 {
         self.widths[0] + self.between + self.widths[1]
     }

@@ -2,19 +2,20 @@
 
 use glam::DVec2;
 
+use super::arrows::stroke;
 use super::curve::{Curve, angle, direction};
 use super::fan::{Around, FAN, fans};
+use super::label_boxes::{Spot, reach};
+use super::label_positions::DOT;
 use super::letters::name;
 use super::panel::{LETTERS, Panel};
-use super::pen::stroke;
-use super::room::{Spot, reach};
 use super::shape::{Group, Ink, Path, Stroke};
-use super::spots::DOT;
 use super::status::Status;
 use crate::diagram::NameId;
 
 impl Panel<'_> {
-    /// Where the fans spread; one that has been drawn before, as near to there as may be.
+    /// The directions in which the fans spread; one that has been drawn before, as near to there as
+    /// may be.
     pub(super) fn spread(&self) -> Vec<(usize, NameId, [f64; 2])> {
         let view =
             if self.is_after { &self.figure.drawing.after } else { &self.figure.drawing.before };

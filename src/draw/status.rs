@@ -1,8 +1,10 @@
-//! What becomes of each name: kept, reassigned, new or erased.
+//! The status of each name: kept, reassigned, new or erased.
 
-use crate::diagram::{Drawing, Kind, LoopKind, NameId};
+use std::collections::BTreeMap;
 
-/// What becomes of an element, path or fan.
+use crate::diagram::{Drawing, Kind, LoopKind, NameId, Rule};
+
+/// The status of an element, path or fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Status {
     /// It is the same on both sides.
@@ -13,6 +15,13 @@ pub(super) enum Status {
     New,
     /// It is only in `before`.
     Erased,
+}
+
+/// The fates of the names of a rule, in words: `kept`, `reassigned`, `new` or `erased`.
+pub fn fates(rule: &Rule) -> BTreeMap<&str, &'static str> {
+    let drawing = Drawing::new(rule);
+    let names = rule.names.iter().zip(0..).map(|(name, at)| (name, NameId(at)));
+    names.map(|(name, id)| (name.text.as_str(), Status::of(&drawing, id).word())).collect()
 }
 
 impl Status {
@@ -29,7 +38,7 @@ impl Status {
         }
     }
 
-    /// What becomes of a name.
+    /// The status of a name.
     pub fn of(drawing: &Drawing, name: NameId) -> Self {
         if drawing.created(name).is_some() {
             return Status::New;
@@ -62,7 +71,7 @@ impl Status {
     }
 }
 
-/// Whether an edge gets other halfedges, or these other ends.
+/// True if an edge gets other halfedges, or these other ends.
 fn edge_moves(drawing: &Drawing, edge: NameId) -> bool {
     let ends = |view: &crate::diagram::View, origin: &dyn Fn(NameId) -> Option<NameId>| {
         let statement = view.edge_statement(edge)?;
@@ -75,7 +84,7 @@ fn edge_moves(drawing: &Drawing, edge: NameId) -> bool {
     before != after
 }
 
-/// Whether other halfedges and paths follow each other around a face, or it becomes a hole.
+/// True if other halfedges and paths follow each other around a face, or it becomes a hole.
 fn loop_changes(drawing: &Drawing, face: NameId) -> bool {
     let around = |view: &crate::diagram::View| {
         let orbit = view.loop_of_face(face)?;

@@ -4,15 +4,15 @@ use glam::DVec2;
 
 use super::shape::{Path, Step};
 
-/// How a path is written.
+/// The way numbers of a path are written.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Grain {
     /// Into how many parts a unit is divided; places are rounded to parts.
     pub parts: f64,
-    /// How many parts a number counts as one.
+    /// The factor by which numbers are multiplied.
     pub measure: f64,
-    /// How many parts a curve may bend elsewhere than it should, to be written as one that goes
-    /// on smoothly.
+    /// The number of parts by which a curve may bend elsewhere than it should, to be written as one
+    /// that goes on smoothly.
     pub slack: i64,
 }
 
@@ -38,9 +38,9 @@ struct Steps {
     text: String,
     last: Option<char>,
     at: [i64; 2],
-    /// Where the last polygon began: to close it leads back there.
+    /// The start of the last polygon: to close it leads back there.
     began: [i64; 2],
-    /// Where a curve bends to that goes on smoothly.
+    /// The control point of a curve that goes on smoothly.
     smooth: Option<[i64; 2]>,
 }
 
@@ -101,29 +101,5 @@ impl Steps {
     fn close(&mut self) {
         self.text.push('z');
         (self.at, self.last, self.smooth) = (self.began, Some('z'), None);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn steps_are_relative_and_close_to_where_they_began() {
-        let mut path = Path::default();
-        path.move_to(DVec2::new(1.0, 2.0));
-        path.line_to(DVec2::new(3.0, 1.5));
-        path.line_to(DVec2::new(3.0, 2.5));
-        path.close();
-        path.move_to(DVec2::new(0.0, 0.0));
-        path.curve_to(DVec2::new(1.0, 0.0), DVec2::new(1.0, 1.0));
-        // Smooth from here: the last bend mirrored at where it ends.
-        path.curve_to(DVec2::new(1.0, 2.0), DVec2::new(2.0, 2.0));
-        let written = |measure| {
-            let grain = Grain { parts: 10.0, measure, slack: 0 };
-            data(&path, grain)
-        };
-        assert_eq!(written(1.0), "m10 20l20-5 0 10zm-10-20q10 0 10 10t10 10");
-        assert_eq!(written(10.0), "m1 2l2-.5 0 1zm-1-2q1 0 1 1t1 1");
     }
 }

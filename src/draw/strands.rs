@@ -2,23 +2,23 @@
 
 use std::f64::consts::TAU;
 
+use super::arrows::{double_arrow, draw, harpoon, head};
 use super::curve::{Curve, angle, distance, turn};
 use super::fan::FAN;
 use super::figure::Dart;
+use super::label_boxes::Spot;
+use super::label_positions::beside;
 use super::panel::{LETTERS, Panel, SMALL_LETTERS};
-use super::pen::{double_arrow, draw, harpoon, head};
-use super::room::Spot;
 use super::shape::{Group, Path};
-use super::spots::beside;
 use super::status::Status;
 
-/// How far a halfedge lies inside its face.
+/// The distance of a halfedge from its edge, inside its face.
 const ASIDE: f64 = 10.5;
-/// How far arrows keep from each other at a corner.
+/// The distance that arrows keep from each other at a corner.
 const BETWEEN: f64 = 5.0;
 /// A fan between spokes further apart than this keeps clear of their arrows.
 const WIDE: f64 = 3.4;
-/// How much of an arrow is left out at its ends.
+/// The part of an arrow that is left out at its ends.
 const LEAST_TRIM: u16 = 12;
 const MOST_TRIM: u16 = 140;
 
@@ -108,7 +108,7 @@ impl Panel<'_> {
         }
     }
 
-    /// How much of a dart is left out at its ends, so that it keeps clear of its neighbours.
+    /// The parts of a dart that are left out at its ends, so that it keeps clear of its neighbours.
     fn trims(&self, dart: Dart) -> [f64; 2] {
         let orbit = self.side.loops.iter().find_map(|orbit| {
             let at = orbit.darts.iter().position(|other| *other == dart)?;
@@ -152,7 +152,7 @@ impl Panel<'_> {
     }
 }
 
-/// How much of an arrow is left out at a corner, until it is as far from the neighbour as from
+/// The part of an arrow that is left out at a corner, until it is as far from the neighbour as from
 /// its own edge, and clear of the arrow on that side of the neighbour.
 fn clear(arrow: &Curve, neighbor: &Curve, side: f64) -> f64 {
     let other = neighbor.offset(side);

@@ -8,24 +8,24 @@ use glam::DVec2;
 
 use super::curve::{Curve, direction, left};
 use super::figure::Figure;
+use super::layout::places;
 use super::panel::Panel;
-use super::place::places;
 use super::status::Status;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Op, Rule};
 
-/// How many characters wide a side is, about, and how many the radius of a figure is, at least
-/// and at most.
+/// The number of characters to the width of a side, about, and how many the radius of a figure is,
+/// at least and at most.
 const WIDTH: f64 = 35.0;
 const UNIT: [f64; 2] = [16.0, 24.0];
-/// How many times as high as wide a character is.
+/// The proportions of a character, wide and high.
 const SLIM: DVec2 = DVec2::new(1.0, 0.5);
 /// The largest drawing in characters, across and down.
 const MOST: DVec2 = DVec2::new(160.0, 80.0);
 /// The radius of the figure that the places are those of.
 const RADIUS: f64 = 250.0;
-/// How far from its vertex a fan is written.
+/// The distance from its vertex a fan is written.
 const FAN: DVec2 = DVec2::new(4.5, 2.0);
-/// What stands between the two sides.
+/// The text between the two sides.
 const BETWEEN: &str = "    =>    ";
 
 /// Draws an operation as text.
@@ -126,7 +126,7 @@ fn told(figure: &Figure, status: Status) -> String {
     parts.join(", ")
 }
 
-/// Where the places of a picture are in characters.
+/// The grid of characters on which a picture is written.
 struct Grid {
     scale: DVec2,
     by: DVec2,

@@ -8,15 +8,15 @@
 use glam::{DVec2, DVec3};
 
 use super::curve::distance;
-use super::raster::{Place, Raster, sides};
+use super::raster::{Raster, Sample, sides};
 use super::shape::Picture;
 use super::viridis::Range;
 use crate::mesh::{ColumnId, ElementKind, FaceId, HalfedgeId, Mesh, Value};
 
-/// How a mesh is looked at.
+/// The view of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Where one stands, as a direction from the middle of the mesh.
+    /// The direction from which it is seen, from the middle of the mesh.
     pub from: DVec3,
     /// The width and height of the picture, without a legend.
     pub size: f64,
@@ -33,12 +33,12 @@ impl Default for View {
 
 /// The part of a picture that is left free on each side.
 const FREE: f64 = 0.05;
-/// How wide lines are: of edges at most, and of the boundary, in units of the picture.
+/// The widths of lines: of edges at most, and of the boundary, in units of the picture.
 const EDGE: f64 = 1.1;
 const BOUNDARY: f64 = 2.4;
 /// Pictures up to this size have more pixels than units.
 const FINE: f64 = 2048.0;
-/// How wide a legend is.
+/// The width of a legend.
 const LEGEND: f64 = 110.0;
 
 const FACE: [u8; 3] = [178, 205, 236];
@@ -99,7 +99,7 @@ impl Colours {
     fn new(mesh: &Mesh, column: ColumnId) -> Option<Self> {
         let kind = column.kind;
         let slots = 0..mesh.capacity(kind) as u32;
-        let numbers = slots.filter_map(|slot| mesh.value(column, slot)).map(number);
+        let numbers = slots.filter_map(|slot| mesh.value(column, slot)).map(Value::magnitude);
         Some(Self {
             column,
             kind,
@@ -110,7 +110,7 @@ impl Colours {
 
     /// The number of an element; no number if there is none.
     fn number(&self, mesh: &Mesh, index: u32) -> f64 {
-        mesh.value(self.column, index).map_or(f64::NAN, number)
+        mesh.value(self.column, index).map_or(f64::NAN, Value::magnitude)
     }
 
     fn colour(&self, number: f64) -> [u8; 3] {
@@ -118,15 +118,6 @@ impl Colours {
             true => self.range.colour(number),
             false => PALE,
         }
-    }
-}
-
-fn number(value: Value) -> f64 {
-    match value {
-        Value::Bool(holds) => f64::from(u8::from(holds)),
-        Value::Int(count) => count as f64,
-        Value::Real(real) => real,
-        other => other.reals().iter().map(|x| x * x).sum::<f64>().sqrt(),
     }
 }
 
@@ -185,7 +176,7 @@ struct Seen {
     halfedges: Vec<HalfedgeId>,
     /// To the right, down, and towards the one who looks.
     corners: Vec<DVec3>,
-    /// How bright it is, up to 1.
+    /// Its brightness, up to 1.
     bright: f64,
 }
 
@@ -237,7 +228,7 @@ impl Seen {
             }
             Some(_) => self.shaded(PALE, 1.0),
         };
-        raster.polygon(&self.corners, &|place: &Place| {
+        raster.polygon(&self.corners, &|place: &Sample| {
             let near = lines.iter().rev().find_map(|(side, line)| {
                 let (half_width, colour) = (*line)?;
                 (distance(place.at, *side) < half_width).then_some(colour)

@@ -12,13 +12,13 @@ use super::status::Status;
 /// At even distances.
 const COLOURS: [u32; 9] =
     [0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725];
-/// How many stripes a legend has, how large it is, and how large its letters.
+/// The number of stripes of a legend, how large it is, and how large its letters.
 const STRIPES: usize = 48;
 const BAR: DVec2 = DVec2::new(16.0, 240.0);
 const LETTERS: f64 = 14.0;
 
 /// The colour of a part between 0 and 1.
-pub(super) fn viridis(part: f64) -> [u8; 3] {
+pub fn viridis(part: f64) -> [u8; 3] {
     let last = COLOURS.len() - 1;
     let along = part.clamp(0.0, 1.0) * last as f64;
     let at = (along as usize).min(last - 1);
@@ -32,7 +32,7 @@ pub(super) fn viridis(part: f64) -> [u8; 3] {
 
 /// The numbers that are shown.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Range {
+pub struct Range {
     low: f64,
     high: f64,
 }
@@ -55,7 +55,7 @@ impl Range {
 
     /// A bar of the colours around a place, with a title above and the numbers at its ends; of
     /// one number only a square.
-    pub fn legend(self, title: &str, center: DVec2) -> Group {
+    pub(super) fn legend(self, title: &str, center: DVec2) -> Group {
         let mut group = Group::default();
         let write = |group: &mut Group, text: &str, style: Style, y: f64| {
             let label = words(text, style, LETTERS);
@@ -92,7 +92,7 @@ impl Range {
 }
 
 /// A number in few letters: four digits, and a power of ten if it is very large or small.
-fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     let text = match rounded.abs() {
         0.0 => "0".to_string(),
@@ -100,21 +100,4 @@ fn number(value: f64) -> String {
         _ => format!("{rounded:e}"),
     };
     text.replace('-', "\u{2212}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ends_and_numbers() {
-        assert_eq!(viridis(-1.0), [0x44, 0x01, 0x54]);
-        assert_eq!(viridis(1.0), [0xfd, 0xe7, 0x25]);
-        assert_eq!(number(0.123456), "0.1235");
-        assert_eq!(number(-12.0), "\u{2212}12");
-        assert_eq!(number(1.0e-9), "1e\u{2212}9");
-        let range = Range::of([f64::NAN, 2.0, 4.0].into_iter()).expect("two numbers");
-        assert_eq!(range.colour(4.0), viridis(1.0));
-        assert!(Range::of([f64::INFINITY].into_iter()).is_none());
-    }
 }

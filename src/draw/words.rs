@@ -1,4 +1,5 @@
-//! What an SVG writes once and uses wherever it stands: letters, and the words made of them.
+//! Definitions of an SVG, written once and used wherever they stand: letters, and the words made of
+//! them.
 //!
 //! A name stands on both sides of an operation and in each of its rules, and most of a picture's
 //! words share their letters. Both SVG writers define them alike; where a word is used, only its
@@ -18,11 +19,11 @@ type Set = (Style, char, [i64; 3]);
 
 /// The words of a picture, each with its number.
 pub(super) struct Words<'a> {
-    /// What stands before every id.
+    /// The text before every id.
     prefix: &'a str,
-    /// How many steps a unit of the picture has.
+    /// The number of steps to a unit of the picture.
     steps: f64,
-    /// How large letters are defined.
+    /// The size at which letters are defined.
     em: f64,
     numbers: BTreeMap<Vec<Set>, usize>,
 }
@@ -87,7 +88,7 @@ impl<'a> Words<'a> {
         (format!("{}w{number}", self.prefix), self.place(at))
     }
 
-    /// How a word is turned where it is used, if it is.
+    /// The turn of a word where it is used, if there is one.
     pub fn turned(&self, turn: Option<(i32, DVec2)>) -> String {
         turn.map_or_else(String::new, |(turn, around)| {
             let [x, y] = self.place(around);

@@ -1,4 +1,4 @@
-//! What steps and functions do besides computing: variables that change, branches, loops, and
+//! Actions of steps and functions besides computing: variables that change, branches, loops, and
 //! calls of what changes the mesh.
 
 use super::routine::{Statement, give_back};
@@ -10,7 +10,7 @@ use crate::diagram::{Level, Type};
 pub(super) struct Whole {
     /// Its name.
     pub name: String,
-    /// What the program calls it.
+    /// Its name in the program.
     pub declared: String,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
@@ -20,11 +20,11 @@ pub(super) struct Whole {
     pub result: Option<Type>,
     /// The first parameter that is an element and surely outlives it.
     pub given: Option<Parameter>,
-    /// What is asked before anything is done.
+    /// The tests before anything is done.
     pub asks: Vec<Statement>,
     /// The level that the mesh has to have in the end.
     pub level: Level,
-    /// What it does.
+    /// The statements that do it.
     pub body: Vec<Statement>,
 }
 
@@ -43,9 +43,9 @@ impl Whole {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
     /// A variable, with its first value.
-    Variable { place: Place, value: Term },
+    Variable { place: Target, value: Term },
     /// Calls what changes the mesh, and must do it.
-    Must { call: Call, place: Option<Place> },
+    Must { call: Call, place: Option<Target> },
     /// Calls an operation, which may refuse.
     May { call: Call },
     /// Calls an operation, and goes on as it applied or refused.
@@ -61,7 +61,7 @@ pub(super) enum Action {
         variable: Parameter,
         around: Around,
         element: Term,
-        /// Whether the body may erase some of them; those have no turn.
+        /// True if the body may erase some of them; those have no turn.
         may_go: bool,
         filter: Option<Term>,
         body: Vec<Statement>,
@@ -78,7 +78,7 @@ pub(super) enum Action {
     Move {
         vertex: Term,
         value: Term,
-        /// Whether it surely is.
+        /// True if it surely is.
         is_finite: bool,
     },
     /// Refuses a mesh without an attribute.
@@ -94,13 +94,13 @@ pub(super) enum Action {
 /// A call of an operation, or of a function that changes the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Call {
-    /// What is called.
+    /// The name of what is called.
     pub name: String,
     pub args: Vec<Term>,
     pub of: Called,
 }
 
-/// What is called.
+/// The kind of thing that is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Called {
     /// An operation with a result.
@@ -126,15 +126,15 @@ pub(super) struct Held {
     pub attribute: Option<Attribute>,
 }
 
-/// Where a value goes.
+/// The target of a value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Target {
     pub name: String,
     pub ty: Type,
     pub form: Form,
 }
 
-/// Whether there is a variable yet.
+/// The form of an assignment: to a variable that exists, or to a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// It is new, and keeps this value.

@@ -2,7 +2,7 @@
 
 use super::reassign::Reassign;
 use super::routine::Statement;
-use super::term::{Term, Turns};
+use super::term::{IndexLoop, Term};
 use crate::diagram::{Loop, Pointer, Type};
 
 impl Reassign<'_, '_> {
@@ -15,7 +15,7 @@ impl Reassign<'_, '_> {
             self.orbit_of_runs(orbit, period);
             return;
         }
-        self.turning(true, |this| {
+        self.indexed(true, |this| {
             for at in 0..period {
                 this.link(&items, at);
                 this.lies_in(&orbit.items[at], orbit.face.name);
@@ -23,7 +23,7 @@ impl Reassign<'_, '_> {
         });
     }
 
-    /// Whether each item is a run that may be empty.
+    /// True if each item is a run that may be empty.
     fn is_of_runs(&self, orbit: &Loop) -> bool {
         let mut items = orbit.items.iter().map(|item| item.item.name);
         orbit.each && items.all(|item| self.is_path(item) && self.drawing.is_empty_somewhere(item))
@@ -41,7 +41,7 @@ impl Reassign<'_, '_> {
             });
         }
         let paths = orbit.items[..period].iter().map(|item| item.item.name);
-        let body = self.turning(true, |this| {
+        let body = self.indexed(true, |this| {
             let pushed = paths.map(|path| Statement::When {
                 condition: this.names.empty(path).not(),
                 body: [(&firsts, this.names.term(path)), (&lasts, this.names.last(path))]
@@ -50,15 +50,16 @@ impl Reassign<'_, '_> {
             });
             pushed.collect()
         });
-        let turns = self.names.turns();
-        self.runs.push(Statement::Turn { turns, body });
+        let indices = self.names.indices();
+        self.runs.push(Statement::IndexLoop { indices, body });
         // From here on an index counts the runs that are there.
-        let turns = Turns { index: self.names.turns().index, size: self.names.fresh("runs") };
+        let indices =
+            IndexLoop { index: self.names.indices().index, size: self.names.fresh("runs") };
         let member = |list: &String, shift| Term::Member {
             list: list.clone(),
-            index: Some(turns.index.clone()),
+            index: Some(indices.index.clone()),
             shift,
-            size: turns.size.clone(),
+            size: indices.size.clone(),
         };
         let (last, first) = (member(&lasts, 0), member(&firsts, 1));
         let set = |pointer, of: &Term, value: &Term| Statement::Set {
@@ -70,9 +71,9 @@ impl Reassign<'_, '_> {
         if self.conventions.prev {
             body.push(set(Pointer::Prev, &first, &last));
         }
-        self.runs.push(Statement::Size { name: turns.size.clone(), list: firsts.clone() });
-        self.runs.push(Statement::Turn { turns: turns.clone(), body });
-        let first = Term::Member { list: firsts, index: None, shift: 0, size: turns.size };
+        self.runs.push(Statement::Size { name: indices.size.clone(), list: firsts.clone() });
+        self.runs.push(Statement::IndexLoop { indices: indices.clone(), body });
+        let first = Term::Member { list: firsts, index: None, shift: 0, size: indices.size };
         self.first_runs.push((orbit.face.name, first));
     }
 }

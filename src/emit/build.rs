@@ -15,19 +15,19 @@ use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
 
-/// What the mesh of a language is like.
+/// The conventions of the mesh of a language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Conventions<'c> {
-    /// Whether halfedges store `prev`; if not, who wants it walks.
+    /// True if halfedges store `prev`; if not, who wants it walks.
     pub prev: bool,
-    /// Whether there are vertices at which no halfedge starts.
+    /// True if there are vertices at which no halfedge starts.
     pub isolated_vertices: bool,
-    /// Whether attributes lie in columns that have to be found first.
+    /// True if attributes lie in columns that have to be found first.
     pub columns: bool,
-    /// Whether the mesh knows what was done to it, and undoes it. Who changes it borrows it
-    /// then, so that nothing else in the same call can look at it.
+    /// True if the mesh knows what was done to it, and undoes it. Who changes it borrows it then,
+    /// so that nothing else in the same call can look at it.
     pub undoes: bool,
-    /// Whether pointers are set that do not change.
+    /// True if pointers are set that do not change.
     pub exhaustive: bool,
     /// Words that the mesh class keeps to itself.
     pub kept: &'c [String],
@@ -132,7 +132,7 @@ fn alternative(
     Ok(body)
 }
 
-/// Whether several halfedges are tried.
+/// True if several halfedges are tried.
 fn is_tried(step: &Step) -> bool {
     matches!(step, Step::Attempt { tries, .. } if *tries != Some(1))
 }
@@ -159,7 +159,7 @@ fn phases(
         let condition = names.for_each(repeated, ask)?;
         if repeated {
             body.push(Statement::Refuse {
-                when: condition.not().for_some(names.turns()),
+                when: condition.not().for_some(names.indices()),
                 reason: require.reason.clone(),
             });
             continue;
@@ -208,7 +208,7 @@ fn phases(
             element: names.for_each(member, |names| names.term(erased)),
         };
         body.push(match member {
-            true => Statement::Turn { turns: names.turns(), body: vec![erase] },
+            true => Statement::IndexLoop { indices: names.indices(), body: vec![erase] },
             false => erase,
         });
     }
@@ -216,7 +216,7 @@ fn phases(
     Ok(body)
 }
 
-/// What allocates everything new; a family at its first member.
+/// The statements that allocate everything new; a family at its first member.
 pub(super) fn allocation(rule: &Rule, names: &Names) -> Vec<Statement> {
     let created = rule.created.iter().map(|created| created.name);
     let created = created.filter(|&created| rule.is_first(created));
@@ -224,8 +224,8 @@ pub(super) fn allocation(rule: &Rule, names: &Names) -> Vec<Statement> {
         let (kind, name) = (rule.kind(created), names.word(created).to_string());
         match rule.is_member(created) {
             true => {
-                let turns = names.turns();
-                Statement::NewEach { kind, name, turns }
+                let indices = names.indices();
+                Statement::NewEach { kind, name, indices }
             }
             false => Statement::New { kind, name },
         }
@@ -269,10 +269,10 @@ fn values(
         let evaluate = |names: &mut Names| Expressions { names }.term(&value);
         let value = names.for_each(member, evaluate)?;
         let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
-        let turns = names.turns();
+        let indices = names.indices();
         let bound = name.clone();
         body.push(match member {
-            true => Statement::Gather { ty, name: bound, turns: turns.clone(), item: value },
+            true => Statement::Gather { ty, name: bound, indices: indices.clone(), item: value },
             false => Statement::Bind { ty, name: bound, value },
         });
         let (element, value) = names.for_each(member, |names| {
@@ -287,7 +287,7 @@ fn values(
             let text = &rule.name(target).text;
             body.push(Statement::Refuse {
                 when: match member {
-                    true => infinite.for_some(turns.clone()),
+                    true => infinite.for_some(indices.clone()),
                     false => infinite,
                 },
                 reason: format!("the new position of `{text}` is not finite"),
@@ -298,7 +298,7 @@ fn values(
             Some(attribute) => Statement::SetAttribute { attribute, element, value },
         };
         sets.push(match member {
-            true => Statement::Turn { turns, body: vec![set] },
+            true => Statement::IndexLoop { indices, body: vec![set] },
             false => set,
         });
     }

@@ -31,7 +31,7 @@ pub(super) fn helper(
 }
 
 impl Expressions<'_> {
-    /// What a function does.
+    /// The statements of a function.
     fn block(&mut self, callee: &Callee) -> Result<Vec<Statement>, NotEmitted> {
         let mut types = callee.params.iter().chain([&callee.result]);
         if let Some(ty) = types.find(|ty| !is_spelled(**ty)) {
@@ -75,7 +75,7 @@ impl Expressions<'_> {
     }
 }
 
-/// Whether the value of a block binds names.
+/// True if the value of a block binds names.
 fn has_let(value: &Expr) -> bool {
     match &value.kind {
         ExprKind::Let(..) => true,

@@ -1,9 +1,9 @@
 //! Typed expressions to terms.
 
 use super::NotEmitted;
+use super::matrix::{is_wide, negated, operated, type_of_call};
 use super::names::Names;
 use super::term::{Around, Fold, Function, Operation, Parameter, Term};
-use super::wide::{is_wide, negated, operated, type_of_call};
 use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Param, Type, Unary};
 
 /// The parameters of an operation, with their defaults.
@@ -128,7 +128,7 @@ impl Expressions<'_> {
     }
 }
 
-/// What a collection lies around, and which that is; none for one of the whole mesh.
+/// The element that a collection lies around, and the kind of walk; none for one of the whole mesh.
 pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
     Some(match collection {
         Collection::VertexHalfedges(v) => (Around::VertexHalfedges, v),
@@ -150,7 +150,7 @@ pub(super) fn around(collection: &Collection) -> Option<(Around, &Expr)> {
     })
 }
 
-/// What a collection is that lies around no element, in words.
+/// A collection that lies around no element, in words.
 pub(super) fn unsaid(collection: &Collection) -> &'static str {
     match collection {
         Collection::FaceEars(_) => "`ears` of a face",
@@ -159,8 +159,8 @@ pub(super) fn unsaid(collection: &Collection) -> &'static str {
     }
 }
 
-/// Whether a value is finite for all finite positions of ordinary size: sums, differences,
-/// means and mixtures, and quotients by a number that is written out and not zero.
+/// True if a value is finite for all finite positions of ordinary size: sums, differences, means
+/// and mixtures, and quotients by a number that is written out and not zero.
 pub(super) fn is_surely_finite(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Int(_) | ExprKind::Read(Access::Position, _) => true,
@@ -209,7 +209,7 @@ fn is_not_zero(expr: &Expr) -> bool {
     }
 }
 
-/// Whether emitted code has a type for these values.
+/// True if emitted code has a type for these values.
 pub(super) fn is_spelled(ty: Type) -> bool {
     ty != Type::Text
 }

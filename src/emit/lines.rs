@@ -87,10 +87,10 @@ pub(super) fn comment(mark: &str, text: &str) -> String {
 /// A text on one line, without what compilers do not take in comments: control characters, and
 /// those that turn the direction of writing.
 fn plain(text: &str) -> String {
-    let is_turning = |c: char| {
+    let is_indexed = |c: char| {
         matches!(c, '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}')
             || matches!(c, '\u{2028}'..='\u{2029}' | '\u{2066}'..='\u{2069}')
     };
-    let blank = |c: char| if c.is_control() || is_turning(c) { ' ' } else { c };
+    let blank = |c: char| if c.is_control() || is_indexed(c) { ' ' } else { c };
     text.chars().map(blank).collect()
 }

@@ -58,7 +58,7 @@ impl Matching<'_, '_> {
 
     fn bind(&mut self, bound: Bound, source: Source) -> Statement {
         let member = self.drawing.rule.is_member(bound.name());
-        let value = self.turning(member, |this| this.source(source));
+        let value = self.indexed(member, |this| this.source(source));
         let word = match bound {
             Bound::Element(name) | Bound::First(name) => self.names.word(name),
             Bound::Last(path) => self.names.last_word(path),
@@ -69,13 +69,13 @@ impl Matching<'_, '_> {
     /// A name for a value, or for those of each index.
     fn named(&self, ty: Type, name: String, value: Term, member: bool) -> Statement {
         match member {
-            true => Statement::Gather { ty, name, turns: self.names.turns(), item: value },
+            true => Statement::Gather { ty, name, indices: self.names.indices(), item: value },
             false => Statement::Bind { ty, name, value },
         }
     }
 
     /// Makes a term; of members, what stands for each index.
-    fn turning(&mut self, member: bool, make: impl FnOnce(&Matching) -> Term) -> Term {
+    fn indexed(&mut self, member: bool, make: impl FnOnce(&Matching) -> Term) -> Term {
         let (drawing, conventions) = (self.drawing, self.conventions);
         self.names.for_each(member, |names| make(&Matching { drawing, conventions, names }))
     }
@@ -123,7 +123,7 @@ impl Matching<'_, '_> {
             }
             let name = self.names.word(half).to_string();
             body.push(Statement::BindList { ty, name: name.clone(), value });
-            let size = self.names.turns().size;
+            let size = self.names.indices().size;
             if place > 0 {
                 continue;
             }
@@ -142,7 +142,7 @@ impl Matching<'_, '_> {
         }
     }
 
-    /// Whether paths are empty, and the tests.
+    /// The emptiness of paths, and the tests.
     pub fn distinct_and_paths(&mut self, steps: &[Step]) -> Vec<Statement> {
         let drawing = self.drawing;
         let rule = drawing.rule;
@@ -153,7 +153,7 @@ impl Matching<'_, '_> {
                     continue;
                 };
                 let member = rule.is_member(path);
-                let value = self.turning(member, |this| this.term(path).is(this.term(next)));
+                let value = self.indexed(member, |this| this.term(path).is(this.term(next)));
                 let name = self.names.empty_word(path).to_string();
                 body.push(self.named(Type::Bool, name, value, member));
             }
@@ -163,8 +163,8 @@ impl Matching<'_, '_> {
                 let holds = match claim {
                     Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
                     Claim::NotAllEmptyAround(paths) => {
-                        let some = self.turning(true, |this| this.are_empty(paths).not());
-                        some.for_some(self.names.turns())
+                        let some = self.indexed(true, |this| this.are_empty(paths).not());
+                        some.for_some(self.names.indices())
                     }
                     Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
                     Claim::AroundInOrder { along_loop, halfedges } => {
@@ -172,9 +172,9 @@ impl Matching<'_, '_> {
                     }
                     claim => {
                         let repeated = claim.is_repeated(rule);
-                        let when = self.turning(repeated, |this| this.claim(claim).not());
+                        let when = self.indexed(repeated, |this| this.claim(claim).not());
                         match repeated {
-                            true => when.for_some(self.names.turns()).not(),
+                            true => when.for_some(self.names.indices()).not(),
                             false => when.not(),
                         }
                     }
@@ -204,7 +204,7 @@ impl Matching<'_, '_> {
                 |&&name: &&NameId| Statement::Push { list: list.clone(), item: names.term(name) };
             each.iter().map(push).collect()
         });
-        body.push(Statement::Turn { turns: self.names.turns(), body: pushes });
+        body.push(Statement::IndexLoop { indices: self.names.indices(), body: pushes });
         Term::name(list)
     }
 
@@ -310,7 +310,7 @@ impl Matching<'_, '_> {
             }
         }
     }
-    /// Whether all of these paths are empty.
+    /// The condition that all of these paths are empty.
     fn are_empty(&self, paths: &[NameId]) -> Term {
         let empty = |&path: &NameId| match self.drawing.is_empty_somewhere(path) {
             true => self.names.empty(path),

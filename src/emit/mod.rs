@@ -19,23 +19,23 @@ mod build;
 mod callee;
 mod expression;
 mod guard;
+mod hoist;
 mod matching;
+mod matrix;
 mod names;
-mod once;
 mod reassign;
-mod reserved;
+pub mod reserved;
 mod routine;
 mod steps;
 mod term;
 mod value;
 mod walks;
-mod wide;
 
 // A routine as text.
-mod cpp;
+pub mod cpp;
+mod language;
 mod lines;
 mod rust;
-mod spell;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
@@ -44,12 +44,12 @@ pub use cpp::{Style, StyleError, cpp};
 pub use rust::rust;
 pub use selection::Selection;
 
-/// What cannot be emitted, and where it stands.
+/// A part of a program that cannot be emitted, and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotEmitted {
-    /// What it is: "a text".
+    /// The part: "a text".
     pub what: String,
-    /// Where it stands in the source.
+    /// Its place in the source.
     pub span: Span,
     /// Why not, if it is not only since there is no code for it.
     pub why: Option<String>,

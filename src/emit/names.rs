@@ -1,4 +1,4 @@
-//! What the names of a drawing are called in code.
+//! Names of the elements of a drawing in code.
 //!
 //! A name stays what it is wherever that is possible. A prime becomes `_`; a word that the
 //! languages keep to themselves, and one that is taken, get something behind them. A family is
@@ -8,11 +8,12 @@ use std::collections::BTreeSet;
 
 use super::cpp;
 use super::reserved::{is_reserved, plain, unreserved};
-use super::term::{Attribute, Term, Turns};
+use super::term::{Attribute, IndexLoop, Term};
 use crate::diagram::{self, Callee, Kind, NameId, Op, Role, Rule, Type};
 use crate::resolve::Variable;
 
-/// What a function of the program is called: in C++ it stands beside those that are written out.
+/// The name of a function of the program in code: in C++ it stands beside those that are written
+/// out.
 pub(super) fn invoked(name: &str) -> String {
     match cpp::is_written_out(name) {
         true => format!("{name}_"),
@@ -31,9 +32,9 @@ pub(super) struct Names {
     /// Of each member at index 0 that is known before its family is, its word.
     begun: Vec<Option<String>>,
     /// The index of the cycle, and how many there are.
-    turns: Turns,
-    /// Whether this is inside of what is done for each index.
-    is_turning: bool,
+    indices: IndexLoop,
+    /// True if this is inside of what is done for each index.
+    is_indexed: bool,
     params: Vec<String>,
     folds: Vec<(u32, String)>,
     /// The attributes of the program, and whether the rule uses them.
@@ -41,10 +42,10 @@ pub(super) struct Names {
     /// The functions of the program that have a value, by number, and those that are called.
     functions: Vec<Option<String>>,
     calls: BTreeSet<u32>,
-    /// What the variables of steps are called in the program.
+    /// The names of the variables of steps in the program.
     variables: Vec<String>,
     taken: BTreeSet<String>,
-    /// What the mesh class keeps to itself.
+    /// The names that the mesh class keeps to itself.
     kept: Vec<String>,
 }
 
@@ -66,7 +67,7 @@ impl Names {
         }
         names.declare_attributes(&rule.attributes);
         if let Some(cycle) = &rule.cycle {
-            names.turns = Turns {
+            names.indices = IndexLoop {
                 index: names.fresh(&cycle.letter),
                 size: names.first_free(&["n", "count", "size"]),
             };
@@ -137,8 +138,8 @@ impl Names {
             empties: Vec::new(),
             shifts: Vec::new(),
             begun: vec![None; count],
-            turns: Turns::default(),
-            is_turning: false,
+            indices: IndexLoop::default(),
+            is_indexed: false,
             params: Vec::new(),
             folds: Vec::new(),
             functions: functions.to_vec(),
@@ -245,7 +246,7 @@ impl Names {
         self.place(path, &self.lasts)
     }
 
-    /// Whether a path is empty.
+    /// The condition that a path is empty.
     pub fn empty(&self, path: NameId) -> Term {
         self.place(path, &self.empties)
     }
@@ -258,13 +259,13 @@ impl Names {
         }
     }
 
-    /// What stands in a list so far from the index; from 0 where nothing is done for each index.
+    /// The entry of a list so far from the index; from 0 where nothing is done for each index.
     pub fn member(&self, list: &str, shift: i64) -> Term {
         Term::Member {
             list: list.to_string(),
-            index: self.is_turning.then(|| self.turns.index.clone()),
+            index: self.is_indexed.then(|| self.indices.index.clone()),
             shift,
-            size: self.turns.size.clone(),
+            size: self.indices.size.clone(),
         }
     }
 
@@ -283,33 +284,33 @@ impl Names {
     }
 
     /// The index of the cycle, and how many there are.
-    pub fn turns(&self) -> Turns {
-        self.turns.clone()
+    pub fn indices(&self) -> IndexLoop {
+        self.indices.clone()
     }
 
     /// Makes something that is about a name: of a member, what stands for each index.
     pub fn for_each<T>(&mut self, repeated: bool, make: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.turn(repeated);
+        let outer = self.enter_index(repeated);
         let made = make(self);
         self.turn_back(outer);
         made
     }
 
     /// Enters what is done for each index, if it is; tells where this was before.
-    pub fn turn(&mut self, repeated: bool) -> bool {
-        let outer = self.is_turning;
-        self.is_turning |= repeated;
+    pub fn enter_index(&mut self, repeated: bool) -> bool {
+        let outer = self.is_indexed;
+        self.is_indexed |= repeated;
         outer
     }
 
     /// Goes back to where this was before.
     pub fn turn_back(&mut self, outer: bool) {
-        self.is_turning = outer;
+        self.is_indexed = outer;
     }
 
-    /// Whether this is inside of what is done for each index.
-    pub fn is_turning(&self) -> bool {
-        self.is_turning
+    /// True if this is inside of what is done for each index.
+    pub fn is_indexed(&self) -> bool {
+        self.is_indexed
     }
 
     /// A parameter, or the variable of an aggregate.
@@ -367,7 +368,7 @@ impl Names {
     }
 }
 
-/// Whether a parameter is the first halfedge of a family.
+/// True if a parameter is the first halfedge of a family.
 fn begins_a_family(op: &Op, param: usize) -> bool {
     op.rules.iter().any(|rule| {
         let name = rule.params.get(param).copied().flatten();

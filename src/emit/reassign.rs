@@ -50,7 +50,7 @@ pub(super) fn statements(
 /// Statements that are done for each index, as one.
 fn for_each(repeated: bool, names: &Names, body: Vec<Statement>) -> Vec<Statement> {
     match repeated && !body.is_empty() {
-        true => vec![Statement::Turn { turns: names.turns(), body }],
+        true => vec![Statement::IndexLoop { indices: names.indices(), body }],
         false => body,
     }
 }
@@ -63,7 +63,7 @@ struct Set {
     statement: Statement,
 }
 
-/// What writes the phase.
+/// The writer of the phase.
 pub(super) struct Reassign<'d, 'n> {
     pub drawing: &'d Drawing<'d>,
     pub names: &'n mut Names,
@@ -115,12 +115,12 @@ impl Reassign<'_, '_> {
     fn for_each(&mut self, name: NameId, what: impl FnOnce(&mut Self)) {
         let rule = self.drawing.rule;
         if rule.is_first(name) {
-            self.turning(rule.is_member(name), what);
+            self.indexed(rule.is_member(name), what);
         }
     }
 
-    pub fn turning<T>(&mut self, repeated: bool, what: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.names.turn(repeated);
+    pub fn indexed<T>(&mut self, repeated: bool, what: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.names.enter_index(repeated);
         let made = what(self);
         self.names.turn_back(outer);
         made
@@ -155,7 +155,7 @@ impl Reassign<'_, '_> {
     }
 
     fn push(&mut self, order: (usize, usize), statement: Statement) {
-        self.sets.push(Set { order, repeated: self.names.is_turning(), statement });
+        self.sets.push(Set { order, repeated: self.names.is_indexed(), statement });
     }
 
     fn pointer(&mut self, half: NameId, pointer: Pointer, value: NameId, changed: bool) {
@@ -339,7 +339,7 @@ impl Reassign<'_, '_> {
         match run {
             None => self.set_other(set),
             // One of the runs is not empty.
-            Some(path) => self.turning(true, |this| {
+            Some(path) => self.indexed(true, |this| {
                 let condition = this.names.empty(path).not();
                 let body = vec![set];
                 this.set_other(Statement::When { condition, body });
@@ -358,7 +358,7 @@ impl Reassign<'_, '_> {
         let path = drawing.path_after(vertex)?;
         let certain = !drawing.is_empty_somewhere(path);
         if rule.is_member(path) && !certain && !rule.is_member(vertex) {
-            return Some((self.turning(true, |this| this.term(path)), Some(path)));
+            return Some((self.indexed(true, |this| this.term(path)), Some(path)));
         }
         Some((self.head(&drawing.heads_after(path), 0), None))
     }

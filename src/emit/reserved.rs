@@ -51,24 +51,24 @@ static RESERVED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
     lists.flat_map(str::split_whitespace).chain(rust::written_out()).collect()
 });
 
-/// Whether a word belongs to a language, to a macro, or to emitted code itself.
+/// True if a word belongs to a language, to a macro, or to emitted code itself.
 pub(super) fn is_reserved(word: &str) -> bool {
     RESERVED.contains(word) || is_like_a_macro(word)
 }
 
-/// Whether a word is one of C++ itself.
+/// True if a word is one of C++ itself.
 pub(super) fn is_keyword_of_cpp(word: &str) -> bool {
     CPP.split_whitespace().any(|known| known == word)
 }
 
-/// Whether a word is written as macros are: in capitals, two of them at least.
+/// True if a word is written as macros are: in capitals, two of them at least.
 fn is_like_a_macro(word: &str) -> bool {
     let capitals = word.chars().filter(char::is_ascii_uppercase).count();
     capitals > 1 && !word.contains(|c: char| c.is_lowercase()) && !word.ends_with('_')
 }
 
 /// A word that is free, as near as can be to the one that is wanted; a style keeps some more.
-pub(super) fn unreserved(word: &str, kept: &[String]) -> String {
+pub fn unreserved(word: &str, kept: &[String]) -> String {
     match is_reserved(word) || kept.iter().any(|known| known == word) {
         true => format!("{word}_"),
         false => word.to_owned(),
@@ -77,7 +77,7 @@ pub(super) fn unreserved(word: &str, kept: &[String]) -> String {
 
 /// A name of a program as one word: primes and what compilers keep to themselves are no part of
 /// it.
-pub(super) fn plain(name: &str) -> String {
+pub fn plain(name: &str) -> String {
     let primes = name.chars().rev().take_while(|c| *c == '\'').count();
     let stem = name.trim_end_matches('\'').replace('\'', "_");
     let mut word = match primes {
@@ -92,38 +92,5 @@ pub(super) fn plain(name: &str) -> String {
     match word.starts_with('_') {
         true => format!("x{word}"),
         false => word,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_languages_and_macros_keep_gets_something_behind_it() {
-        let kept = ["VertexRef".to_string()];
-        for (word, free) in [
-            ("v0", "v0"),
-            ("P", "P"),
-            ("P2", "P2"),
-            ("co_await", "co_await_"),
-            ("bitand", "bitand_"),
-            ("Self", "Self_"),
-            ("gen", "gen_"),
-            ("NULL", "NULL_"),
-            ("M_PI", "M_PI_"),
-            ("stdin", "stdin_"),
-            ("VertexRef", "VertexRef_"),
-            ("Vertex", "Vertex"),
-        ] {
-            assert_eq!(unreserved(word, &kept), free);
-        }
-    }
-
-    #[test]
-    fn names_are_single_words() {
-        for (name, word) in [("h'", "h_"), ("h''", "h_2"), ("_x", "x_x"), ("a__b", "a_b")] {
-            assert_eq!(plain(name), word);
-        }
     }
 }

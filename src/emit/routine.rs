@@ -6,7 +6,7 @@
 //! printer per language spells it.
 
 use super::action::Action;
-use super::term::{Attribute, Parameter, Term, Turns};
+use super::term::{Attribute, IndexLoop, Parameter, Term};
 use crate::diagram::{Kind, Pointer, Type};
 
 /// An operation as a routine.
@@ -14,7 +14,7 @@ use crate::diagram::{Kind, Pointer, Type};
 pub(super) struct Routine {
     /// Its name.
     pub name: String,
-    /// What the program calls it.
+    /// Its name in the program.
     pub declared: String,
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
@@ -39,9 +39,9 @@ pub(super) struct Helper {
     pub params: Vec<Parameter>,
     /// The type of its value, if it gives one.
     pub result: Option<Type>,
-    /// Whether it changes the mesh.
+    /// True if it changes the mesh.
     pub changes: bool,
-    /// Whether it may refuse on the way; what it has done then is for its caller to undo.
+    /// True if it may refuse on the way; what it has done then is for its caller to undo.
     pub refuses: bool,
     /// Its statements; every way through them gives the value.
     pub body: Vec<Statement>,
@@ -108,9 +108,9 @@ pub(super) enum Statement {
     /// A name for the number of elements of a list.
     Size { name: String, list: String },
     /// A name for the list of what stands for each index.
-    Gather { ty: Type, name: String, turns: Turns, item: Term },
+    Gather { ty: Type, name: String, indices: IndexLoop, item: Term },
     /// Does something for each index.
-    Turn { turns: Turns, body: Vec<Statement> },
+    IndexLoop { indices: IndexLoop, body: Vec<Statement> },
     /// Gives it another value.
     Change { name: String, value: Term },
     /// One more.
@@ -118,15 +118,15 @@ pub(super) enum Statement {
     /// Only where something holds.
     When { condition: Term, body: Vec<Statement> },
     /// For each halfedge of a walk.
-    Walk { walk: Walk, body: Vec<Statement> },
+    Walk { walk: HalfedgeWalk, body: Vec<Statement> },
     /// For each element of a list.
     Each { item: String, list: String, body: Vec<Statement> },
-    /// A sheet over the mesh, and a block in which what is new, and what is set, is noted on it.
-    Foresee { sheet: String, body: Vec<Statement> },
+    /// A preview of the mesh, and a block in which what is new, and what is set, is noted on it.
+    Foresee { preview: String, body: Vec<Statement> },
     /// Allocates an element.
     New { kind: Kind, name: String },
     /// Allocates an element for each index.
-    NewEach { kind: Kind, name: String, turns: Turns },
+    NewEach { kind: Kind, name: String, indices: IndexLoop },
     /// `of.pointer = value`
     Set { pointer: Pointer, of: Term, value: Term },
     /// Makes a face a hole, or a hole a face.
@@ -141,27 +141,27 @@ pub(super) enum Statement {
     Give(Term),
     /// Done.
     Return { result: Option<Term> },
-    /// What only steps and functions do.
+    /// An action, which only steps and functions have.
     Action(Action),
 }
 
 /// A walk over halfedges. Nothing that it follows is written while it goes on, but the
 /// `face` or `vertex` of the halfedges themselves.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Walk {
+pub(super) struct HalfedgeWalk {
     /// The name of the halfedge.
     pub halfedge: String,
-    /// What follows what.
+    /// The step from one to the next.
     pub step: Step,
     /// The first.
     pub from: Term,
-    /// What comes behind the last; if it is the first, the walk is empty.
+    /// The halfedge behind the last; if it is the first, the walk is empty.
     pub until: Term,
-    /// Whether a walk whose end is its start goes all the way around instead.
+    /// True if a walk whose end is its start goes all the way around instead.
     pub around: bool,
 }
 
-/// How a walk goes on.
+/// The step of a walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     /// `h.next`, along a loop.
@@ -170,7 +170,7 @@ pub(super) enum Step {
     Clockwise,
 }
 
-impl Walk {
+impl HalfedgeWalk {
     /// Asks about every name that it begins or ends with.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         self.from.names(see);
@@ -196,7 +196,7 @@ impl Statement {
     fn body(&self) -> &[Self] {
         match self {
             Self::Attempt { body, .. }
-            | Self::Turn { body, .. }
+            | Self::IndexLoop { body, .. }
             | Self::When { body, .. }
             | Self::Walk { body, .. }
             | Self::Each { body, .. }
@@ -209,7 +209,7 @@ impl Statement {
     fn bodies_mut(&mut self) -> Vec<&mut Vec<Self>> {
         match self {
             Self::Attempt { body, .. }
-            | Self::Turn { body, .. }
+            | Self::IndexLoop { body, .. }
             | Self::When { body, .. }
             | Self::Walk { body, .. }
             | Self::Each { body, .. }
@@ -219,7 +219,7 @@ impl Statement {
         }
     }
 
-    /// Whether it, or one inside of it, adds to a list.
+    /// True if it, or one inside of it, adds to a list.
     pub fn adds_to(&self, name: &str) -> bool {
         match self {
             Self::Push { list, .. } => list == name,
@@ -231,7 +231,7 @@ impl Statement {
     /// out on the mesh: what is foreseen is not.
     pub fn with_body(mut self, made: impl FnOnce(Vec<Self>) -> Vec<Self>) -> Self {
         if let Self::Attempt { body, .. }
-        | Self::Turn { body, .. }
+        | Self::IndexLoop { body, .. }
         | Self::When { body, .. }
         | Self::Walk { body, .. }
         | Self::Each { body, .. } = &mut self
@@ -241,11 +241,11 @@ impl Statement {
         self
     }
 
-    /// Whether it, or one inside of it, allocates or erases.
+    /// True if it, or one inside of it, allocates or erases.
     pub fn changes_the_lists(&self) -> bool {
         match self {
             Self::New { .. } | Self::NewEach { .. } | Self::Erase { .. } => true,
-            Self::Attempt { body, .. } | Self::Turn { body, .. } => {
+            Self::Attempt { body, .. } | Self::IndexLoop { body, .. } => {
                 body.iter().any(Self::changes_the_lists)
             }
             _ => false,
@@ -260,13 +260,13 @@ impl Statement {
                 value.names(see);
             }
             Self::Size { list, .. } => see(list),
-            Self::Gather { turns, item, .. } => {
-                turns.names(see);
+            Self::Gather { indices, item, .. } => {
+                indices.names(see);
                 item.names(see);
             }
-            Self::NewEach { turns, .. } => turns.names(see),
-            Self::Turn { turns, body } => {
-                turns.names(see);
+            Self::NewEach { indices, .. } => indices.names(see),
+            Self::IndexLoop { indices, body } => {
+                indices.names(see);
                 body.iter().for_each(|statement| statement.names(see));
             }
             Self::Attempt { element, body, .. } => {

@@ -15,7 +15,7 @@ pub struct Selection<'p> {
     pub ops: &'p [usize],
     /// The texts, for the comments in them.
     pub sources: &'p Sources,
-    /// Whether pointers are set that do not change.
+    /// True if pointers are set that do not change.
     pub exhaustive: bool,
 }
 

@@ -7,7 +7,7 @@ use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type, Unary};
 pub(super) struct Parameter {
     pub name: String,
     pub ty: Type,
-    /// What it is where a call says nothing of it; it may speak of earlier parameters.
+    /// The value where a call gives none; it may speak of earlier parameters.
     pub default: Option<Term>,
 }
 
@@ -18,7 +18,7 @@ impl Parameter {
         Self { name, ty, default }
     }
 
-    /// Whether its default is the same for all calls.
+    /// True if its default is the same for all calls.
     pub fn has_constant(&self) -> bool {
         let mut speaks = false;
         let default = self.default.as_ref();
@@ -27,9 +27,9 @@ impl Parameter {
     }
 }
 
-/// What is done for each index of a cycle.
+/// A loop over the indices of a cycle.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Turns {
+pub(super) struct IndexLoop {
     /// The name of the index, which runs from 0.
     pub index: String,
     /// The name of how many there are.
@@ -39,11 +39,11 @@ pub(super) struct Turns {
 /// An attribute that the program declares.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Attribute {
-    /// What it is called in the program.
+    /// Its name in the program.
     pub declared: String,
-    /// What it is called in code.
+    /// Its name in code.
     pub name: String,
-    /// What its column is called, where attributes lie in columns.
+    /// The name of its column, where attributes lie in columns.
     pub column: String,
     /// The type of the elements that have it.
     pub element: Type,
@@ -64,7 +64,7 @@ pub(super) enum Term {
     Position(Box<Term>),
     /// `e.crease`
     Attribute(Attribute, Box<Term>),
-    /// Whether a face is a hole.
+    /// True if a face is a hole.
     Hole(Box<Term>),
     Component(u8, Box<Term>),
     Vector(Box<[Term; 3]>),
@@ -75,15 +75,15 @@ pub(super) enum Term {
     Invoke(String, Vec<Term>),
     If(Box<Term>, Box<Term>, Box<Term>),
     Fold(Box<Fold>),
-    /// What stands in a list so far from the index, counted around; without an index, from 0.
+    /// The entry of a list so far from the index, counted around; without an index, from 0.
     Member {
         list: String,
         index: Option<String>,
         shift: i64,
         size: String,
     },
-    /// Whether something holds for some index.
-    Some(Turns, Box<Term>),
+    /// True if something holds for some index.
+    Some(IndexLoop, Box<Term>),
 }
 
 /// An aggregate.
@@ -99,7 +99,7 @@ pub(super) struct Fold {
     pub body_type: Type,
 }
 
-/// What an aggregate runs over, around one element.
+/// The elements that an aggregate runs over, around one element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Around {
     VertexHalfedges,
@@ -120,19 +120,19 @@ pub(super) enum Function {
     Builtin(Builtin),
     /// Something that is computed of values of this type.
     Of(Operation, Type),
-    /// Whether going along a loop from the first halfedge the second comes before the third.
+    /// True if going along a loop from the first halfedge the second comes before the third.
     InOrderAlongLoop,
     /// The same around a vertex, counterclockwise.
     InOrderAroundVertex,
-    /// Whether no element stands twice in a list.
+    /// True if no element stands twice in a list.
     AllDiffer,
-    /// Whether a list holds an element.
+    /// True if a list holds an element.
     Holds,
-    /// Whether two lists without repetitions hold the same.
+    /// True if two lists without repetitions hold the same.
     SameElements,
-    /// Whether all parts of a vector are finite.
+    /// True if all parts of a vector are finite.
     IsFinite,
-    /// Whether no halfedge starts at a vertex.
+    /// True if no halfedge starts at a vertex.
     IsIsolated,
     /// The halfedges of a loop, from one on.
     LoopFrom,
@@ -142,19 +142,19 @@ pub(super) enum Function {
     Every,
     /// A list turned so that its first stands at an index.
     Turned,
-    /// How many elements a list has.
+    /// The number of elements of a list.
     Length,
-    /// What is left of that after division.
+    /// The rest after division.
     Remainder,
-    /// Whether the halfedges of a list follow each other along their loop, once around.
+    /// True if the halfedges of a list follow each other along their loop, once around.
     AllInOrderAlongLoop,
     /// The same around a vertex, counterclockwise.
     AllInOrderAroundVertex,
-    /// What a sheet tells, under this name: of the sheet and of elements.
+    /// The answer of a preview to a question of this name: of the preview and of elements.
     Foreseen(&'static str),
 }
 
-/// What is computed of vectors and matrices, where their type tells how it is spelled.
+/// The computations with vectors and matrices, where their type tells how it is spelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operation {
     /// An operator with two sides; the type is that of the left one.
@@ -219,9 +219,9 @@ impl Term {
         Self::If(Box::new(self), Box::new(then), Box::new(otherwise))
     }
 
-    /// Whether it holds for some index.
-    pub fn for_some(self, turns: Turns) -> Self {
-        Self::Some(turns, Box::new(self))
+    /// The condition that it holds for some index.
+    pub fn for_some(self, indices: IndexLoop) -> Self {
+        Self::Some(indices, Box::new(self))
     }
 
     /// Shows every aggregate in it.
@@ -268,8 +268,8 @@ impl Term {
                     see(size);
                 }
             }
-            Self::Some(turns, of) => {
-                turns.names(see);
+            Self::Some(indices, of) => {
+                indices.names(see);
                 of.names(see);
             }
             Self::Bool(_) | Self::Int(_) | Self::Real(_) => {}
@@ -301,7 +301,7 @@ impl Term {
     }
 }
 
-impl Turns {
+impl IndexLoop {
     /// Asks about the names that it reads.
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         see(&self.size);

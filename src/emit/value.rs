@@ -4,7 +4,7 @@ use crate::diagram::{Callee, Expr, ExprKind};
 
 use crate::resolve::{Function, Program, Statement, StatementKind};
 
-/// How many statements the value of a function may repeat.
+/// The greatest number of statements that the value of a function may repeat.
 const MOST: usize = 64;
 
 /// For each function of a program its value; none for one that loops, changes or prints.

@@ -2,7 +2,7 @@
 //! loop, the vertex around a fan that changes its vertex.
 
 use super::names::Names;
-use super::routine::{Statement, Step, Walk};
+use super::routine::{HalfedgeWalk, Statement, Step};
 use super::term::Term;
 use crate::diagram::{Drawing, NameId, Pointer, Spoke};
 
@@ -12,9 +12,9 @@ pub(super) fn along_path(
     names: &Names,
     path: NameId,
     halfedge: String,
-) -> Option<Walk> {
+) -> Option<HalfedgeWalk> {
     let next = drawing.before.item_after(path)?;
-    Some(Walk {
+    Some(HalfedgeWalk {
         halfedge,
         step: Step::Next,
         from: names.term(path),
@@ -45,7 +45,7 @@ pub(super) fn along_fan(
     names: &Names,
     fan: NameId,
     halfedge: String,
-) -> Option<Walk> {
+) -> Option<HalfedgeWalk> {
     let vertex = drawing.before.star_of_spoke(fan)?;
     let spokes = &drawing.before.star(vertex)?.spokes;
     let at =
@@ -60,7 +60,7 @@ pub(super) fn along_spokes(
     vertex: NameId,
     (spokes, at): (&[Spoke], usize),
     halfedge: String,
-) -> Walk {
+) -> HalfedgeWalk {
     let count = spokes.len();
     let half = |spoke: &Spoke| match spoke {
         Spoke::Halfedge(half) => Some(half.name),
@@ -70,7 +70,7 @@ pub(super) fn along_spokes(
         (half(&spokes[(at + count - 1) % count]), half(&spokes[(at + 1) % count]));
     let step = Step::Clockwise;
     match (before, after) {
-        (Some(before), Some(after)) => Walk {
+        (Some(before), Some(after)) => HalfedgeWalk {
             halfedge,
             step,
             from: match drawing.before.twin(after) {
@@ -83,7 +83,7 @@ pub(super) fn along_spokes(
         // The fan is the whole star.
         _ => {
             let first = names.term(vertex).follow(Pointer::VertexHalfedge);
-            Walk { halfedge, step, from: first.clone(), until: first, around: true }
+            HalfedgeWalk { halfedge, step, from: first.clone(), until: first, around: true }
         }
     }
 }

@@ -5,7 +5,7 @@ use super::printer::{Block, Doc, HANG, INDENT, Lines, Printer, laid_out, nil, te
 use crate::source::Span;
 use crate::syntax::tree::{Name, Side, Spoke, Statement};
 
-/// What stands between two edges that share a line, besides the space between all cells.
+/// The text between two edges that share a line, besides the space between all cells.
 const BETWEEN_EDGES: &str = "   ";
 
 /// Which statements are aligned with one another.
@@ -24,7 +24,7 @@ struct Outline {
     class: Class,
     /// The name before the colon.
     name: Option<Span>,
-    /// Where the cells behind it end.
+    /// The ends of the cells behind it.
     ends: Vec<u32>,
     span: Span,
 }
@@ -47,7 +47,7 @@ struct Row {
     place: usize,
     /// The cells of each statement.
     statements: Vec<Vec<String>>,
-    /// Whether each statement gets a line of its own after all.
+    /// True if each statement gets a line of its own after all.
     parted: bool,
 }
 
@@ -248,7 +248,7 @@ fn filled(cells: &[String], width: usize) -> Lines {
     lines
 }
 
-/// What a statement without a value is made of.
+/// The outline of a statement without a value.
 fn outline(statement: &Statement) -> Option<Outline> {
     let ends_of = |names: &[Name]| names.iter().map(|name| name.span.end).collect();
     let spoke_end = |spoke: &Spoke| match spoke {

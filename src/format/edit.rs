@@ -12,11 +12,12 @@ use std::ops::Range;
 pub struct Edit {
     /// The bytes to take out.
     pub range: Range<usize>,
-    /// What to put there.
+    /// The text to put there.
     pub text: String,
 }
 
-/// What formatting changes in a text that has been read, in order; the edits do not overlap.
+/// The changes that formatting makes in a text that has been read, in order; the edits do not
+/// overlap.
 ///
 /// # Errors
 ///
@@ -38,7 +39,7 @@ pub fn edits(file: FileId, source: &str, parsed: &Parsed) -> Result<Vec<Edit>, R
     Ok(edits.collect())
 }
 
-/// What formatting changes on some lines, counted from 0; the last one is included.
+/// The changes that formatting makes on some lines, counted from 0; the last one is included.
 ///
 /// # Errors
 ///
@@ -59,7 +60,7 @@ pub fn edits_of_lines(
     Ok(edits)
 }
 
-/// What stands before each token and comment, and behind the last.
+/// The gaps before each token and comment, and behind the last.
 fn gaps(text: &str, words: Words) -> Vec<Range<usize>> {
     let end = Span::new(FileId(0), text.len(), text.len());
     let mut at = 0;

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 const MARK: &str = "\u{FEFF}";
 
-/// What a text becomes.
+/// The text formatted.
 pub(super) fn formatted(source: &str, parsed: &Parsed) -> String {
     let mark = if source.starts_with(MARK) { MARK } else { "" };
     let mut page = Page {
@@ -71,7 +71,7 @@ impl Stays {
         Self { told, left, mended }
     }
 
-    /// Whether something is wrong between two places.
+    /// True if something is wrong between two places.
     fn between(&self, start: usize, end: usize) -> bool {
         let inside = |places: &[usize], end: usize| {
             let first = places.partition_point(|&place| place < start);
@@ -87,13 +87,13 @@ impl Stays {
 
 struct Page<'t> {
     printer: Printer<'t>,
-    /// What is finished.
+    /// The text that is finished.
     text: String,
-    /// What can still be aligned.
+    /// The lines that can still be aligned.
     lines: Lines,
     /// Up to where the source is written.
     done: usize,
-    /// How many lines the item has that was written last, if it was one that could be read.
+    /// The number of lines of the item that was written last, if it was one that could be read.
     after: Option<usize>,
 }
 

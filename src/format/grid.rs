@@ -2,7 +2,7 @@
 
 use super::printer::{Lines, width_of};
 
-/// How much wider than the narrowest the widest cell of a column may be.
+/// The greatest number of characters by which the widest cell of a column may exceed the narrowest.
 ///
 /// Beyond that a column is mostly holes, and reads worse than lines that are not aligned.
 const MOST_PADDING: usize = 8;
@@ -21,7 +21,7 @@ pub(super) fn aligned(rows: &[Vec<String>]) -> Lines {
     lines
 }
 
-/// How many rows from the first on share columns, and how wide the columns are.
+/// The number of rows from the first on that share columns, and how wide the columns are.
 fn run(rows: &[Vec<String>]) -> (usize, Vec<usize>) {
     let mut narrowest: Vec<usize> = Vec::new();
     let mut widest: Vec<usize> = Vec::new();

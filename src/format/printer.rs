@@ -8,13 +8,13 @@ use crate::source::Span;
 use crate::syntax::{Comment, Token, TokenKind};
 use pretty::{DocAllocator, DocBuilder, RcAllocator};
 
-/// How long a line may be before it is broken, in characters.
+/// The greatest length of a line before it is broken, in characters.
 pub const WIDTH: usize = 100;
 
-/// How far a block is indented.
+/// The indentation of a block.
 pub(super) const INDENT: usize = 2;
 
-/// How far a line that goes on is indented.
+/// The indentation of a line that goes on.
 pub(super) const HANG: isize = 4;
 
 /// Something that can still be laid out in several ways.
@@ -54,7 +54,7 @@ pub(super) fn laid_out(doc: Doc, width: usize) -> Lines {
     text.lines().map(|line| line.trim_end().to_owned()).collect()
 }
 
-/// How wide a text is, in characters.
+/// The width of a text, in characters.
 pub(super) fn width_of(text: &str) -> usize {
     text.chars().count()
 }
@@ -81,13 +81,13 @@ impl<'t> Printer<'t> {
         self.tokens.get(self.at).map(|token| token.kind)
     }
 
-    /// Where the next token begins; behind the last, the end of the text.
+    /// The start of the next token; behind the last, the end of the text.
     pub fn next_start(&self) -> usize {
         let next = self.tokens.get(self.at);
         next.map_or(self.source.len(), |token| token.span.start as usize)
     }
 
-    /// Where the token or comment that was taken last ends.
+    /// The end of the token or comment that was taken last.
     pub fn taken_end(&self) -> usize {
         let token = self.at.checked_sub(1).map(|at| self.tokens[at].span.end);
         let comment = self.comment.checked_sub(1);
@@ -95,7 +95,7 @@ impl<'t> Printer<'t> {
         token.max(comment).unwrap_or(0) as usize
     }
 
-    /// Whether a comment stands inside of a span, or before it and not taken yet.
+    /// True if a comment stands inside of a span, or before it and not taken yet.
     pub fn has_comment(&self, span: Span) -> bool {
         let next = self.comments.get(self.comment);
         next.is_some_and(|comment| comment.span.start < span.end)
@@ -107,7 +107,7 @@ impl<'t> Printer<'t> {
         between.matches('\n').count()
     }
 
-    /// Whether a span lies on one line.
+    /// True if a span lies on one line.
     pub fn on_one_line(&self, span: Span) -> bool {
         self.line_ends(span.start as usize, span.end as usize) == 0
     }
@@ -247,15 +247,15 @@ impl<'t> Printer<'t> {
     }
 }
 
-/// What stands between two braces.
+/// The content of a block, between two braces.
 pub(super) struct Block {
     /// The comments before the opening brace.
     pub above: Lines,
     /// The comments behind the opening brace, on its line.
     pub opening: String,
-    /// What is inside.
+    /// The lines inside.
     pub lines: Lines,
-    /// Whether the author wrote it on one line, and it can stand there.
+    /// True if the author wrote it on one line, and it can stand there.
     pub short: bool,
 }
 

@@ -50,18 +50,3 @@ fn parts(line: &str) -> Option<(usize, usize)> {
     }
     None
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn comments_behind_lines_stand_in_a_column() {
-        let mut lines: Lines = ["a // x", "bbb // y", "// z", "\"// \\\" //\" // t", "  c // u"]
-            .map(String::from)
-            .to_vec();
-        align(&mut lines);
-        let aligned = ["a    // x", "bbb  // y", "// z", "\"// \\\" //\"  // t", "  c  // u"];
-        assert_eq!(lines, aligned);
-    }
-}

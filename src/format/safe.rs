@@ -13,7 +13,7 @@ use std::fmt;
 pub struct Formatted {
     /// The new text.
     pub text: String,
-    /// What is wrong with the old one; where something is, it stayed as it was.
+    /// The mistakes in the old one; where something is, it stayed as it was.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -71,7 +71,8 @@ pub(super) fn kept(
     Ok((text, again))
 }
 
-/// Where two texts differ in more than white space: a place in the first, or behind its end.
+/// The first place where two texts differ in more than white space: a place in the first, or behind
+/// its end.
 fn first_difference(old: Words, new: Words) -> Option<usize> {
     let (mut olds, mut news) = (old.all(), new.all());
     loop {

@@ -146,7 +146,7 @@ impl Printer<'_> {
     }
 }
 
-/// Where the first part of a value begins, inside of its parentheses.
+/// The start of the first part of a value, inside of its parentheses.
 fn start_inside(value: &Expr) -> usize {
     match &value.kind {
         ExprKind::Binary(_, first, _) | ExprKind::Field(first, _) => first.span.start as usize,
@@ -162,7 +162,7 @@ fn in_parentheses(value: &Expr) -> bool {
     }
 }
 
-/// What a comparison is never parted from.
+/// True if a comparison is never parted from the value.
 fn is_short(value: &Expr) -> bool {
     use ExprKind::{Bool, Int, Name, Real};
     matches!(value.kind, Bool(_) | Int(_) | Real(_) | Name(_))
@@ -170,7 +170,7 @@ fn is_short(value: &Expr) -> bool {
 
 const COMPARISON: u8 = 2;
 
-/// How much an operator binds.
+/// The precedence of an operator.
 fn rank_of(op: BinaryOp) -> u8 {
     use BinaryOp as O;
     match op {

@@ -1,4 +1,4 @@
-//! What formatting keeps: tokens and comments in their order, and whatever is neither.
+//! Words that formatting keeps: tokens and comments in their order, and whatever is neither.
 
 use crate::source::{FileId, Span};
 use crate::syntax::{Comment, CommentKind, Lexed, Parsed, Token, TokenKind};
@@ -11,7 +11,7 @@ pub(super) struct Words<'t> {
     comments: &'t [Comment],
 }
 
-/// What a token or comment is.
+/// The kind of a token or comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Word<'t> {
     Token(TokenKind, &'t str),
@@ -29,7 +29,7 @@ impl<'t> Words<'t> {
         Self { source, tokens: &lexed.tokens, comments: &lexed.comments }
     }
 
-    /// Where the text ends.
+    /// The end of the text.
     pub(super) fn end(self) -> usize {
         self.source.len()
     }

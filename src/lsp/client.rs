@@ -1,4 +1,4 @@
-//! What the client can do, and what it wants.
+//! The client: what it can do, and what it wants.
 
 use gen_lsp_types::{ClientCapabilities, InitializeParams};
 use serde::Deserialize;
@@ -9,17 +9,17 @@ use super::position::Encoding;
 /// The client.
 #[derive(Debug, Default)]
 pub(super) struct Client {
-    /// What a column counts.
+    /// The unit that a column counts.
     pub(super) encoding: Encoding,
-    /// What it says it can do.
+    /// The capabilities that it tells.
     pub(super) can: ClientCapabilities,
-    /// What it wants.
+    /// The settings it asks for.
     pub(super) settings: Settings,
-    /// Whether it is known to draw the images of a hover.
+    /// True if it is known to draw the images of a hover.
     draws_images: bool,
 }
 
-/// How the operation under the cursor is shown.
+/// The way the operation under the cursor is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum HoverPicture {
@@ -83,7 +83,7 @@ impl Client {
         }
     }
 
-    /// Whether a hover shows an image.
+    /// True if a hover shows an image.
     pub(super) fn wants_images(&self) -> bool {
         match self.settings.picture {
             HoverPicture::Auto => self.draws_images,
@@ -92,21 +92,21 @@ impl Client {
         }
     }
 
-    /// Whether the client shows what is published. Most that can ask for diagnostics, too,
-    /// would show all of them twice.
+    /// True if the client shows what is published. Most that can ask for diagnostics, too, would
+    /// show all of them twice.
     pub(super) fn shows_published(&self) -> bool {
         let text = self.can.text_document.as_ref();
         text.is_some_and(|text| text.publish_diagnostics.is_some())
     }
 
-    /// Whether a hover may be Markdown.
+    /// True if a hover may be Markdown.
     pub(super) fn reads_markdown(&self) -> bool {
         let hover = self.can.text_document.as_ref().and_then(|can| can.hover.as_ref());
         let formats = hover.and_then(|hover| hover.content_format.as_ref());
         formats.is_some_and(|formats| formats.contains(&gen_lsp_types::MarkupKind::Markdown))
     }
 
-    /// Whether completions may have placeholders.
+    /// True if completions may have placeholders.
     pub(super) fn takes_snippets(&self) -> bool {
         let text = self.can.text_document.as_ref();
         let completion = text.and_then(|text| text.completion.as_ref());
@@ -114,39 +114,39 @@ impl Client {
         item.and_then(|item| item.snippet_support).unwrap_or(false)
     }
 
-    /// Whether the server may show progress of its own.
+    /// True if the server may show progress of its own.
     pub(super) fn shows_progress(&self) -> bool {
         let window = self.can.window.as_ref();
         window.and_then(|window| window.work_done_progress).unwrap_or(false)
     }
 
-    /// Whether the client opens a page when it is asked to.
+    /// True if the client opens a page when it is asked to.
     pub(super) fn shows_documents(&self) -> bool {
         let window = self.can.window.as_ref();
         window.and_then(|window| window.show_document.as_ref()).is_some_and(|show| show.support)
     }
 
-    /// Whether symbols may stand in one another.
+    /// True if symbols may stand in one another.
     pub(super) fn nests_symbols(&self) -> bool {
         let text = self.can.text_document.as_ref();
         let symbols = text.and_then(|text| text.document_symbol.as_ref());
         symbols.and_then(|symbols| symbols.hierarchical_document_symbol_support).unwrap_or(false)
     }
 
-    /// Whether a change may say which version of a document it is about.
+    /// True if a change may say which version of a document it is about.
     pub(super) fn takes_versioned_edits(&self) -> bool {
         let workspace = self.can.workspace.as_ref();
         let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
         edit.and_then(|edit| edit.document_changes).unwrap_or(false)
     }
 
-    /// Whether the client can be asked for its settings.
+    /// True if the client can be asked for its settings.
     pub(super) fn has_configuration(&self) -> bool {
         let workspace = self.can.workspace.as_ref();
         workspace.and_then(|workspace| workspace.configuration).unwrap_or(false)
     }
 
-    /// Whether the client can be asked to watch files.
+    /// True if the client can be asked to watch files.
     pub(super) fn watches_files(&self) -> bool {
         let workspace = self.can.workspace.as_ref();
         let watched = workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref());

@@ -8,7 +8,7 @@ use super::requests::Answer;
 use super::server::Server;
 use crate::diagnostic::{self, Severity};
 
-/// Where codes are explained.
+/// The page that explains codes.
 const EXPLAINED: &str =
     "https://github.com/hedgerow-lang/hedgerow/blob/main/src/diagnostic/explained.md";
 

@@ -7,14 +7,15 @@
 use gen_lsp_types::{Position, TextDocumentIdentifier, Uri};
 use serde::{Deserialize, Serialize};
 
+use super::diagram_page::{DiagramPage, Shown};
 use super::hover::verdict;
-use super::preview::{Preview, Shown};
 use super::requests::Refusal;
 use super::server::Server;
 use crate::analysis::{OpCard, op_card, op_here, op_named};
 use crate::draw::draw_op;
 
-/// What `hedgerow/diagram` and `hedgerow/cursor` are about: the op at a position, or of a name.
+/// The subject of `hedgerow/diagram` and `hedgerow/cursor` are about: the op at a position, or of a
+/// name.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct DiagramParams {
@@ -33,11 +34,11 @@ pub(super) struct Diagram {
     name: String,
     /// The picture.
     svg: String,
-    /// Whether it is of the text as it stands; else of the last that could be read.
+    /// True if it is of the text as it stands; else of the last that could be read.
     is_current: bool,
-    /// Whether the op is proved.
+    /// True if the op is proved.
     proved: bool,
-    /// What is proved, or what is wrong, as Markdown.
+    /// The verdict, or what is wrong, as Markdown.
     verdict: String,
 }
 
@@ -89,12 +90,12 @@ impl Server {
     /// The address of the preview, which is opened if it is not.
     pub(super) fn preview_address(&mut self) -> Result<String, Refusal> {
         if self.preview.is_none() {
-            let opened = Preview::open();
+            let opened = DiagramPage::open();
             let refused = |error| Refusal::failed(format!("the preview cannot be opened: {error}"));
             self.preview = Some(opened.map_err(refused)?);
         }
         let preview = self.preview.as_ref();
-        Ok(preview.map_or(String::new(), Preview::address))
+        Ok(preview.map_or(String::new(), DiagramPage::address))
     }
 }
 

@@ -24,13 +24,13 @@ pub(super) struct Document {
     snapshot: OnceCell<Rc<Snapshot>>,
     /// The snapshot of an earlier text, from which the next one learns.
     earlier: Option<Rc<Snapshot>>,
-    /// Whether diagnostics have been published for this version.
+    /// True if diagnostics have been published for this version.
     pub(super) is_published: bool,
     /// Since when nothing has been published of it, if nothing has.
     waiting_since: Option<Instant>,
 }
 
-/// How long a person looks at a new document before something is said of it.
+/// The time that a person looks at a new document before something is said of it.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 impl Document {
@@ -46,12 +46,13 @@ impl Document {
             snapshot: OnceCell::new(),
             earlier: None,
             is_published: false,
-            waiting_since: Some(Instant::now()),
+            // A browser has no such clock; there all is published as soon as it is proved.
+            waiting_since: (!cfg!(target_family = "wasm")).then(Instant::now),
         }
     }
 
-    /// Whether it is time to publish what is known, since nothing has been for a while: that is
-    /// so once.
+    /// True if it is time to publish what is known, since nothing has been for a while: that is so
+    /// once.
     pub(super) fn is_kept_waiting(&mut self) -> bool {
         let is_due = self.waiting_since.is_some_and(|since| since.elapsed() > PATIENCE);
         if is_due {
@@ -64,7 +65,7 @@ impl Document {
         &self.uri
     }
 
-    /// What it is called by those that use it.
+    /// Its name by those that use it.
     pub(super) fn name(&self) -> String {
         name(&self.uri)
     }
@@ -105,7 +106,7 @@ impl Document {
         self.is_published = false;
     }
 
-    /// What is understood of the text.
+    /// The analysis of the text.
     pub(super) fn snapshot(&self) -> &Rc<Snapshot> {
         self.snapshot.get_or_init(|| {
             let mut files = self.files.clone();
@@ -116,13 +117,13 @@ impl Document {
         })
     }
 
-    /// Whether the text, as it was read last, uses a file of this name.
+    /// True if the text, as it was read last, uses a file of this name.
     pub(super) fn uses(&self, file: &str) -> bool {
         let read = self.snapshot.get().or(self.earlier.as_ref());
         read.is_some_and(|snapshot| snapshot.looks_for(file))
     }
 
-    /// Where a span is, perhaps in another file.
+    /// The location of a span, perhaps in another file.
     pub(super) fn location(&self, span: Span) -> Option<Location> {
         let snapshot = self.snapshot();
         if span.file == snapshot.file() {

@@ -31,7 +31,7 @@ impl fmt::Debug for Files {
     }
 }
 
-/// What a document is called in messages, and by those that use it.
+/// The name of a document in messages, and by those that use it.
 pub(super) fn name(of: &Uri) -> String {
     match uri::path(of) {
         Some(path) => path.display().to_string().replace('\\', "/"),
@@ -50,7 +50,7 @@ impl Files {
         self.open.borrow_mut().insert(name(uri), held);
     }
 
-    /// Whether a document of this name is open.
+    /// True if a document of this name is open.
     pub(super) fn is_open(&self, name: &str) -> bool {
         self.open.borrow().contains_key(name)
     }
@@ -60,14 +60,17 @@ impl Files {
         self.open.borrow_mut().remove(&name(uri));
     }
 
-    /// Where an editor finds a file of this name and text. A file of the library is written
-    /// to a temporary folder, since it is on no disk.
+    /// The URI at which an editor finds a file of this name and text. A file of the library is
+    /// written to a temporary folder, since it is on no disk.
     pub(super) fn uri(&self, name: &str, text: &str) -> Option<Uri> {
         if let Some(held) = self.open.borrow().get(name) {
             return Some(held.uri.clone());
         }
         if name.starts_with(library::FOLDER) {
-            return written(name, text).ok();
+            return match cfg!(target_family = "wasm") {
+                true => Some(Uri(format!("hedgerow:/{name}"))),
+                false => written(name, text).ok(),
+            };
         }
         let path = Path::new(name);
         path.is_absolute().then(|| uri::of_path(path))

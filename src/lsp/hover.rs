@@ -74,7 +74,7 @@ fn image(svg: &str, name: &str) -> Option<String> {
         .then(|| format!("![{name}, before and after](data:image/svg+xml;base64,{data})\n"))
 }
 
-/// What is proved, a line for each rule; or what is wrong.
+/// The verdict, a line for each rule; or what is wrong.
 pub(super) fn verdict(op: &OpCard) -> String {
     if let Some(steps) = &op.verdict.steps {
         let calls: Vec<_> = steps.calls.iter().map(|op| format!("`{op}`")).collect();

@@ -3,9 +3,9 @@
 use gen_lsp_types::*;
 use serde_json::{Value, json};
 
-use super::errand::Errand;
 use super::requests::{Answer, Refusal};
 use super::server::{Asked, Server};
+use super::subprocess::Subprocess;
 use super::{files, uri};
 use crate::analysis::{Offer, lenses, op_card, op_named};
 
@@ -110,7 +110,7 @@ impl Server {
     /// Has the process run a command of `hedgerow`; what comes of it is told when it ends.
     fn run(&mut self, arguments: Vec<String>) -> Value {
         let shown = format!("hedgerow {}", arguments.join(" "));
-        self.errands.push(Errand { arguments });
+        self.errands.push(Subprocess { arguments });
         json!(shown)
     }
 }

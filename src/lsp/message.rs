@@ -12,18 +12,18 @@ use serde_json::{Value, json};
 /// The longest line of a header that is read, in bytes.
 const LONGEST_HEADER: u64 = 4096;
 
-/// What came in.
+/// The input: a message, or something else.
 #[derive(Debug)]
-pub(super) enum Heard {
+pub enum Heard {
     /// A message.
     Message(Message),
     /// Something else, and the error that answers it.
     Refused(Spoken),
 }
 
-/// What goes out.
+/// The output: a message, or an error.
 #[derive(Debug)]
-pub(super) enum Spoken {
+pub enum Spoken {
     /// A message.
     Message(Message),
     /// An error about what is no message. Its id may be one that no request can have.
@@ -32,7 +32,7 @@ pub(super) enum Spoken {
 
 impl Spoken {
     /// Writes it, with its header.
-    pub(super) fn write(&self, output: &mut impl Write) -> io::Result<()> {
+    pub fn write(&self, output: &mut impl Write) -> io::Result<()> {
         match self {
             Self::Message(message) => message.write(output),
             Self::Error { id, code, why } => {
@@ -50,7 +50,7 @@ impl Spoken {
 /// # Errors
 ///
 /// Fails if the stream breaks, or has no header where one is due.
-pub(super) fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
+pub fn read(input: &mut impl BufRead) -> io::Result<Option<Heard>> {
     let Some(body) = body(input)? else { return Ok(None) };
     Ok(Some(match serde_json::from_slice(&body) {
         Ok(value) => message(value),
@@ -117,66 +117,6 @@ fn message(value: Value) -> Heard {
         Err(_) => {
             let why = "this is neither a request nor a notification nor an answer";
             refused(id.unwrap_or_default(), why)
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn first(text: &str) -> Result<Option<Heard>, String> {
-        read(&mut text.as_bytes()).map_err(|error| error.to_string())
-    }
-
-    #[test]
-    fn messages_are_read_and_nothing_else() {
-        let exit = r#"{"jsonrpc":"2.0","method":"exit"}"#;
-        let length = exit.len();
-        let text = format!("content-length: {length}\r\nContent-Type: x\r\n\r\n{exit}{exit}");
-        let Ok(Some(Heard::Message(Message::Notification(told)))) = first(&text) else {
-            panic!("it is a notification");
-        };
-        assert_eq!(told.method, "exit");
-        assert!(matches!(first(""), Ok(None)));
-        for (text, wanted) in [
-            ("Content-Length: 99999999999999\r\n\r\n{}", "unexpected end"),
-            ("Content-Length: -1\r\n\r\n{}", "malformed header"),
-            ("Content-Length: 2\n\n{}", "malformed header"),
-            ("hello\r\n\r\n", "malformed header"),
-            ("Content-Type: x\r\n\r\n{}", "no Content-Length"),
-        ] {
-            let told = first(text).expect_err(text);
-            assert!(told.contains(wanted), "{told}");
-        }
-        let endless = "x".repeat(10_000);
-        assert!(first(&endless).is_err());
-    }
-
-    #[test]
-    fn what_is_no_message_is_answered() {
-        for (body, wanted) in [
-            ("{]", r#""code":-32700"#),
-            ("\u{0}", r#""code":-32700"#),
-            (&"[".repeat(9000), r#""id":null"#),
-            ("17", "a message is an object"),
-            ("[]", "batches are not taken"),
-            (r#"[{"id":1,"method":"shutdown"}]"#, r#""id":null"#),
-            (r#"{"id":1.5,"method":"shutdown"}"#, r#""id":1.5"#),
-            (r#"{"id":5000000000,"method":"shutdown"}"#, r#""id":5000000000"#),
-            (r#"{"id":null,"method":"shutdown"}"#, "an id is a text"),
-            (r#"{"id":[1],"method":"shutdown"}"#, r#""id":null"#),
-            (r#"{"id":7,"method":8}"#, r#""id":7"#),
-            (r#"{"id":"a"}"#, r#""id":"a""#),
-        ] {
-            let text = format!("Content-Length: {}\r\n\r\n{body}", body.len());
-            let Ok(Some(Heard::Refused(answer))) = first(&text) else {
-                panic!("{body} is no message");
-            };
-            let mut told = Vec::new();
-            answer.write(&mut told).expect("there is room");
-            let told = String::from_utf8(told).expect("it is a text");
-            assert!(told.contains(wanted), "{told}");
         }
     }
 }

@@ -9,7 +9,7 @@
 //! and keeps no other question waiting.
 
 // What comes and goes.
-mod message;
+pub mod message;
 mod stdio;
 
 mod server;
@@ -25,8 +25,8 @@ mod client;
 mod document;
 mod documents;
 mod files;
-mod position;
-mod uri;
+pub mod position;
+pub mod uri;
 mod workspace;
 
 // The answers, a file for each kind.
@@ -38,17 +38,17 @@ mod formatting;
 mod hints;
 mod hover;
 mod lenses;
-mod markdown;
+pub mod markdown;
 mod navigation;
 mod symbols;
 mod tokens;
 
 // What happens beside the conversation.
-mod errand;
-mod preview;
+mod diagram_page;
 mod progress;
+mod subprocess;
 
-pub use errand::Errand;
 pub use position::Encoding;
 pub use server::Server;
 pub use stdio::{serve, serve_on};
+pub use subprocess::Subprocess;

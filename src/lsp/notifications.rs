@@ -1,4 +1,4 @@
-//! What the client lets the server know.
+//! Notifications of the client.
 
 use gen_lsp_types::*;
 use lsp_server::Notification as Notice;

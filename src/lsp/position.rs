@@ -6,7 +6,7 @@
 
 use gen_lsp_types::{Position, PositionEncodingKind, Range};
 
-/// What a column counts.
+/// The unit that a column counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// Bytes.
@@ -19,8 +19,8 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// What is agreed with a client that offers these: bytes if it can.
-    pub(super) fn agreed(offered: &[PositionEncodingKind]) -> Self {
+    /// The encoding that is agreed with a client that offers these: bytes if it can.
+    pub fn agreed(offered: &[PositionEncodingKind]) -> Self {
         if offered.contains(&PositionEncodingKind::UTF8) {
             Self::Utf8
         } else if offered.contains(&PositionEncodingKind::UTF16) || offered.is_empty() {
@@ -33,7 +33,7 @@ impl Encoding {
     }
 
     /// The protocol's word for it.
-    pub(super) fn kind(self) -> PositionEncodingKind {
+    pub fn kind(self) -> PositionEncodingKind {
         match self {
             Self::Utf8 => PositionEncodingKind::UTF8,
             Self::Utf16 => PositionEncodingKind::UTF16,
@@ -41,7 +41,7 @@ impl Encoding {
         }
     }
 
-    /// How many units a character counts.
+    /// The number of units of a character.
     fn units(self, character: char) -> usize {
         match self {
             Self::Utf8 => character.len_utf8(),
@@ -51,15 +51,15 @@ impl Encoding {
     }
 }
 
-/// Where the lines of a text begin.
+/// The starts of the lines of a text.
 #[derive(Clone, Debug)]
-pub(super) struct Lines {
+pub struct Lines {
     starts: Vec<usize>,
     encoding: Encoding,
 }
 
 impl Lines {
-    pub(super) fn new(text: &str, encoding: Encoding) -> Self {
+    pub fn new(text: &str, encoding: Encoding) -> Self {
         let bytes = text.as_bytes();
         let ends = bytes.iter().enumerate().filter(|&(at, &byte)| {
             byte == b'\n' || byte == b'\r' && bytes.get(at + 1) != Some(&b'\n')
@@ -69,7 +69,7 @@ impl Lines {
     }
 
     /// The byte at a position.
-    pub(super) fn offset(&self, text: &str, position: Position) -> usize {
+    pub fn offset(&self, text: &str, position: Position) -> usize {
         let Some(&start) = self.starts.get(position.line as usize) else {
             return text.len();
         };
@@ -91,7 +91,7 @@ impl Lines {
     }
 
     /// The position of a byte.
-    pub(super) fn position(&self, text: &str, offset: usize) -> Position {
+    pub fn position(&self, text: &str, offset: usize) -> Position {
         let offset = text.floor_char_boundary(offset);
         let line = self.starts.partition_point(|&start| start <= offset) - 1;
         let start = self.starts[line];
@@ -104,38 +104,12 @@ impl Lines {
     }
 
     /// The range of two bytes.
-    pub(super) fn range(&self, text: &str, range: std::ops::Range<usize>) -> Range {
+    pub fn range(&self, text: &str, range: std::ops::Range<usize>) -> Range {
         Range { start: self.position(text, range.start), end: self.position(text, range.end) }
     }
 }
 
 /// The protocol counts in 32 bits; no text that is longer is taken in.
-pub(super) fn narrow(count: usize) -> u32 {
+pub fn narrow(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn positions_and_bytes_are_inverse_in_every_encoding() {
-        let text = "a𝄞b\r\né\rz\n\n";
-        for encoding in [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32] {
-            let lines = Lines::new(text, encoding);
-            for (offset, character) in text.char_indices() {
-                if text[..offset].ends_with('\r') && character == '\n' {
-                    continue; // inside a line end
-                }
-                let position = lines.position(text, offset);
-                assert_eq!(lines.offset(text, position), offset, "{encoding:?} {offset}");
-            }
-        }
-        let lines = Lines::new(text, Encoding::Utf16);
-        let at = |line, character| lines.offset(text, Position { line, character });
-        assert_eq!(at(0, 2), 1, "inside a pair of surrogates");
-        assert_eq!(at(0, 99), 6, "the end of the line, before its end mark");
-        assert_eq!(at(2, 0), 11);
-        assert_eq!(at(99, 0), text.len());
-    }
 }

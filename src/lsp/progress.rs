@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::server::{Asked, Server};
 
-/// How many ops have to wait before progress is worth showing.
+/// The number of ops that have to wait before progress is worth showing.
 const MANY: usize = 24;
 /// After how many ops it is shown anew.
 const STEP: usize = 8;

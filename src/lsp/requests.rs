@@ -13,7 +13,7 @@ use super::server::{Server, Stage};
 /// Why a request gets no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Refusal {
-    /// What kind of failure it is.
+    /// The kind of failure.
     pub(super) code: i32,
     /// Why, for a person.
     pub(super) why: String,
@@ -31,7 +31,7 @@ impl Refusal {
     }
 }
 
-/// What a request is answered.
+/// The answer to a request.
 pub(super) type Answer<Q> = Result<<Q as Question>::Result, Refusal>;
 
 impl Server {

@@ -8,16 +8,16 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::client::Client;
+use super::diagram_page::DiagramPage;
 use super::document::Document;
 use super::documents::Documents;
-use super::errand::Errand;
 use super::files::Files;
-use super::preview::Preview;
 use super::progress::Progress;
+use super::subprocess::Subprocess;
 use super::workspace::Workspace;
 use crate::analysis::Reader;
 
-/// How far the conversation is.
+/// The stage of the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
     /// Nothing has been said.
@@ -49,9 +49,9 @@ pub struct Server {
     pub(super) documents: Documents,
     pub(super) workspace: Workspace,
     pub(super) files: Files,
-    pub(super) preview: Option<Preview>,
+    pub(super) preview: Option<DiagramPage>,
     pub(super) progress: Option<Progress>,
-    pub(super) errands: Vec<Errand>,
+    pub(super) errands: Vec<Subprocess>,
     waiting: VecDeque<Message>,
     /// Requests that are answered when all of their document is proved.
     deferred: Vec<Request>,
@@ -156,7 +156,7 @@ impl Server {
         Some(self.documents.get(&uri.into())?.text())
     }
 
-    /// Whether a request is about all ops of a document, and not all of them have been looked at.
+    /// True if a request is about all ops of a document, and not all of them have been looked at.
     /// To answer at once would keep all others waiting: between messages they are proved one by
     /// one.
     fn needs_proofs(&self, request: &Request) -> bool {
@@ -218,7 +218,7 @@ impl Server {
     }
 
     /// The commands that are to be run beside the server, each once.
-    pub fn errands(&mut self) -> Vec<Errand> {
+    pub fn errands(&mut self) -> Vec<Subprocess> {
         std::mem::take(&mut self.errands)
     }
 

@@ -145,7 +145,7 @@ fn information(document: &Document, entry: &Entry, container: Option<&str>) -> S
     }
 }
 
-/// Whether a name has the letters of a query, in order.
+/// True if a name has the letters of a query, in order.
 fn matches(name: &str, query: &str) -> bool {
     let mut letters = name.chars().flat_map(char::to_lowercase);
     let query = query.chars().flat_map(char::to_lowercase);

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use gen_lsp_types::Uri;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
-/// What is written as it is in the path of a URI.
+/// The characters that are written as it is in the path of a URI.
 const WRITTEN: &AsciiSet =
     &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'_').remove(b'.').remove(b'~');
 
 /// The path of a `file:` URI; nothing for other schemes.
-pub(super) fn path(uri: &Uri) -> Option<PathBuf> {
+pub fn path(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.0.strip_prefix("file://")?;
     let (_, path) = rest.split_at(rest.find('/')?);
     let path = percent_decode_str(path).decode_utf8().ok()?;
@@ -21,23 +21,8 @@ pub(super) fn path(uri: &Uri) -> Option<PathBuf> {
 }
 
 /// The URI of an absolute path.
-pub(super) fn of_path(path: &Path) -> Uri {
+pub fn of_path(path: &Path) -> Uri {
     let path = path.to_string_lossy().replace('\\', "/");
     let slash = if path.starts_with('/') { "" } else { "/" };
     Uri(format!("file://{slash}{}", utf8_percent_encode(&path, WRITTEN)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn paths_survive_the_way_there_and_back() {
-        let there = of_path(Path::new("/tmp/a b/é#%.hedge"));
-        assert_eq!(there.0, "file:///tmp/a%20b/%C3%A9%23%25.hedge");
-        assert_eq!(path(&there), Some(PathBuf::from("/tmp/a b/é#%.hedge")));
-        let drive = Uri("file:///c%3A/x.hedge".into());
-        assert_eq!(path(&drive), Some(PathBuf::from("c:/x.hedge")));
-        assert_eq!(path(&Uri("untitled:Untitled-1".into())), None);
-    }
 }

@@ -49,6 +49,17 @@ macro_rules! attribute_types {
         }
 
         impl Value {
+            /// The value as one number, to be shown in colour: a vector or matrix by its length, a
+            /// truth value as 0 or 1.
+            pub fn magnitude(self) -> f64 {
+                match self {
+                    Self::Bool(holds) => f64::from(u8::from(holds)),
+                    Self::Int(count) => count as f64,
+                    Self::Real(real) => real,
+                    other => other.reals().iter().map(|x| x * x).sum::<f64>().sqrt(),
+                }
+            }
+
             pub fn attribute_type(self) -> AttributeType {
                 match self { $(Self::$variant(_) => AttributeType::$variant),* }
             }
@@ -59,6 +70,26 @@ macro_rules! attribute_types {
         }
 
         impl ColumnData {
+            /// The type of the values.
+            pub fn attribute_type(&self) -> AttributeType {
+                match self { $(Self::$variant(_) => AttributeType::$variant),* }
+            }
+
+            /// The number of them.
+            pub fn len(&self) -> usize {
+                match self { $(Self::$variant(xs) => xs.len()),* }
+            }
+
+            /// True if there are none.
+            pub fn is_empty(&self) -> bool {
+                self.len() == 0
+            }
+
+            /// Shows all values, in order.
+            pub fn each(&self, mut see: impl FnMut(Value)) {
+                match self { $(Self::$variant(xs) => xs.iter().for_each(|&x| see(Value::$variant(x)))),* }
+            }
+
             fn get(&self, index: usize) -> Option<Value> {
                 match self { $(Self::$variant(xs) => xs.get(index).copied().map(Value::$variant)),* }
             }
@@ -140,6 +171,20 @@ attribute_types! {
     Mat4(DMat4) "mat4";
 }
 
+impl AttributeType {
+    /// The number of numbers a value that is made of.
+    pub fn width(self) -> usize {
+        match self {
+            Self::Bool | Self::Int | Self::Real => 1,
+            Self::Vec2 => 2,
+            Self::Vec3 => 3,
+            Self::Vec4 => 4,
+            Self::Mat3 => 9,
+            Self::Mat4 => 16,
+        }
+    }
+}
+
 impl Value {
     /// The reals a value is made of, matrices column by column; none of a bool or an int.
     pub fn reals(&self) -> &[f64] {
@@ -174,7 +219,7 @@ impl Value {
         }
     }
 
-    /// Whether the values agree bit for bit, which for reals is not quite `==`.
+    /// True if the values agree bit for bit, which for reals is not quite `==`.
     pub fn is_identical(self, other: Self) -> bool {
         match self {
             Self::Bool(_) | Self::Int(_) => self == other,
@@ -236,8 +281,8 @@ impl Column {
         self.default.attribute_type()
     }
 
-    /// Whether a program can say the name. Columns with other names are scratch and
-    /// bookkeeping, and go into no file.
+    /// True if a program can say the name. Columns with other names are scratch and bookkeeping,
+    /// and go into no file.
     pub fn is_sayable(&self) -> bool {
         let of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
         self.name.chars().all(of_name)
@@ -410,6 +455,18 @@ impl Mesh {
     pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
             column.data.set(index as usize, value);
+        }
+    }
+
+    /// Gives a column all its values, one for each slot; nothing if they are of another type or
+    /// number.
+    pub fn set_values(&mut self, id: ColumnId, data: ColumnData) {
+        let fits = |column: &Column| {
+            column.attribute_type() == data.attribute_type() && column.data.len() == data.len()
+        };
+        if self.column(id).is_some_and(fits) {
+            self.note_values(id);
+            self.put_values(id, data);
         }
     }
 

@@ -15,8 +15,8 @@ use super::build_error::BuildError;
 use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 use super::level::{Level, validate_level};
+use super::polygon_sides::Sides;
 use super::polygons::Polygons;
-use super::sides::Sides;
 
 impl Mesh {
     pub fn from_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<Self, BuildError> {
@@ -47,8 +47,8 @@ impl Mesh {
         }
     }
 
-    /// Whether the mesh is what the list of its polygons says, so that files of polygons can
-    /// hold it. What is of level simple is; of other meshes the list is read again.
+    /// True if the mesh is what the list of its polygons says, so that files of polygons can hold
+    /// it. What is of level simple is; of other meshes the list is read again.
     pub fn is_polygons(&self) -> bool {
         if validate_level(self, Level::Simple).is_ok() {
             return true;
@@ -89,7 +89,7 @@ fn check_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<(), BuildE
 }
 
 impl BuildError {
-    /// What is wrong with a polygon by itself. `sorted` is room to work in.
+    /// The fault of a polygon by itself. `sorted` is room to work in.
     pub(super) fn of_polygon(
         polygon: usize,
         corners: &[u32],

@@ -9,10 +9,10 @@
 
 use glam::DVec3;
 
+use super::allocation::Slots;
 use super::attribute::Columns;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::journal::Journal;
-use super::slots::Slots;
 
 /// The pointers of a halfedge. `vertex` is its origin.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,7 +109,7 @@ impl Mesh {
 
 /// Life.
 impl Mesh {
-    /// Whether `index` is the number of a living element. Holes count as faces here.
+    /// True if `index` is the number of a living element. Holes count as faces here.
     pub fn is_alive(&self, kind: ElementKind, index: u32) -> bool {
         match kind {
             ElementKind::Vertex => self.vertex_alive(VertexId(index)),

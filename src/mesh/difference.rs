@@ -1,5 +1,5 @@
-//! How two meshes differ that are not the same, in the order in which a person would look:
-//! how many elements there are, where vertices lie, which edges and faces are between them.
+//! Differences between two meshes, in the order in which a person would look: how many elements
+//! there are, where vertices lie, which edges and faces are between them.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -16,18 +16,18 @@ pub enum Difference {
     Counts(Vec<Count>),
     /// Vertices lie where the other mesh has none.
     Elsewhere {
-        /// How many.
+        /// The number of them.
         vertices: usize,
         /// The first of them.
         first: VertexId,
-        /// Where it lies.
+        /// Its position.
         position: DVec3,
     },
     /// A vertex of the other mesh lies where this one has none.
     Missing {
         /// The first of them.
         first: VertexId,
-        /// Where it lies.
+        /// Its position.
         position: DVec3,
     },
     /// The other mesh has no edge between such ends.
@@ -39,7 +39,7 @@ pub enum Difference {
     Connected,
 }
 
-/// How many there are, in the one mesh and the other.
+/// Two numbers of elements, of the one mesh and the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     what: &'static str,
@@ -211,42 +211,5 @@ impl<'m> Cells<'m> {
             |v: &&VertexId| (self.mesh.position(**v) - p).abs().max_element() <= self.tolerance;
         let near = cells.filter_map(|inside| inside.iter().find(is_near));
         near.min().copied()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::shape;
-
-    #[test]
-    fn each_difference_is_found_in_its_order() {
-        let told = |a: &Mesh, b: &Mesh| difference(a, b, 1e-9).to_string();
-        let (cube, octahedron) = (shape::cube(), shape::octahedron());
-        assert_eq!(
-            told(&cube, &octahedron),
-            "the mesh has 8 vertices, the other 6; the mesh has 6 faces, the other 8"
-        );
-        let mut moved = cube.clone();
-        let v = moved.vertices().nth(3).expect("a cube has corners");
-        moved.set_position(v, DVec3::new(0.5, 2.0, 0.0));
-        assert_eq!(
-            told(&moved, &cube),
-            "a vertex lies where the other mesh has none; the first is vertex 3, at (0.5, 2, 0)"
-        );
-        let mut laid = cube.clone();
-        laid.set_position(v, cube.position(cube.vertices().next().expect("a corner")));
-        assert!(told(&laid, &cube).starts_with("no vertex lies where the other mesh has vertex 3"));
-        // The same corners, but two of them have changed places.
-        let mut swapped = cube.clone();
-        let w = swapped.vertices().next().expect("a cube has corners");
-        let (p, q) = (cube.position(v), cube.position(w));
-        swapped.set_position(v, q);
-        swapped.set_position(w, p);
-        assert!(
-            told(&swapped, &cube).starts_with("the other mesh has no edge where edge"),
-            "{}",
-            told(&swapped, &cube)
-        );
     }
 }

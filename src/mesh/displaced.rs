@@ -13,7 +13,7 @@ use super::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 /// The attributes of vertices that belong to a surface, as those of corners do.
 const OF_SURFACE: [&str; 3] = ["uv", "normal", "color"];
 
-/// Where the attributes of corners were when a mesh was read, and their values.
+/// The positions and values of the attributes of corners when a mesh was read.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     columns: Vec<(ColumnId, String, Vec<Option<Value>>)>,
@@ -21,7 +21,8 @@ pub struct Places {
     corners: Vec<Option<(VertexId, FaceId)>>,
 }
 
-/// How many corners of the faces of a mesh have a value of an attribute that is not theirs.
+/// The number of corners of the faces of a mesh have a value of an attribute that that is not
+/// theirs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Displaced {
     /// The name of the attribute.
@@ -30,7 +31,7 @@ pub struct Displaced {
     pub kept: usize,
     /// The corners that are new and have the default.
     pub defaulted: usize,
-    /// How many faces have such corners, of how many.
+    /// The number of faces with such corners, of how many.
     pub faces: [usize; 2],
 }
 
@@ -132,48 +133,4 @@ impl Places {
 fn corner(mesh: &Mesh, h: HalfedgeId) -> Option<(VertexId, FaceId)> {
     let face = mesh.get_face(h)?;
     (!mesh.get_is_hole(face)?).then_some((mesh.get_vertex(h)?, face))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::shape;
-    use glam::DVec2;
-
-    fn cube() -> (Mesh, ColumnId) {
-        let mut mesh = shape::cube();
-        let uv = Value::Vec2(DVec2::ZERO);
-        let column = mesh.add_column(ElementKind::Halfedge, "uv", uv).unwrap();
-        for h in mesh.halfedges().collect::<Vec<_>>() {
-            let value = Value::Vec2(DVec2::new(f64::from(h.0), 1.0));
-            assert!(mesh.set_value(column, h.0, value));
-        }
-        (mesh, column)
-    }
-
-    #[test]
-    fn what_has_not_moved_is_not_told() {
-        let (mut mesh, column) = cube();
-        let places = Places::of(&mesh);
-        assert!(mesh.set_value(column, 3, Value::Vec2(DVec2::ONE)));
-        assert!(places.displaced(&mesh).is_empty());
-        assert!(Places::of(&shape::cube()).corners.is_empty());
-    }
-
-    #[test]
-    fn what_has_moved_is_told_unless_it_was_set() {
-        let (mut mesh, column) = cube();
-        let places = Places::of(&mesh);
-        // Turns a face by one corner.
-        let face = mesh.faces().next().unwrap();
-        let sides: Vec<_> = mesh.face_halfedges(face).collect();
-        let corners: Vec<_> = sides.iter().map(|&h| mesh.vertex(h)).collect();
-        for (at, &h) in sides.iter().enumerate() {
-            mesh.set_vertex(h, corners[(at + 1) % corners.len()]);
-        }
-        assert!(mesh.set_value(column, sides[0].0, Value::Vec2(DVec2::ONE)));
-        assert!(mesh.set_value(column, sides[1].0, Value::Vec2(DVec2::ZERO)));
-        let told = Displaced { attribute: "uv".into(), kept: 2, defaulted: 1, faces: [1, 6] };
-        assert_eq!(places.displaced(&mesh), [told]);
-    }
 }

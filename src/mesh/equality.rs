@@ -17,7 +17,7 @@ use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
 use super::level::scatter;
 
-/// Whether the meshes are the same up to renumbering, with equal positions.
+/// True if the meshes are the same up to renumbering, with equal positions.
 pub fn equal_up_to_renumbering(a: &Mesh, b: &Mesh) -> bool {
     Comparison { a, b, positions: Positions::Equal }.holds()
 }
@@ -28,7 +28,7 @@ pub fn same_up_to_renumbering(a: &Mesh, b: &Mesh, tolerance: f64) -> bool {
     Comparison { a, b, positions: Positions::Within(tolerance) }.holds()
 }
 
-/// Whether the meshes are the same up to renumbering, wherever their vertices lie.
+/// True if the meshes are the same up to renumbering, wherever their vertices lie.
 pub fn same_connectivity(a: &Mesh, b: &Mesh) -> bool {
     Comparison { a, b, positions: Positions::Anywhere }.holds()
 }
@@ -257,36 +257,5 @@ impl<'c> Pairing<'c> {
             ElementKind::Halfedge | ElementKind::Edge => true,
         };
         if alike { self.tables[kind as usize].pair(x, y) } else { None }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::{FaceId, VertexId, shape};
-
-    #[test]
-    fn each_comparison_sees_what_it_should() {
-        let a = shape::torus(5, 7);
-        let mut b = a.clone();
-        assert!(equal_up_to_renumbering(&a, &b));
-        b.set_position(VertexId(3), a.position(VertexId(3)) + DVec3::splat(1e-9));
-        assert!(!equal_up_to_renumbering(&a, &b));
-        assert!(same_up_to_renumbering(&a, &b, 1e-8) && !same_up_to_renumbering(&a, &b, 1e-10));
-        assert!(same_connectivity(&a, &b));
-        assert!(same_connectivity(&a, &shape::torus(7, 5)));
-        assert!(!same_connectivity(&a, &shape::triangle_torus(5, 7)));
-        b.set_hole(FaceId(4), true);
-        assert!(!same_connectivity(&a, &b));
-    }
-
-    #[test]
-    fn mirror_images_differ_where_orientation_shows() {
-        let square = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
-        let polygons = |list: &[&[u32]]| list.iter().collect::<crate::mesh::Polygons>();
-        let a = Mesh::from_polygons(&square, &polygons(&[&[0, 1, 2, 3]])).unwrap();
-        let b = Mesh::from_polygons(&square, &polygons(&[&[3, 2, 1, 0]])).unwrap();
-        assert!(same_connectivity(&a, &b));
-        assert!(!equal_up_to_renumbering(&a, &b));
     }
 }

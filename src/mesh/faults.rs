@@ -6,7 +6,7 @@ use super::build_error::BuildError;
 use super::polygons::Polygons;
 use super::repair::{NONE, PolygonList};
 
-/// What keeps a list of polygons from being a mesh.
+/// The faults that keep a list of polygons from being a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Faults {
     /// The faults of each kind that occurs.
@@ -21,7 +21,7 @@ pub struct FaultKind {
     pub count: usize,
 }
 
-/// How many faults of a kind are told.
+/// The number of faults of a kind that are told.
 const TOLD: usize = 3;
 
 impl Faults {

@@ -1,4 +1,4 @@
-//! What was written, so that it can be undone.
+//! The journal of what was written, so that it can be undone.
 //!
 //! While a journal is open, each writer first notes the record that it writes to. To roll back
 //! is to put the notes back, the last first, and costs what was written, however large the mesh
@@ -19,10 +19,29 @@ use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::level_near::Footprint;
 
-/// Where a journal begins among the notes.
+/// The beginning of a journal among the notes.
 #[derive(Debug)]
 #[must_use = "a journal that is open ends by `roll_back` or `keep`"]
 pub struct Bookmark(usize);
+
+/// Something that is not what it was when a journal was opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// The pointers of a halfedge.
+    Pointers(HalfedgeId),
+    /// The `halfedge` of a vertex, an edge or a face.
+    Halfedge(ElementKind, u32),
+    /// A position, or whether a face is a hole.
+    Value(ElementKind, u32),
+    /// The value of an attribute.
+    Attribute(ElementKind, u32),
+    /// The life of a slot: if it has a living element, or which.
+    Life(ElementKind, u32),
+    /// There are more slots of a kind.
+    Grown(ElementKind),
+    /// An attribute as a whole.
+    Column,
+}
 
 /// A record as it was.
 #[derive(Clone, Debug)]
@@ -35,7 +54,7 @@ enum Note {
     Value(ColumnId, u32, Value),
     /// All values of a column.
     Values(ColumnId, Box<ColumnData>),
-    /// What new elements have in a column.
+    /// The value of new elements in a column.
     Default(ColumnId, Value),
     /// A column has been added, behind all others of its kind.
     Added(ElementKind),
@@ -100,7 +119,7 @@ impl Mesh {
         self.journal = Journal::default();
     }
 
-    /// What was written since the journal was opened.
+    /// The elements that were written since the journal was opened.
     pub fn written_since(&self, mark: &Bookmark) -> Footprint {
         let mut footprint = Footprint::default();
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
@@ -121,6 +140,72 @@ impl Mesh {
             }
         }
         footprint
+    }
+
+    /// Tells what was written since the journal was opened and is not what it was, some of it
+    /// several times.
+    pub fn each_written(&self, mark: &Bookmark, mut tell: impl FnMut(Written)) {
+        let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
+        for note in notes {
+            match *note {
+                Note::Vertex(v, was) => {
+                    let now = self.vertices[v.index()];
+                    self.tell_pointer((ElementKind::Vertex, v.0), [was, now], &mut tell);
+                }
+                Note::Edge(e, was) => {
+                    let now = self.edges[e.index()];
+                    self.tell_pointer((ElementKind::Edge, e.0), [was, now], &mut tell);
+                }
+                Note::Face(f, ref was) => {
+                    let now = &self.faces[f.index()];
+                    let halfedges = [was.halfedge, now.halfedge];
+                    self.tell_pointer((ElementKind::Face, f.0), halfedges, &mut tell);
+                    if was.hole != now.hole {
+                        tell(Written::Value(ElementKind::Face, f.0));
+                    }
+                }
+                Note::Halfedge(h, ref was) => {
+                    let now = &self.halfedges[h.index()];
+                    if was != now {
+                        tell(Written::Pointers(h));
+                    }
+                    if was.lives() != now.lives() {
+                        tell(Written::Life(ElementKind::Halfedge, h.0));
+                    }
+                }
+                Note::Position(v, was) => {
+                    if self.positions[v.index()] != was {
+                        tell(Written::Value(ElementKind::Vertex, v.0));
+                    }
+                }
+                Note::Value(column, index, was) => {
+                    let now = self.value_at(column, index);
+                    if !now.is_some_and(|now| now.is_identical(was)) {
+                        tell(Written::Attribute(column.kind, index));
+                    }
+                }
+                Note::Values(..) | Note::Default(..) | Note::Added(_) | Note::Removed(..) => {
+                    tell(Written::Column);
+                }
+                Note::Grown(kind) => tell(Written::Grown(kind)),
+                // Their records have been noted before.
+                Note::Taken(..) | Note::Erased(_) => {}
+            }
+        }
+    }
+
+    fn tell_pointer(
+        &self,
+        (kind, id): (ElementKind, u32),
+        [was, now]: [HalfedgeId; 2],
+        tell: &mut impl FnMut(Written),
+    ) {
+        if was != now {
+            tell(Written::Halfedge(kind, id));
+            if (was == HalfedgeId::DEAD) != (now == HalfedgeId::DEAD) {
+                tell(Written::Life(kind, id));
+            }
+        }
     }
 
     fn put_back(&mut self, note: Note) {
@@ -166,7 +251,8 @@ impl Mesh {
     }
 }
 
-/// What writers say before they write. Each is to be called while a journal is open only.
+/// The notes that writers make before they write. Each is to be called while a journal is open
+/// only.
 impl Mesh {
     #[cold]
     pub(super) fn note_vertex(&mut self, v: VertexId) {

@@ -60,7 +60,7 @@ impl Mesh {
         Some(corners)
     }
 
-    /// Where the halfedges to the left of a spoke start that have no end among `ends`.
+    /// The starts of the halfedges to the left of a spoke that have no end among `ends`.
     fn far_side(&self, spoke: HalfedgeId, ends: [VertexId; 2]) -> impl Iterator<Item = DVec3> {
         let sides = self.loop_from(spoke).skip(1);
         let sides = sides.take_while(move |&side| {
@@ -129,7 +129,7 @@ fn centroid_of_kernel(polygon: &[DVec2]) -> Option<DVec2> {
     (wide_enough && centroid.is_finite()).then_some(centroid)
 }
 
-/// What of a convex polygon lies to the left of a line.
+/// The part of a convex polygon to the left of a line.
 fn left_of(from: DVec2, to: DVec2, convex: &[DVec2]) -> Vec<DVec2> {
     let side = |point: DVec2| (to - from).perp_dot(point - from);
     let mut left = Vec::with_capacity(convex.len() + 1);
@@ -144,65 +144,4 @@ fn left_of(from: DVec2, to: DVec2, convex: &[DVec2]) -> Vec<DVec2> {
         }
     }
     left
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::shape;
-
-    fn polygon(corners: &[[f64; 2]]) -> Vec<DVec2> {
-        corners.iter().map(|&corner| corner.into()).collect()
-    }
-
-    #[test]
-    fn kernels_of_polygons() {
-        let square = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
-        assert_eq!(centroid_of_kernel(&square), Some(DVec2::ONE));
-        // The corner of an L is seen from the square at its bend.
-        let bent =
-            polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]]);
-        assert_eq!(centroid_of_kernel(&bent), Some(DVec2::splat(0.5)));
-        // From nowhere all of a U is seen.
-        let cup = polygon(&[
-            [0.0, 0.0],
-            [3.0, 0.0],
-            [3.0, 2.0],
-            [2.0, 2.0],
-            [2.0, 1.0],
-            [1.0, 1.0],
-            [1.0, 2.0],
-            [0.0, 2.0],
-        ]);
-        assert_eq!(centroid_of_kernel(&cup), None);
-        assert_eq!(centroid_of_kernel(&[]), None);
-        assert_eq!(centroid_of_kernel(&[DVec2::ONE; 4]), None);
-    }
-
-    #[test]
-    fn links_of_edges() {
-        // Unit squares cut in two: the link of the diagonal in the middle of three by three.
-        let mesh = shape::triangle_grid(3, 3);
-        let inside = mesh.edges().filter(|&e| {
-            let h = mesh.edge_halfedge(e);
-            let ends = [mesh.vertex(h), mesh.target(h)];
-            ends.iter().all(|&v| !mesh.is_boundary_vertex(v))
-        });
-        let mut seen = 0;
-        for e in inside {
-            let h = mesh.edge_halfedge(e);
-            let middle = (mesh.position(mesh.vertex(h)) + mesh.position(mesh.target(h))) / 2.0;
-            let link = mesh.link_polygon(e).unwrap();
-            assert_eq!(link.len(), 8);
-            // The link is symmetric about the middle of the edge.
-            let centroid = mesh.kernel_centroid(e).unwrap();
-            assert!((centroid - middle).length() < 1e-12, "{centroid} {middle}");
-            seen += 1;
-        }
-        assert_eq!(seen, 5);
-        let closed = shape::octahedron();
-        assert!(closed.edges().all(|e| closed.link_polygon(e).unwrap().len() == 4));
-        let border = shape::single_polygon(3);
-        assert!(border.edges().all(|e| border.kernel_centroid(e).is_none()));
-    }
 }

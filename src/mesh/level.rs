@@ -1,4 +1,4 @@
-//! What people mean by a valid mesh, beyond its tables: the levels.
+//! Levels: meanings of a valid mesh beyond its tables.
 //!
 //! `map` asks nothing more than the laws of `validate`. `surface` is what other mesh
 //! libraries check. `simple` is what makes triangles and edges sets of vertices, as in
@@ -12,7 +12,7 @@ use super::id::{EdgeId, ElementKind, FaceId, VertexId};
 use super::invalid::Invalid;
 use super::validate::validate;
 
-/// How much is asked of a mesh. Each level includes the ones before it.
+/// The conditions on a mesh. Each level includes the ones before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
@@ -107,7 +107,7 @@ impl fmt::Display for BelowLevel {
 
 impl std::error::Error for BelowLevel {}
 
-/// Whether the mesh is valid and has the level; if not, the first reason found.
+/// Checks that the mesh is valid and has the level; the error is the first reason found.
 pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     validate(mesh).map_err(BelowLevel::Invalid)?;
     if level >= Level::Surface {

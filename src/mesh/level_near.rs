@@ -21,12 +21,12 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// How many elements are listed.
+    /// The number of elements that are listed.
     pub fn len(&self) -> usize {
         self.vertices.len() + self.halfedges.len() + self.edges.len() + self.faces.len()
     }
 
-    /// Whether none is.
+    /// True if none is.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -40,7 +40,7 @@ impl Footprint {
     }
 }
 
-/// Whether a valid mesh that had the level still has it after the elements of the footprint
+/// Checks that a valid mesh that had the level still has it after the elements of the footprint
 /// were written; if not, the first reason found.
 pub fn validate_level_near(
     mesh: &Mesh,

@@ -12,7 +12,7 @@ use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
 /// Stars up to this size are compared without sorting.
 const SMALL_STAR: usize = 24;
 
-/// What lies on one side of an edge.
+/// The elements on one side of an edge.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
     Hole,
@@ -22,8 +22,8 @@ enum Side {
 }
 
 impl Mesh {
-    /// Whether merging the ends of `e`, and with them the edges of each triangle at
-    /// `e`, turns a simple mesh into a simple mesh.
+    /// True if merging the ends of `e`, and with them the edges of each triangle at `e`, turns a
+    /// simple mesh into a simple mesh.
     ///
     /// ```text
     ///         x                 x
@@ -127,14 +127,14 @@ impl Mesh {
         self.get_vertex(self.get_prev(h)?)
     }
 
-    /// Whether a face lies at an edge.
+    /// True if a face lies at an edge.
     fn is_at(&self, e: EdgeId, face: FaceId) -> bool {
         let half = self.get_edge_halfedge(e);
         let halves = [half, half.and_then(|h| self.get_twin(h))];
         halves.into_iter().flatten().any(|h| self.get_face(h) == Some(face))
     }
 
-    /// Whether two faces have the same corners, but for some.
+    /// True if two faces have the same corners, but for some.
     fn same_corners(&self, f: FaceId, g: FaceId, but: [VertexId; 2]) -> bool {
         if self.get_is_hole(g) != Some(false) {
             return false;
@@ -164,36 +164,5 @@ impl Mesh {
         let mut around_a: Vec<VertexId> = self.neighbors(a).collect();
         around_a.sort_unstable();
         self.neighbors(b).filter(|v| around_a.binary_search(v).is_ok()).count()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::mesh::{Mesh, shape};
-
-    fn collapsible(mesh: &Mesh) -> usize {
-        mesh.edges().filter(|&e| mesh.link_condition(e)).count()
-    }
-
-    #[test]
-    fn known_counts() {
-        assert_eq!(collapsible(&shape::tetrahedron()), 0);
-        assert_eq!(collapsible(&shape::single_polygon(3)), 0);
-        assert_eq!(collapsible(&shape::pillow(3)), 0);
-        assert_eq!(collapsible(&shape::octahedron()), 12);
-        assert_eq!(collapsible(&shape::icosahedron()), 30);
-        assert_eq!(collapsible(&shape::cube()), 12);
-        // The outer edge of two triangles: yes; the diagonal would pinch: no.
-        assert_eq!(collapsible(&shape::triangle_grid(1, 1)), 4);
-    }
-
-    #[test]
-    fn large_stars_count_alike() {
-        // A spoke of a wide fan has both ends on the boundary only at its rim.
-        let mesh = shape::fan(100);
-        let spokes = 100;
-        let rim = 100;
-        assert_eq!(collapsible(&mesh), spokes + rim);
-        assert_eq!(collapsible(&shape::fan(5)), 10);
     }
 }

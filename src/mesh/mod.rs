@@ -9,13 +9,13 @@
 //! say, and how good a mesh for the levels. Operations are not here.
 
 // The tables.
+mod allocation;
 mod attribute;
 mod connectivity;
 mod id;
 mod journal;
 mod memory;
 mod pointers;
-mod slots;
 
 // What can be asked of them.
 mod component;
@@ -36,15 +36,16 @@ mod walk;
 
 // Where meshes come from and where they go.
 mod arrays;
+mod binary;
 mod build;
 mod build_error;
 mod dump;
 mod faults;
 mod file;
+mod polygon_sides;
 mod polygons;
 mod repair;
 pub mod shape;
-mod sides;
 
 /// The vectors and matrices of positions and attributes.
 pub use glam;
@@ -53,6 +54,7 @@ pub use arrays::NotATriangle;
 pub use attribute::{
     Attribute, AttributeType, Column, ColumnConflict, ColumnData, ColumnId, Value,
 };
+pub use binary::{BinaryError, read_bytes, write_bytes};
 pub use build_error::BuildError;
 pub use connectivity::{HalfedgeRecord, Mesh};
 pub use difference::{Difference, difference};
@@ -66,9 +68,9 @@ pub use file::{
     replace_file, write_mesh, write_mesh_to,
 };
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
-pub use identical::identical;
+pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;
-pub use journal::Bookmark;
+pub use journal::{Bookmark, Written};
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
 pub use polygons::Polygons;

@@ -59,7 +59,7 @@ impl Polygons {
         &self.corners
     }
 
-    /// Where in [`Polygons::corners`] each polygon ends.
+    /// The ends of the polygons in [`Polygons::corners`].
     pub fn ends(&self) -> &[usize] {
         &self.ends
     }

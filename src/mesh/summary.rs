@@ -6,7 +6,7 @@ use super::connectivity::Mesh;
 use super::id::ElementKind;
 use super::level::{Level, highest_level, validate_level};
 
-/// What there is to say about a mesh at a glance.
+/// A summary of a mesh at a glance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
     pub vertices: usize,
@@ -20,7 +20,7 @@ pub struct Summary {
     /// The law that the mesh breaks, if it breaks one.
     pub invalid: Option<String>,
     pub level: Option<Level>,
-    /// What keeps the mesh from the next level.
+    /// The reason why the mesh has not the next level.
     pub below_next_level: Option<String>,
     /// Missing when the mesh is invalid.
     pub measures: Option<Measures>,
@@ -37,7 +37,7 @@ pub struct AttributeSummary {
     pub ty: &'static str,
 }
 
-/// What can be measured on a valid mesh. Isolated vertices are left out.
+/// The measures of a valid mesh. Isolated vertices are left out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measures {
     /// V - E + F, holes not counted.
@@ -45,9 +45,9 @@ pub struct Measures {
     pub components: usize,
     /// The number of handles, summed over components, every hole closed by a disk.
     pub genus: usize,
-    /// How many vertices have how many spokes, by spokes.
+    /// The numbers of vertices by their number of spokes.
     pub degrees: Vec<Bin>,
-    /// How many faces have how many sides, by sides. Holes are left out.
+    /// The numbers of faces by their number of sides. Holes are left out.
     pub face_sizes: Vec<Bin>,
     /// Missing when there are no edges.
     pub edge_lengths: Option<Lengths>,
@@ -168,42 +168,5 @@ impl Lengths {
             standard_deviation,
             spread: if mean > 0.0 { standard_deviation / mean } else { 0.0 },
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::shape;
-
-    #[test]
-    fn genus_and_components() {
-        let torus = Summary::of(&shape::torus(4, 4)).measures.unwrap();
-        assert_eq!((torus.euler_characteristic, torus.genus, torus.components), (0, 1, 1));
-        let tube = Summary::of(&shape::tube(5, 2));
-        assert_eq!(tube.holes, 2);
-        let measures = tube.measures.unwrap();
-        assert_eq!((measures.euler_characteristic, measures.genus), (0, 0));
-        assert_eq!(measures.degrees, [Bin { size: 3, count: 10 }, Bin { size: 4, count: 5 }]);
-        assert_eq!(measures.face_sizes, [Bin { size: 4, count: 10 }]);
-    }
-
-    #[test]
-    fn an_empty_mesh_and_a_broken_one() {
-        let empty = Summary::of(&Mesh::default());
-        assert_eq!(empty.level, Some(Level::Simple));
-        assert_eq!(empty.measures.unwrap().genus, 0);
-        let mut mesh = shape::cube();
-        mesh.set_next(crate::mesh::HalfedgeId(0), crate::mesh::HalfedgeId(0));
-        let broken = Summary::of(&mesh);
-        assert!(broken.invalid.is_some() && broken.measures.is_none());
-    }
-
-    #[test]
-    fn the_reason_for_the_level() {
-        let summary = Summary::of(&shape::pillow(3));
-        assert_eq!(summary.level, Some(Level::Surface));
-        let reason = summary.below_next_level.unwrap();
-        assert_eq!(reason, "face 0 and face 1 have the same corners");
     }
 }

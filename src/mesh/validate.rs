@@ -1,4 +1,4 @@
-//! Whether the tables of a mesh are a mesh: one function per law.
+//! Validation of the tables of a mesh: one function per law.
 //!
 //! A mesh is in order when no pointer dangles, `next` is a permutation with `prev` its
 //! inverse, `twin` pairs every halfedge with another, and faces, edges and vertices are
@@ -137,8 +137,8 @@ where
     S: Fn(HalfedgeId) -> Option<HalfedgeId>,
     L: Fn(HalfedgeId) -> Element,
 {
-    /// Whether elements and orbits correspond one to one, `own` being every element
-    /// with its halfedge.
+    /// Checks that elements and orbits correspond one to one, `own` being every element with its
+    /// halfedge.
     fn are(
         &self,
         mesh: &Mesh,

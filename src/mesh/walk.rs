@@ -103,13 +103,13 @@ impl Mesh {
         self.face_halfedges(f).count()
     }
 
-    /// Whether `h` runs along a hole.
+    /// True if `h` runs along a hole.
     #[inline]
     pub fn is_boundary_halfedge(&self, h: HalfedgeId) -> bool {
         self.get_face(h).and_then(|f| self.get_is_hole(f)).unwrap_or(false)
     }
 
-    /// Whether a hole lies on one side of `e`.
+    /// True if a hole lies on one side of `e`.
     pub fn is_boundary_edge(&self, e: EdgeId) -> bool {
         let Some(h) = self.get_edge_halfedge(e) else {
             return false;
@@ -118,7 +118,7 @@ impl Mesh {
         self.is_boundary_halfedge(h) || self.is_boundary_halfedge(twin)
     }
 
-    /// Whether a hole lies around `v`. An isolated vertex has no hole around it.
+    /// True if a hole lies around `v`. An isolated vertex has no hole around it.
     pub fn is_boundary_vertex(&self, v: VertexId) -> bool {
         self.spokes(v).any(|h| self.is_boundary_halfedge(h))
     }
@@ -140,51 +140,12 @@ impl Mesh {
         }
     }
 
-    /// Whether an edge joins `v` and `w`.
+    /// True if an edge joins `v` and `w`.
     pub fn adjacent(&self, v: VertexId, w: VertexId) -> bool {
         self.halfedge_between(v, w).is_some()
     }
 
     pub fn edge_between(&self, v: VertexId, w: VertexId) -> Option<EdgeId> {
         self.get_edge(self.halfedge_between(v, w)?)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::shape;
-
-    #[test]
-    fn a_walk_on_a_broken_mesh_ends() {
-        let mut mesh = shape::tetrahedron();
-        // 0 -> 1 -> 2 -> 1 -> ... never comes back to 0.
-        let h = mesh.next(HalfedgeId(0));
-        mesh.set_next(mesh.next(h), h);
-        assert_eq!(mesh.loop_from(HalfedgeId(0)).count(), mesh.halfedge_count());
-        mesh.set_prev(HalfedgeId(0), HalfedgeId(99));
-        assert_eq!(mesh.spokes_from(HalfedgeId(0)).count(), 1);
-        assert_eq!(mesh.spokes_from(HalfedgeId::NONE).count(), 0);
-    }
-
-    #[test]
-    fn spokes_run_counterclockwise() {
-        let mesh = shape::fan(5);
-        let around: Vec<u32> = mesh.neighbors(VertexId(0)).map(|v| v.0).collect();
-        let first = around.iter().position(|&v| v == 1).unwrap();
-        let turned: Vec<u32> = (0..5).map(|i| around[(first + i) % 5]).collect();
-        assert_eq!(turned, [1, 2, 3, 4, 5]);
-    }
-
-    #[test]
-    fn neighbors_are_adjacent_and_others_are_not() {
-        let mesh = shape::octahedron();
-        for v in mesh.vertices() {
-            let around: Vec<VertexId> = mesh.neighbors(v).collect();
-            assert_eq!(around.len(), 4);
-            for w in mesh.vertices() {
-                assert_eq!(mesh.adjacent(v, w), around.contains(&w));
-            }
-        }
     }
 }

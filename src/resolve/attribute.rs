@@ -16,7 +16,7 @@ use super::scopes::Scopes;
 use super::typing::{Place, Typing};
 use super::words::a_type;
 
-/// What the declaration of an attribute says but for its default.
+/// The declaration of an attribute but for its default.
 #[derive(Clone, Debug)]
 pub(super) struct Head {
     pub(super) name: String,
@@ -25,14 +25,14 @@ pub(super) struct Head {
     pub(super) element: Type,
     /// The type of its values.
     pub(super) ty: Type,
-    /// Whether only its file sees it.
+    /// True if only its file sees it.
     pub(super) private: bool,
     /// Its number among those of the whole program.
     pub(super) number: u32,
 }
 
 impl Head {
-    /// Whether another attribute of the same elements has the name.
+    /// True if another attribute of the same elements has the name.
     pub(super) fn is_named_as(&self, other: &Self) -> bool {
         self.element == other.element && self.name == other.name
     }

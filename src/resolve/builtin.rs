@@ -2,7 +2,7 @@
 
 use crate::diagram::{Builtin, Type};
 
-/// What a function wants at one place.
+/// The type that a function wants at one place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
     /// A value of one type.
@@ -14,11 +14,11 @@ pub(super) enum Wanted {
 /// One way to call a function.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overload {
-    /// What it takes.
+    /// The types it takes.
     pub(super) wanted: &'static [Wanted],
-    /// What it gives.
+    /// The type it gives.
     pub(super) result: Type,
-    /// What it is.
+    /// The function.
     pub(super) builtin: Builtin,
 }
 

@@ -1,4 +1,4 @@
-//! What stands beside the drawings: `require`, `guard` and the assignments.
+//! Statements beside the drawings: `require`, `guard` and the assignments.
 
 use std::collections::HashMap;
 
@@ -7,8 +7,8 @@ use crate::diagram::{Access, Alias, Assignment, Kind, Level, NameId, Ref, Requir
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
-use super::elsewhere::{self, Here};
 use super::field::{attribute, attributes_of, is_taken};
+use super::foreign_words::{self, Here};
 use super::lists::mention;
 use super::lookup::element_type;
 use super::names::Names;
@@ -17,7 +17,7 @@ use super::suggestion::suggest;
 use super::typing::{Place, Typing};
 use super::words::{a_type, quoted};
 
-/// What a rule of `op` requires.
+/// The requirements of a rule of `op`.
 pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) -> Vec<Require> {
     let mut requires = Vec::new();
     for condition in conditions {
@@ -201,7 +201,7 @@ pub(super) fn assignments(
     assignments
 }
 
-/// Whether `new` lists a name.
+/// True if `new` lists a name.
 fn is_listed_new(after: &tree::Side, name: &tree::Name) -> bool {
     after.statements.iter().any(|statement| match statement {
         Statement::New(listed, _) => listed.iter().any(|new| new.ident.text == name.ident.text),
@@ -267,13 +267,13 @@ impl Typing<'_> {
         let error = Diagnostic::error("unknown-attribute", message, name.span);
         let known = attributes_of(ty).into_iter();
         let known: Vec<&str> = known.chain(self.declared.attributes_of(ty)).collect();
-        let here = elsewhere::field(ty, &name.text);
+        let here = foreign_words::field(ty, &name.text);
         let here = here.filter(|here| match here {
             Here::Written(ours) => known.contains(ours),
             Here::Said(_) => true,
         });
         let word = (name.text.as_str(), name.span);
-        let error = elsewhere::tell(error, word, here, known.iter().copied());
+        let error = foreign_words::tell(error, word, here, known.iter().copied());
         let error = match known.as_slice() {
             [] => error.note(format!("{element} has none that can be set")),
             known => error.note(format!(
@@ -287,9 +287,9 @@ impl Typing<'_> {
         None
     }
 
-    /// How that comes about which a pointer of an element would say, if the word is one.
+    /// The cause of the value that a pointer of an element would say, if the word is one.
     fn not_assigned(&self, ty: Type, word: &str) -> Option<&'static str> {
-        let foreign = match elsewhere::field(ty, word) {
+        let foreign = match foreign_words::field(ty, word) {
             Some(Here::Written(ours)) => ours,
             _ => word,
         };

@@ -1,4 +1,4 @@
-//! What can be named in a file, before any of it is understood.
+//! Declarations: the names of a file, before any of it is understood.
 //!
 //! Those are its own items, and the items of the files it uses. Two files that are used may
 //! have items of one name; only to call it is an error then.
@@ -19,18 +19,18 @@ use super::routine::FunctionSignature;
 use super::sequence::fold_names;
 use super::words::a_type;
 
-/// What stands for a name of an item.
+/// The meaning of a name of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Named {
-    /// What it is.
+    /// Its kind.
     pub(super) what: What,
     /// Its number among those of the whole program.
     pub(super) number: usize,
-    /// Where its name stands.
+    /// The span of its name.
     pub(super) span: Span,
 }
 
-/// What can be called.
+/// The kind of what can be called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     /// An operation.
@@ -54,9 +54,9 @@ impl What {
 /// The names that stand in a file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Declared {
-    /// What can be called, by name; of two of one name the first.
+    /// The items that can be called, by name; of two of one name the first.
     called: BTreeMap<String, Named>,
-    /// What else a used file has under such a name.
+    /// Other items that a used file has under such a name.
     others: HashMap<String, Span>,
     /// The functions that are known so far, by name.
     functions: HashMap<String, Rc<FunctionSignature>>,
@@ -66,11 +66,11 @@ pub(super) struct Declared {
     lost_attributes: HashSet<String>,
     /// The attributes of used files that only those see.
     hidden: Vec<Head>,
-    /// Whether some of what is used is not known.
+    /// True if some of what is used is not known.
     lacks: bool,
 }
 
-/// How many there are of what is numbered.
+/// The number of them of what is numbered.
 #[derive(Debug, Default)]
 struct Numbers {
     ops: usize,
@@ -82,8 +82,8 @@ struct Numbers {
 }
 
 impl Declared {
-    /// What can be named in each file of a program; says which names are taken, and which
-    /// items are not understood yet.
+    /// The declarations of each file of a program; says which names are taken, and which items are
+    /// not understood yet.
     pub(super) fn of_all(units: &[Unit], diagnostics: &mut Vec<Diagnostic>) -> Vec<Self> {
         let mut numbers = Numbers::default();
         let own = units.iter().map(|unit| {
@@ -220,7 +220,7 @@ impl Declared {
         self.lost_attributes.extend(lost);
     }
 
-    /// What a name that is called means.
+    /// The meaning of a name that is called.
     pub(super) fn called(&self, name: &str) -> Option<Named> {
         self.called.get(name).copied()
     }
@@ -259,8 +259,8 @@ impl Declared {
         None
     }
 
-    /// Whether the op, function or script whose name stands here has the name, and not an
-    /// earlier one.
+    /// True if the op, function or script whose name stands here has the name, and not an earlier
+    /// one.
     pub(super) fn has_its_name(&self, name: &Ident) -> bool {
         self.called(&name.text).is_some_and(|named| named.span == name.span)
     }
@@ -276,28 +276,28 @@ impl Declared {
         ops.map(|(name, _)| name.as_str())
     }
 
-    /// Whether there is a script of this name.
+    /// True if there is a script of this name.
     pub(super) fn is_script(&self, name: &str) -> bool {
         self.called(name).is_some_and(|named| named.what == What::Script)
     }
 
-    /// Whether the name is that of something to call.
+    /// True if the name is that of something to call.
     pub(super) fn is_called(&self, name: &str) -> bool {
         self.called(name).is_some() || is_of_the_language(name)
     }
 
-    /// Whether what is called may stand where it cannot be seen.
+    /// True if what is called may stand where it cannot be seen.
     pub(super) fn lacks_files(&self) -> bool {
         self.lacks
     }
 
-    /// Whether an attribute of this name has been refused, or may stand where it cannot be
-    /// seen yet.
+    /// True if an attribute of this name has been refused, or may stand where it cannot be seen
+    /// yet.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
         self.lacks || self.lost_attributes.contains(name)
     }
 
-    /// Where a used file declares an attribute of this name that only it sees.
+    /// The place where a used file declares an attribute of this name that only it sees.
     pub(super) fn hidden_attribute(&self, element: Type, name: &str) -> Option<Span> {
         let mut hidden = self.hidden.iter();
         let head = hidden.find(|head| head.element == element && head.name == name)?;

@@ -12,17 +12,17 @@ use crate::syntax::tree::{Block, Expr, ExprKind};
 
 use super::report::Report;
 
-/// How deep a tree may be in all.
+/// The greatest depth of a tree in all.
 const DEEPEST: u32 = 2000;
-/// How often a tree may nest otherwise than on the left side of a chain.
+/// The number of times a tree may nest otherwise than on the left side of a chain.
 const MOST_NESTED: u32 = 400;
 
-/// Whether an expression can be walked; if not, the report says so.
+/// True if an expression can be walked; if not, the report says so.
 pub(super) fn shallow_expr(expr: &Expr, report: &mut Report) -> bool {
     shallow(Part::Expr(expr), report)
 }
 
-/// Whether a block can be walked; if not, the report says so.
+/// True if a block can be walked; if not, the report says so.
 pub(super) fn shallow_block(block: &Block, report: &mut Report) -> bool {
     shallow(Part::Block(block), report)
 }

@@ -1,9 +1,9 @@
 //! The statements of one side: loops, edges and stars with their names resolved.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Edge, Loop, LoopItem, LoopKind, NameId, Ref, Side, Spoke, Star};
+use crate::diagram::{Edge, Kind, Loop, LoopItem, LoopKind, NameId, Ref, Side, Spoke, Star};
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, LoopKeyword, Statement};
 
@@ -17,13 +17,22 @@ pub(super) struct Drawing<'a> {
     names: &'a Names,
     report: &'a mut Report,
     side: Side,
-    /// Where each face, edge and vertex has its statement.
+    /// The statement of each face, edge and vertex.
     stated: HashMap<NameId, Span>,
-    /// Whether what follows the statement that is drawn could not be read.
+    /// True if what follows the statement that is drawn could not be read.
     breaks_off: bool,
+    /// The halfedges that are lacking in the loops drawn here; nothing in `before`.
+    lacking: Vec<Lacking>,
 }
 
-/// Whether what stands behind a statement could not be read: it may belong to it.
+/// Something that stands in a loop of `before`, or is new, and in none of `after`.
+struct Lacking {
+    item: NameId,
+    /// The vertices at its ends, where they are known and stay.
+    ends: Option<[NameId; 2]>,
+}
+
+/// True if what stands behind a statement could not be read: it may belong to it.
 fn breaks_off(side: &tree::Side, at: usize) -> bool {
     matches!(side.statements.get(at + 1), Some(Statement::Broken(_)))
 }
@@ -48,6 +57,7 @@ pub(super) fn draw_after(
     report: &mut Report,
 ) -> Side {
     let mut drawing = Drawing::new(side, names, report);
+    drawing.lacking = lacking(side, before, names);
     for (at, statement) in side.statements.iter().enumerate() {
         drawing.breaks_off = breaks_off(side, at);
         if !drawing.orbit(statement)
@@ -62,6 +72,49 @@ pub(super) fn draw_after(
         missing_path(l, names, drawing.report);
     }
     drawing.side
+}
+
+/// The halfedges that the loops of `after` lack, as far as they are named.
+fn lacking(side: &tree::Side, before: &Side, names: &Names) -> Vec<Lacking> {
+    let mut held: HashSet<NameId> = HashSet::new();
+    let mut created = Vec::new();
+    for statement in &side.statements {
+        let listed: Vec<&tree::Name> = match statement {
+            Statement::Loop(l) => {
+                let arrows = l.items.iter().filter_map(|item| match &item.arrow {
+                    Arrow::Halfedge(name) | Arrow::Path(Some(name)) => Some(name),
+                    Arrow::Path(None) => None,
+                });
+                arrows.collect()
+            }
+            Statement::Erase(listed, _) => listed.iter().collect(),
+            Statement::Keep(kept, _) => {
+                let kept: Vec<_> =
+                    kept.iter().filter_map(|name| names.find(&name.ident.text)).collect();
+                let loops = before.loops.iter().filter(|l| kept.contains(&l.face.name));
+                held.extend(loops.flat_map(|l| &l.items).map(|item| item.item.name));
+                continue;
+            }
+            Statement::New(listed, _) => {
+                created.extend(listed.iter().filter_map(|name| names.find(&name.ident.text)));
+                continue;
+            }
+            _ => continue,
+        };
+        held.extend(listed.iter().filter_map(|name| names.find(&name.ident.text)));
+    }
+    let mut lacking = Vec::new();
+    for l in &before.loops {
+        for (at, item) in l.items.iter().enumerate() {
+            let to = l.items.get(at + 1).map_or(l.end, |next| next.from);
+            let ends = Some([item.from.name, to.name]);
+            lacking.push(Lacking { item: item.item.name, ends });
+        }
+    }
+    let halfedges = created.into_iter().filter(|&name| names.get(name).kind == Kind::Halfedge);
+    lacking.extend(halfedges.map(|item| Lacking { item, ends: None }));
+    lacking.retain(|one| names.get(one.item).named && !held.contains(&one.item));
+    lacking
 }
 
 /// An unnamed path is the one that the loop had before.
@@ -87,6 +140,7 @@ impl<'a> Drawing<'a> {
             side: Side { span: side.span, ..Side::default() },
             stated: HashMap::new(),
             breaks_off: false,
+            lacking: Vec::new(),
         }
     }
 
@@ -172,7 +226,7 @@ impl<'a> Drawing<'a> {
             (None, None) => return None,
         };
         if (end.name, end.shift) != (first.name, first.shift) {
-            self.open_loop(word, l);
+            self.open_loop(word, l, [end.name, first.name]);
         }
         self.side.loops.push(Loop {
             kind: match l.keyword {
@@ -189,7 +243,7 @@ impl<'a> Drawing<'a> {
         Some(())
     }
 
-    fn open_loop(&mut self, face: &str, l: &tree::Loop) {
+    fn open_loop(&mut self, face: &str, l: &tree::Loop, gap: [NameId; 2]) {
         if self.breaks_off {
             self.report.fail();
             return;
@@ -201,6 +255,21 @@ impl<'a> Drawing<'a> {
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)
             .label(first.from.span, "it begins here");
+        if let Some(item) = self.lacks(gap) {
+            let name = self.names.get(item);
+            let arrow = match name.kind {
+                Kind::Path => format!("={}=>", name.text),
+                _ => format!("-{}->", name.text),
+            };
+            let rest = format!(" {arrow} {begins}");
+            let error = error.label(name.span, "in no loop of `after`");
+            self.report.add(error.fix(
+                format!("go on with `{}`", rest.trim()),
+                end.span.after(),
+                rest,
+            ));
+            return;
+        }
         // A vertex that stands here alone is a slip if the other one is drawn before, and so is
         // one that an item runs back to. To one that is drawn elsewhere the way may be meant.
         let stands_alone = |name: &tree::Name| {
@@ -221,6 +290,17 @@ impl<'a> Drawing<'a> {
                 "a loop ends where it begins: go on to `{begins}`, with a halfedge `-h-> {begins}` or a path `=P=> {begins}`"
             )),
         });
+    }
+
+    /// The item that closes a gap in a loop, if it is certain: the only thing that runs there, or
+    /// that is left over at all and whose ends are not known.
+    fn lacks(&self, gap: [NameId; 2]) -> Option<NameId> {
+        let fitting: Vec<_> = self.lacking.iter().filter(|one| one.ends == Some(gap)).collect();
+        match (fitting.as_slice(), self.lacking.as_slice()) {
+            ([one], _) => Some(one.item),
+            ([], [one]) if one.ends.is_none() => Some(one.item),
+            _ => None,
+        }
     }
 
     fn edge(&mut self, name: &tree::Name, halfedges: &[tree::Name; 2], span: Span) -> Option<()> {

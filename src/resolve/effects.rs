@@ -1,4 +1,4 @@
-//! What functions do besides computing a value, found out before any of them is understood.
+//! Effects of functions besides computing a value, found out before any of them is understood.
 //!
 //! An op may ask a function, but only one that changes nothing, prints nothing and looks at
 //! nothing but what it is given. What a function does, it does itself or through those that it
@@ -14,7 +14,7 @@ use super::depth::each_part;
 use super::file::Unit;
 use super::sequence::WHOLE_MESH;
 
-/// What a function does, each with a place that does it.
+/// The effects of a function, each with a place that does it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Effects {
     /// It calls an op, or sets attributes.
@@ -30,7 +30,7 @@ pub(super) struct Effects {
 }
 
 impl Effects {
-    /// What a script may do that is called here.
+    /// The effects of a script that is called here.
     pub(super) fn all(here: Span) -> Self {
         let here = Some(here);
         Self { changes: here, prints: here, looks: here, asks: here, draws: here }
@@ -47,20 +47,20 @@ impl Effects {
     }
 }
 
-/// What is known of a function from its tree.
+/// The effects of a function as known from its tree.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Deeds {
+pub(super) struct TreeEffects {
     pub(super) effects: Effects,
     /// The functions that it calls, by number.
     pub(super) calls: Vec<usize>,
-    /// Whether it calls an op, itself or through others.
+    /// True if it calls an op, itself or through others.
     pub(super) calls_ops: bool,
     /// The calls of ops that are only asked.
     asked: Vec<Span>,
 }
 
 /// The deeds of all functions of a program, by number.
-pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<Deeds> {
+pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffects> {
     let mut all = Vec::new();
     for (unit, declared) in units.iter().zip(declared) {
         for item in &unit.tree.items {
@@ -85,8 +85,8 @@ pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<Deeds> {
     all
 }
 
-fn own_deeds(body: &Block, declared: &Declared) -> Deeds {
-    let mut deeds = Deeds::default();
+fn own_deeds(body: &Block, declared: &Declared) -> TreeEffects {
+    let mut deeds = TreeEffects::default();
     each_part(body, |part| match part {
         Part::Expr(expr) => deeds.of_expr(expr, declared),
         Part::Block(block) => {
@@ -98,7 +98,7 @@ fn own_deeds(body: &Block, declared: &Declared) -> Deeds {
     deeds
 }
 
-impl Deeds {
+impl TreeEffects {
     fn of_expr(&mut self, expr: &tree::Expr, declared: &Declared) {
         match &expr.kind {
             ExprKind::Asked(_, call) => {

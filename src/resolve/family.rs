@@ -31,6 +31,7 @@ pub(super) fn read_index(
 ) -> Option<String> {
     let mut letter = Letter::default();
     let mut forms: HashMap<String, (bool, Span)> = HashMap::new();
+    let created = created(rule);
     for param in params {
         let name = &param.name;
         if let Some(index) = &name.index
@@ -46,7 +47,7 @@ pub(super) fn read_index(
             if let Some(index) = mention.index {
                 letter.subscript(index, report);
             }
-            same_form(&mention, params, &mut forms, report);
+            same_form(&mention, params, &created, &mut forms, report);
         }
         for statement in &side.statements {
             letter.statement(statement, report);
@@ -55,8 +56,8 @@ pub(super) fn read_index(
     letter.first.map(|(letter, _)| letter)
 }
 
-/// What is wrong with the subscript of a parameter: a halfedge alone says where to begin, since
-/// an edge may be taken in two directions, and around a vertex or face every place is tried.
+/// The mistake in the subscript of a parameter: a halfedge alone says where to begin, since an edge
+/// may be taken in two directions, and around a vertex or face every place is tried.
 fn wrong_beginning(param: &tree::Param, index: &Index) -> Option<String> {
     let is_first = index.variable.is_none() && index.offset == 0;
     match param.ty.text.as_str() {
@@ -69,23 +70,49 @@ fn wrong_beginning(param: &tree::Param, index: &Index) -> Option<String> {
     }
 }
 
-/// Whether a name has a subscript here as it has elsewhere.
+/// The names of `new`, each with whether it has a subscript there.
+fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
+    let statements = rule.after.iter().flat_map(|side| &side.statements);
+    let listed = statements.filter_map(|statement| match statement {
+        Statement::New(listed, _) => Some(listed),
+        _ => None,
+    });
+    let names = listed.flatten();
+    names.map(|name| (name.ident.text.as_str(), (name.index.is_some(), name.span))).collect()
+}
+
+/// True if a name has a subscript here as it has elsewhere. Of a name that has two forms nothing
+/// else is told: what else is wrong with it follows.
 fn same_form(
     mention: &Mention,
     params: &[tree::Param],
+    created: &HashMap<&str, (bool, Span)>,
     forms: &mut HashMap<String, (bool, Span)>,
     report: &mut Report,
 ) {
     let word = mention.text.as_ref();
     let here = mention.index.is_some();
     let first = *forms.entry(word.to_owned()).or_insert((here, mention.span));
-    if first.0 == here || !mention.is_named() {
+    if first.0 == here || !mention.is_named() || report.is_confused(word) {
         return;
     }
     // That a value is no element is told elsewhere.
     let param = params.iter().find(|param| param.name.ident.text == word);
     let elements = ["vertex", "halfedge", "edge", "face"];
     if param.is_some_and(|param| !elements.contains(&param.ty.text.as_str())) {
+        return;
+    }
+    if let Some(&(_, span)) = created.get(word).filter(|(form, _)| *form == here) {
+        let (old, new) = match here {
+            true => (format!("`{word}` is one element"), format!("the new family `{word}[i]`")),
+            false => (format!("`{word}[i]` is a family"), format!("the new `{word}`")),
+        };
+        let message = format!("{old} of `before`, so {new} needs another name");
+        let error = Diagnostic::error("two-forms", message, span)
+            .label(first.1, "the name is taken here")
+            .note("a name stands for one element, or with a subscript for a family");
+        report.add(error);
+        report.confuse(word);
         return;
     }
     let (message, note) = match here {
@@ -230,7 +257,7 @@ fn mixed(part: &Name, subject: &Name, free: bool) -> Diagnostic {
     Diagnostic::error("mixed-statement", message, part.span).note(note)
 }
 
-/// What an op may not return: a family, which is many elements.
+/// True if a name is a family, which an op may not return: it is many elements.
 pub(super) fn is_family(side: &Side, word: &str) -> bool {
     mentions(side).iter().any(|mention| mention.text == word && mention.index.is_some())
 }

@@ -7,12 +7,12 @@ use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{Wanted, overloads};
 use super::condition::private;
-use super::elsewhere::{self, Here};
+use super::foreign_words::{self, Here};
 use super::sequence::sequences_of;
 use super::typing::{Typing, typed};
 use super::words::{a_type, quoted};
 
-/// What a field is.
+/// The kind of a field.
 #[derive(Clone, Copy)]
 enum Field {
     Pointer(Pointer, Type),
@@ -96,7 +96,7 @@ pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
     fields_of(ty).iter().map(entry).collect()
 }
 
-/// Whether elements of type `ty` have a field of this name without any declaration.
+/// True if elements of type `ty` have a field of this name without any declaration.
 pub(super) fn is_taken(ty: Type, word: &str) -> bool {
     fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
 }
@@ -107,7 +107,7 @@ fn function_of(ty: Type, word: &str) -> Option<&str> {
         let mut ways = overloads(function).iter();
         ways.any(|way| way.wanted == [Wanted::Is(ty)])
     };
-    match elsewhere::function(word) {
+    match foreign_words::function(word) {
         _ if takes(word) => Some(word),
         Some(Here::Written(ours)) if takes(ours) => Some(ours),
         _ => None,
@@ -185,9 +185,9 @@ impl Typing<'_> {
             self.report.add(written_as_call(error, function, written.span, field.span));
             return;
         }
-        let here = elsewhere::field(ty, &field.text);
+        let here = foreign_words::field(ty, &field.text);
         let word = (field.text.as_str(), field.span);
-        let error = elsewhere::tell(error, word, here, known.iter().copied());
+        let error = foreign_words::tell(error, word, here, known.iter().copied());
         let error = error.label(written.span, this);
         let of_halfedge = ty.is_element() && is_taken(Type::Halfedge, &field.text);
         self.report.add(match known.as_slice() {

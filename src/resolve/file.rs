@@ -16,20 +16,20 @@ use super::testing::resolve_test;
 /// A program, and what is wrong with it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Resolved {
-    /// What could be understood.
+    /// The program, as far as it could be understood.
     pub program: Program,
-    /// What is wrong, in the order of the text.
+    /// The mistakes, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// A file of a program.
 #[derive(Clone, Debug)]
 pub struct Unit<'t> {
-    /// What it says.
+    /// Its tree.
     pub tree: &'t tree::File,
     /// The files it uses, by their places among the units.
     pub uses: Vec<usize>,
-    /// Whether it uses others that could not be had.
+    /// True if it uses others that could not be had.
     pub lacks: bool,
 }
 

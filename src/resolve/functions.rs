@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{self, Item};
 
 use super::declared::Declared;
-use super::effects::{Deeds, deeds};
+use super::effects::{TreeEffects, deeds};
 use super::file::Unit;
 use super::op::Signature;
 use super::program::Function;
@@ -21,7 +21,7 @@ use super::routine::{
 
 /// The functions of a program, by number.
 pub(super) struct Functions<'t> {
-    /// What can be named in each file. It learns of functions as they are understood.
+    /// The declarations of each file. It learns of functions as they are understood.
     pub(super) declared: Vec<Declared>,
     items: Vec<Pending<'t>>,
     diagnostics: Vec<Diagnostic>,
@@ -32,7 +32,7 @@ struct Pending<'t> {
     tree: &'t tree::Fn,
     /// The file, by its place.
     home: usize,
-    deeds: Deeds,
+    deeds: TreeEffects,
     signature: Rc<FunctionSignature>,
     report: Option<Report>,
     resolved: Option<Function>,
@@ -76,7 +76,7 @@ impl<'t> Functions<'t> {
 
     /// Resolves the bodies of those that are wanted, each after those whose value it has to
     /// know.
-    pub(super) fn resolve(&mut self, ops: &[Signature], wanted: impl Fn(&Deeds) -> bool) {
+    pub(super) fn resolve(&mut self, ops: &[Signature], wanted: impl Fn(&TreeEffects) -> bool) {
         let mut left: Vec<usize> =
             (0..self.items.len()).filter(|&at| wanted(&self.items[at].deeds)).collect();
         while !left.is_empty() {
@@ -97,7 +97,7 @@ impl<'t> Functions<'t> {
         }
     }
 
-    /// Whether the value of a function depends on itself.
+    /// True if the value of a function depends on itself.
     fn in_a_circle(&self, at: usize) -> bool {
         let mut seen = vec![false; self.items.len()];
         let mut open = vec![at];
@@ -115,7 +115,7 @@ impl<'t> Functions<'t> {
         false
     }
 
-    /// Whether a function calls one whose value is not known yet.
+    /// True if a function calls one whose value is not known yet.
     fn waits(&self, at: usize) -> bool {
         let mut calls = self.items[at].deeds.calls.iter();
         calls.any(|&called| self.items[called].signature.result == Value::Open)

@@ -13,7 +13,7 @@ use super::report::Report;
 use super::suggestion::suggest;
 use super::unused::Unused;
 
-/// What the lists of `after` say.
+/// The lists of `after`.
 #[derive(Debug, Default)]
 pub(super) struct Lists {
     /// The names of `new`.
@@ -68,12 +68,12 @@ struct Reader<'a> {
     before: &'a Side,
     report: &'a mut Report,
     listed: HashMap<(&'static str, &'a str), Span>,
-    /// What `new` lists and no statement draws.
+    /// The names that `new` lists and no statement draws.
     unused: Vec<&'a tree::Name>,
 }
 
 impl<'a> Reader<'a> {
-    /// Whether a name stands in a list for the first time.
+    /// True if a name stands in a list for the first time.
     fn first(&mut self, list: &'static str, name: &'a tree::Name) -> bool {
         let key = (list, name.ident.text.as_str());
         let Some(first) = self.listed.get(&key) else {
@@ -152,7 +152,7 @@ impl<'a> Reader<'a> {
         self.report.add(error);
     }
 
-    /// Whether `before` has a statement of an edge or a face.
+    /// True if `before` has a statement of an edge or a face.
     fn stated(&self, id: NameId) -> bool {
         let edge = self.before.edges.iter().any(|edge| edge.edge.name == id);
         edge || self.before.loops.iter().any(|l| l.face.name == id)

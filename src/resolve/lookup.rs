@@ -1,4 +1,4 @@
-//! What a name in an expression means.
+//! Lookup of names in expressions.
 
 use std::f64::consts::PI;
 
@@ -7,8 +7,8 @@ use crate::diagram::{Expr, ExprKind, Kind, NameId, Role, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
-use super::elsewhere;
 use super::family::WIDEST;
+use super::foreign_words;
 use super::names::Names;
 use super::sequence::WHOLE_MESH;
 use super::typing::{Place, Typing, typed};
@@ -75,7 +75,7 @@ impl Typing<'_> {
         self.drawn(names, id, span, ExprKind::Member(id, shift))
     }
 
-    /// Whether a name has the subscript that it should have.
+    /// Checks that a name has the subscript that it should have.
     pub(super) fn subscript(&mut self, names: &Names, id: NameId, name: &tree::Name) -> Option<()> {
         let (word, span) = (&name.ident.text, name.span);
         let drawn = names.get(id);
@@ -156,7 +156,7 @@ impl Typing<'_> {
             Place::Default | Place::Script => Vec::new(),
         };
         let candidates = self.scopes.names().chain(drawn).chain(CONSTANTS.map(|(known, _)| known));
-        let here = elsewhere::name(word);
-        self.report.add(elsewhere::tell(error, (word, span), here, candidates));
+        let here = foreign_words::name(word);
+        self.report.add(foreign_words::tell(error, (word, span), here, candidates));
     }
 }

@@ -14,16 +14,16 @@ use crate::syntax::tree::{Arrow, Index, Name, Side, Spoke, Statement};
 pub(super) struct Mention<'a> {
     /// The word, or the description of a path without a name.
     pub(super) text: Cow<'a, str>,
-    /// What its place makes of it; nothing in a list.
+    /// The kind that its place gives it; nothing in a list.
     pub(super) kind: Option<Kind>,
     /// Its subscript; a path without a name has that of its loop.
     pub(super) index: Option<&'a Index>,
-    /// Where it stands.
+    /// Its place in the source.
     pub(super) span: Span,
 }
 
 impl Mention<'_> {
-    /// Whether a person gave the name.
+    /// True if a person gave the name.
     pub(super) fn is_named(&self) -> bool {
         matches!(self.text, Cow::Borrowed(_))
     }

@@ -17,7 +17,7 @@ mod file;
 
 mod declared;
 mod depth;
-mod elsewhere;
+mod foreign_words;
 mod report;
 mod suggestion;
 mod words;
@@ -35,24 +35,24 @@ mod rule;
 mod unused;
 
 mod builtin;
-mod construct;
+mod constructors;
 mod field;
-mod function;
 mod lookup;
 mod operator;
+mod overloads;
 mod scopes;
 mod sequence;
 mod typing;
 mod vocabulary;
 
 mod effects;
+mod function_call;
 mod functions;
-mod invoke;
 mod returns;
 mod routine;
 
-mod application;
 mod asking;
+mod op_call;
 mod script;
 mod statement;
 mod steps;
@@ -64,6 +64,7 @@ pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
     Steps, Test, TestMesh, Variable,
 };
+pub use suggestion::closest;
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_function, mesh_and_constant_words,
     sequence_words, signatures, type_with_article,

@@ -21,14 +21,14 @@ pub(super) struct Names {
     readable: Vec<bool>,
     /// By number: whether the name stands in a statement of `after`.
     after: Vec<bool>,
-    /// Where a name stands in `new`.
+    /// The place of each name in `new`.
     created: HashMap<NameId, Span>,
     params: usize,
     /// The letter of the index, if there are families.
     letter: Option<String>,
 }
 
-/// What has given a name its kind.
+/// The origin of the kind of a name.
 struct Origin {
     kind: Result<Kind, Type>,
     span: Span,
@@ -130,22 +130,22 @@ impl Names {
         named.map(|name| name.text.as_str())
     }
 
-    /// Whether the mesh of before has it, as far as the drawing says.
+    /// True if the mesh of before has it, as far as the drawing says.
     pub(super) fn readable(&self, id: NameId) -> bool {
         self.readable[id.index()]
     }
 
-    /// Whether a statement of `after` mentions it.
+    /// True if a statement of `after` mentions it.
     pub(super) fn in_after(&self, id: NameId) -> bool {
         self.after[id.index()]
     }
 
-    /// Where it is listed in `new`.
+    /// The place where it is listed in `new`.
     pub(super) fn created(&self, id: NameId) -> Option<Span> {
         self.created.get(&id).copied()
     }
 
-    /// How many parameters the op has: variables before the first of an aggregate.
+    /// The number of parameters of the op: variables before the first of an aggregate.
     pub(super) fn params(&self) -> usize {
         self.params
     }

@@ -8,8 +8,8 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
 use super::declared::{Declared, duplicate};
-use super::elsewhere;
 use super::family::{is_family, read_index};
+use super::foreign_words;
 use super::lookup::element_type;
 use super::names::Names;
 use super::parameter::{Owner, Parameter, parameters};
@@ -20,20 +20,20 @@ use super::steps::steps_signature;
 use super::suggestion::suggest;
 use super::words::quoted;
 
-/// How many halfedges the loops of `before` can name: every pair of them may have to be told
-/// apart.
+/// The greatest number of halfedges that the loops of `before` can name: every pair of them may
+/// have to be told apart.
 const MOST_BEFORE: usize = 256;
-/// How many those of `after` can.
+/// The same for those of `after`.
 const MOST_AFTER: usize = 1024;
 
-/// What a call of an op needs to know.
+/// The signature of an op, for its calls.
 #[derive(Clone, Debug)]
 pub(super) struct Signature {
     /// Its name.
     pub(super) name: String,
     /// Its parameters.
     pub(super) params: Vec<Parameter>,
-    /// What it returns.
+    /// Its result.
     pub(super) result: Returned,
 }
 
@@ -46,12 +46,13 @@ impl Signature {
             params: self.params.iter().map(Parameter::param).collect(),
             result: self.result.element(),
             diagram,
+            still: None,
             steps: None,
         }
     }
 }
 
-/// What an op returns.
+/// The result of an op.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Returned {
     /// Nothing.
@@ -128,12 +129,30 @@ pub(super) fn resolve_op(
         span: op.span,
     });
     let signature = Signature { name: op.name.text.clone(), params, result };
-    let resolved = signature.op(op.name.span, diagram);
+    let mut resolved = signature.op(op.name.span, diagram);
+    if resolved.diagram.is_none() && !is_still(op) {
+        let (_, still) = resolve_op(&still(op), declared, attributes, &mut Report::default());
+        resolved.still = still.diagram.map(Box::new);
+    }
     (signature, resolved)
 }
 
-/// Whether a side of a rule names more halfedges than there can be: then nothing else is asked
-/// of the op, whose proof would take its time.
+/// The op that draws on both sides what stands in `before`, and nothing else.
+fn still(op: &tree::Op) -> tree::Op {
+    let mut still = tree::Op { result: None, keeps: Vec::new(), ..op.clone() };
+    for rule in &mut still.rules {
+        rule.conditions.retain(|condition| matches!(condition, tree::Condition::Alias { .. }));
+        rule.after = rule.before.clone();
+    }
+    still
+}
+
+fn is_still(op: &tree::Op) -> bool {
+    op.rules.iter().all(|rule| rule.after == rule.before)
+}
+
+/// True if a side of a rule names more halfedges than there can be: then nothing else is asked of
+/// the op, whose proof would take its time.
 fn draws_too_much(rule: &tree::Rule, report: &mut Report) -> bool {
     let sides = [("before", &rule.before, MOST_BEFORE), ("after", &rule.after, MOST_AFTER)];
     let mut is_too_much = false;
@@ -240,7 +259,7 @@ fn result_type(name: &Ident, rules: &[Names], report: &mut Report) -> Option<Typ
         let error = Diagnostic::error("unknown-result", message, name.span);
         let drawn = rules.iter().flat_map(Names::words);
         let error = match Type::ALL.iter().any(|ty| ty.word() == word)
-            || elsewhere::type_word(word).is_some()
+            || foreign_words::type_word(word).is_some()
         {
             true => error.note(
                 "an op names the element that it returns, `-> m`; whether it applied is asked by \

@@ -92,15 +92,15 @@ fn not(value: Expr, span: Span) -> Expr {
     typed(Type::Bool, kind, span)
 }
 
-/// How an operator joins two types.
+/// The join of two types by an operator.
 struct Joined {
     binary: Binary,
     ty: Type,
-    /// Whether ints become reals first.
+    /// True if ints become reals first.
     widen: bool,
-    /// Whether the operands change places.
+    /// True if the operands change places.
     swap: bool,
-    /// Whether the result is turned around.
+    /// True if the result is turned around.
     negate: bool,
 }
 
@@ -118,7 +118,7 @@ impl Joined {
     }
 }
 
-/// How `op` joins two types, if it does.
+/// The join of two types by `op`, if it does.
 fn join(op: BinaryOp, types: [Type; 2]) -> Option<Joined> {
     use Type::{Bool, Int, Real};
     let number = |ty| matches!(ty, Int | Real);
@@ -194,7 +194,7 @@ fn equal([left, right]: [Type; 2]) -> Option<Joined> {
     }
 }
 
-/// What an operator wants, in words.
+/// The types that an operator wants, in words.
 fn wants(op: BinaryOp) -> &'static str {
     match op {
         BinaryOp::Add | BinaryOp::Subtract => "two numbers, or two vectors or matrices of one type",
@@ -212,7 +212,7 @@ fn wants(op: BinaryOp) -> &'static str {
     }
 }
 
-/// Who computes with a vertex means its position.
+/// The note for those who compute with a vertex and mean its position.
 fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
     let vertex = operands.iter().find(|(_, value)| value.ty == Type::Vertex);
     match vertex.map(|(written, _)| &written.kind) {

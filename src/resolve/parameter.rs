@@ -6,13 +6,13 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
-use super::elsewhere::{self, Here};
+use super::foreign_words::{self, Here};
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
 use super::typing::{Place, Typing};
 use super::words::{a_type, quoted};
 
-/// How many parameters an item can have.
+/// The greatest number of parameters of an item.
 const MOST_PARAMETERS: usize = 255;
 
 /// A parameter, as far as it is understood.
@@ -20,11 +20,11 @@ const MOST_PARAMETERS: usize = 255;
 pub(super) struct Parameter {
     /// Its name.
     pub(super) name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub(super) span: Span,
     /// Its type, if there is such a type.
     pub(super) ty: Option<Type>,
-    /// Whether a call may leave it out.
+    /// True if a call may leave it out.
     pub(super) optional: bool,
     /// Its default, if it could be understood.
     pub(super) default: Option<Expr>,
@@ -68,8 +68,8 @@ pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
     let message = format!("there is no type `{}`", word.text);
     let error = Diagnostic::error("unknown-type", message, word.span);
     let known = Type::ALL.map(Type::word);
-    let ours = elsewhere::type_word(&word.text).map(Here::Written);
-    let error = elsewhere::tell(error, (&word.text, word.span), ours, known)
+    let ours = foreign_words::type_word(&word.text).map(Here::Written);
+    let error = foreign_words::tell(error, (&word.text, word.span), ours, known)
         .note(format!("the types are {}", quoted(&known)));
     report.add(error);
     None
@@ -114,7 +114,7 @@ pub(super) fn parameters(
     understood
 }
 
-/// Whether an item may have a parameter of this type.
+/// True if an item may have a parameter of this type.
 fn allowed(ty: Type, owner: Owner, param: &tree::Param, report: &mut Report) -> bool {
     let (fits, message) = match owner {
         Owner::Function => return true,

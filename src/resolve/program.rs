@@ -46,7 +46,7 @@ impl Program {
 pub struct Op {
     /// Its name.
     pub name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub span: Span,
     /// Its parameters. One whose type could not be understood counts as a real; there is
     /// no diagram then.
@@ -56,7 +56,11 @@ pub struct Op {
     /// Its diagrams; `None` if they could not be resolved (a diagnostic says why), or if it is
     /// an op in steps.
     pub diagram: Option<diagram::Op>,
-    /// What it does instead, if it is an op in steps that could be resolved.
+    /// A diagram for contradictions, where they could not be resolved, but what stands in each `before`
+    /// could: the op that draws that on both sides. Whether it contradicts itself can be told
+    /// without the rest.
+    pub still: Option<Box<diagram::Op>>,
+    /// The steps instead, if it is an op in steps that could be resolved.
     pub steps: Option<Steps>,
 }
 
@@ -65,11 +69,11 @@ pub struct Op {
 pub struct Steps {
     /// Its doc comment.
     pub docs: Vec<String>,
-    /// What is asked before, in order.
+    /// The conditions that are tested before, in order.
     pub requires: Vec<diagram::Require>,
     /// The level of the meshes it is for, and that it keeps.
     pub level: diagram::Level,
-    /// What it does. Parameters are its first variables.
+    /// The statements. Parameters are its first variables.
     pub body: Body,
 }
 
@@ -78,7 +82,7 @@ pub struct Steps {
 pub struct Function {
     /// Its name.
     pub name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub span: Span,
     /// Its doc comment.
     pub docs: Vec<String>,
@@ -86,11 +90,11 @@ pub struct Function {
     pub params: Vec<Param>,
     /// The type of its value, if it gives one.
     pub result: Option<Type>,
-    /// What it does; `None` if that could not be resolved (a diagnostic says why).
+    /// The statements; `None` if that could not be resolved (a diagnostic says why).
     pub body: Option<Body>,
 }
 
-/// What a function does.
+/// The body of a function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// All its variables, parameters first.
@@ -104,7 +108,7 @@ pub struct Body {
 pub struct Script {
     /// Its name.
     pub name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub span: Span,
     /// Its doc comment.
     pub docs: Vec<String>,
@@ -112,7 +116,7 @@ pub struct Script {
     pub params: Vec<Param>,
     /// All its variables, parameters first.
     pub variables: Vec<Variable>,
-    /// What it does.
+    /// Its kind.
     pub body: Block,
 }
 
@@ -123,7 +127,7 @@ pub struct Test {
     pub begin: TestMesh,
     /// The meshes that its statements name by number.
     pub meshes: Vec<TestMesh>,
-    /// What it does: a script without parameters, named as the test is.
+    /// The statements: a script without parameters, named as the test is.
     pub script: Script,
 }
 
@@ -145,7 +149,7 @@ pub struct Variable {
     pub name: String,
     /// Its type.
     pub ty: Type,
-    /// Where it is declared.
+    /// The place of its declaration.
     pub span: Span,
 }
 
@@ -155,13 +159,13 @@ pub type Block = Vec<Statement>;
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// What it does.
+    /// Its kind.
     pub kind: StatementKind,
-    /// Where it stands.
+    /// Its place in the source.
     pub span: Span,
 }
 
-/// What a statement does. Variables are numbers into [`Script::variables`].
+/// The kind of a statement. Variables are numbers into [`Script::variables`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum StatementKind {
     /// `let x = …`, `var x = …`, `x = …`
@@ -179,7 +183,7 @@ pub enum StatementKind {
         collection: Collection,
         filter: Option<Expr>,
         body: Block,
-        /// Whether they are visited in an order by chance.
+        /// True if they are visited in an order by chance.
         shuffled: bool,
     },
     /// `update x in xs where c { … }`: a `Write` in its body is kept back to the end.

@@ -1,4 +1,4 @@
-//! What a function gives back: `return`, and the value at its end.
+//! The result of a function: `return`, and the value at its end.
 
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Expr, ExprKind, Type};
@@ -12,7 +12,7 @@ use super::script::Scripting;
 use super::typing::to_real;
 use super::words::a_type;
 
-/// What the statements at hand may return.
+/// The values that the statements at hand may return.
 #[derive(Clone, Debug)]
 pub(super) struct Returns {
     /// The name of the function; `None` in a script.
@@ -20,9 +20,9 @@ pub(super) struct Returns {
     value: Value,
     /// The first `return`, which decides where no type is written.
     first: Option<Span>,
-    /// Whether the type must be written for a value to be returned.
+    /// True if the type must be written for a value to be returned.
     cycles: bool,
-    /// Where the type can be written, if it is not.
+    /// The place for the type, if it is not.
     pub(super) head: Option<Span>,
 }
 
@@ -32,7 +32,7 @@ impl Returns {
         Self { function: None, value: Value::Nothing, first: None, cycles: false, head: None }
     }
 
-    /// What a function says.
+    /// The result by the signature of a function.
     pub(super) fn of_function(signature: &FunctionSignature, cycles: bool) -> Self {
         Self {
             function: Some(signature.name.clone()),
@@ -46,7 +46,7 @@ impl Returns {
         }
     }
 
-    /// What the function gives, now that all of it has been seen.
+    /// The result of the function, now that all of it has been seen.
     pub(super) fn value(&self) -> Value {
         match self.value {
             Value::Open => Value::Nothing,
@@ -91,7 +91,7 @@ impl Scripting<'_> {
         statements.extend(kind.map(|kind| Statement { kind, span }));
     }
 
-    /// Whether an expression at the end of a function is its value, and no statement.
+    /// True if an expression at the end of a function is its value, and no statement.
     fn is_value(&self, value: &tree::Expr) -> bool {
         match &value.kind {
             tree::ExprKind::Call { function, .. } if function.text == "print" => false,
@@ -217,7 +217,7 @@ impl Scripting<'_> {
     }
 }
 
-/// Whether no way leads to the end of a block.
+/// True if no way leads to the end of a block.
 pub(super) fn ends(block: &[Statement]) -> bool {
     block.last().is_some_and(|last| match &last.kind {
         StatementKind::Return(_) => true,
@@ -234,7 +234,7 @@ pub(super) fn ends(block: &[Statement]) -> bool {
     })
 }
 
-/// Whether a block leaves the loop around it.
+/// True if a block leaves the loop around it.
 fn breaks(block: &[Statement]) -> bool {
     block.iter().any(|statement| match &statement.kind {
         StatementKind::Break => true,

@@ -19,18 +19,18 @@ use super::returns::{Returns, ends};
 use super::script::Scripting;
 use super::typing::typed;
 
-/// What a call of a function needs to know.
+/// The signature of a function, for its calls.
 #[derive(Clone, Debug)]
 pub(super) struct FunctionSignature {
     /// Its name.
     pub(super) name: String,
-    /// Where its name stands.
+    /// The span of its name.
     pub(super) span: Span,
     /// Its parameters.
     pub(super) params: Vec<Parameter>,
     /// The type of its value.
     pub(super) result: Value,
-    /// What it does besides.
+    /// Its effects besides.
     pub(super) effects: Effects,
 }
 
@@ -71,7 +71,7 @@ pub(super) fn written_signature(
     }
 }
 
-/// What a call of a script needs to know. What its defaults are it finds out itself, so where a
+/// The signature of a script, for its calls. What its defaults are it finds out itself, so where a
 /// call leaves a parameter out, anything of the type will do.
 pub(super) fn script_signature(script: &tree::Script) -> FunctionSignature {
     let span = script.name.span;

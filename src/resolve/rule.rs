@@ -17,7 +17,7 @@ use super::report::Report;
 use super::scopes::Scopes;
 use super::typing::{Place, Typing};
 
-/// What a rule has from its op.
+/// The context of a rule, from its op.
 pub(super) struct Context<'a> {
     pub(super) op: &'a tree::Op,
     pub(super) params: &'a [Parameter],

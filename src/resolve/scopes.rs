@@ -12,15 +12,15 @@ use super::program::Variable;
 pub(super) struct Local {
     /// Its name.
     pub(super) name: String,
-    /// Where it is declared.
+    /// The place of its declaration.
     pub(super) span: Span,
     /// Its type; `None` if its declaration could not be understood.
     pub(super) ty: Option<Type>,
-    /// How it came to be.
+    /// The kind of its binding.
     pub(super) binding: Binding,
 }
 
-/// How a variable came to be, which decides whether `=` may set it again.
+/// The kind of binding of a variable, which decides whether `=` may set it again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Binding {
     /// `var`: it may be set.
@@ -39,7 +39,7 @@ pub(super) struct Scopes {
     locals: Vec<Local>,
     /// The variables of each name that can be seen, innermost last.
     visible: HashMap<String, Vec<u32>>,
-    /// What each open block has declared.
+    /// The variables that each open block has declared.
     open: Vec<Vec<u32>>,
 }
 
@@ -97,30 +97,5 @@ impl Scopes {
         let variable =
             |local: Local| Some(Variable { name: local.name, ty: local.ty?, span: local.span });
         self.locals.into_iter().map(variable).collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_inner_variable_hides_an_outer_one() {
-        let local = |ty| Local {
-            name: "x".to_owned(),
-            span: Span::default(),
-            ty: Some(ty),
-            binding: Binding::Head,
-        };
-        let mut scopes = Scopes::default();
-        scopes.enter();
-        scopes.declare(local(Type::Int));
-        scopes.enter();
-        assert!(scopes.find_here("x").is_none());
-        scopes.declare(local(Type::Bool));
-        assert_eq!(scopes.find("x").map(|(number, _)| number), Some(1));
-        scopes.leave();
-        assert_eq!(scopes.find("x").map(|(number, _)| number), Some(0));
-        assert_eq!(scopes.into_variables().map(|all| all.len()), Some(2));
     }
 }

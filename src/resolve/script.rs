@@ -23,11 +23,11 @@ pub(super) struct Scripting<'a> {
     pub(super) typing: Typing<'a>,
     /// The ops of the file, by number.
     pub(super) ops: &'a [Signature],
-    /// How many loops are open here.
+    /// The number of loops that are open here.
     pub(super) loops: u32,
-    /// Whether an `update` is open here.
+    /// True if an `update` is open here.
     pub(super) updating: bool,
-    /// What `return` gives.
+    /// The values that `return` gives.
     pub(super) returns: Returns,
     /// The name of the op whose steps these are, if they are.
     pub(super) steps_of: Option<&'a str>,

@@ -5,7 +5,7 @@ use crate::diagram::{Collection, Expr, ExprKind, Fold, FoldFunction, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
-use super::elsewhere;
+use super::foreign_words;
 use super::scopes::{Binding, Local};
 use super::typing::{Place, Typing, to_real, typed};
 use super::words::{a_type, quoted, subject};
@@ -65,7 +65,7 @@ fn around(base: Expr, word: &str) -> Result<Collection, Expr> {
     Ok(make(base))
 }
 
-/// Whether an expression names a sequence, of the mesh or around an element.
+/// True if an expression names a sequence, of the mesh or around an element.
 pub(super) fn is_sequence(expr: &tree::Expr) -> bool {
     let around = [Type::Vertex, Type::Edge, Type::Face];
     match &expr.kind {
@@ -79,7 +79,7 @@ pub(super) fn is_sequence(expr: &tree::Expr) -> bool {
 }
 
 impl Typing<'_> {
-    /// What a loop or an aggregate runs over.
+    /// The collection that a loop or an aggregate runs over.
     pub(super) fn sequence(&mut self, expr: &tree::Expr) -> Option<Collection> {
         match &expr.kind {
             tree::ExprKind::Name(name) if name.index.is_none() => {
@@ -221,8 +221,8 @@ impl Typing<'_> {
         let message = format!("there is no aggregate `{word}`");
         let error = Diagnostic::error("unknown-function", message, function.span);
         let known: Vec<&str> = fold_names().collect();
-        let here = elsewhere::function(word);
-        let error = elsewhere::tell(error, (word, function.span), here, fold_names())
+        let here = foreign_words::function(word);
+        let error = foreign_words::tell(error, (word, function.span), here, fold_names())
             .note(format!("the aggregates are {}", quoted(&known)));
         self.report.add(error);
         None

@@ -6,7 +6,7 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown};
 
 use super::declared::duplicate;
-use super::elsewhere;
+use super::foreign_words;
 use super::parameter::type_named;
 use super::program::{Print, StatementKind};
 use super::scopes::{Binding, Local};
@@ -65,7 +65,7 @@ impl Scripting<'_> {
         }
     }
 
-    /// Whether a variable is declared as in another language, `int x = 3`: that reads as two
+    /// True if a variable is declared as in another language, `int x = 3`: that reads as two
     /// statements, the name of a type and an assignment. Tells so, once.
     pub(super) fn declared_elsewhere(&mut self, action: &Action, next: Option<&Action>) -> bool {
         let (ActionKind::Expr(word), Some(next)) = (&action.kind, next) else {
@@ -78,7 +78,7 @@ impl Scripting<'_> {
             return false;
         };
         let scopes = &self.typing.scopes;
-        if !elsewhere::declares(&word.text)
+        if !foreign_words::declares(&word.text)
             || scopes.find(&word.text).is_some()
             || scopes.find(&name.text).is_some()
         {
@@ -120,7 +120,7 @@ impl Scripting<'_> {
         }
         let word = plain_name(first)?;
         let is_known = self.typing.scopes.find(&word.text).is_some();
-        if beside == 0 || is_known || elsewhere::declares(&word.text) {
+        if beside == 0 || is_known || foreign_words::declares(&word.text) {
             return None;
         }
         self.typing.unknown_name(&word.text, word.span);
@@ -328,7 +328,7 @@ impl Scripting<'_> {
         }
     }
 
-    /// Whether a statement may stand in `update`, which keeps the mesh's connectivity.
+    /// True if a statement may stand in `update`, which keeps the mesh's connectivity.
     pub(super) fn may_update(&mut self, action: &Action) -> bool {
         let span = match &action.kind {
             ActionKind::Let { value, .. } | ActionKind::Assign { value, .. } => match &value.kind {
@@ -352,7 +352,7 @@ impl Scripting<'_> {
     }
 }
 
-/// Whether a part of an operation could not be read, which the parser has said.
+/// True if a part of an operation could not be read, which the parser has said.
 fn is_broken(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Broken => true,

@@ -19,7 +19,8 @@ use super::report::Report;
 use super::routine::{FunctionSignature, Value, resolve_body};
 use super::words::a_type;
 
-/// What a call of the op needs to know, and the op without its steps.
+/// The signature of an op in steps, for its calls, and the op needs to know, and the op without its
+/// steps.
 pub(super) fn steps_signature(
     op: &tree::Op,
     steps: &tree::Steps,

@@ -1,4 +1,4 @@
-//! What a misspelt word was meant to be.
+//! Suggestions for misspelt words.
 
 use strsim::damerau_levenshtein;
 
@@ -7,10 +7,7 @@ use crate::source::Span;
 
 /// The candidate closest to `word`, if no more than a third of its letters differ;
 /// among equals the first.
-pub(super) fn closest<'a>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
     let most = length / 3;
     let mut best: Option<(usize, &str)> = None;
@@ -41,19 +38,5 @@ pub(super) fn suggest<'a>(
             meant,
         ),
         None => diagnostic,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_third_of_the_letters_may_differ() {
-        let words = ["length", "link_condition", "v0"];
-        assert_eq!(closest("lenght", words), Some("length"));
-        assert_eq!(closest("linkcondition", words), Some("link_condition"));
-        assert_eq!(closest("v1", words), None, "too short to guess");
-        assert_eq!(closest("width", words), None);
     }
 }

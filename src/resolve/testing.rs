@@ -15,7 +15,7 @@ use crate::syntax::tree::{self, Action, ActionKind, BinaryOp, ExprKind, Ident};
 
 use super::declared::{Declared, duplicate};
 use super::depth::shallow_block;
-use super::elsewhere::Here;
+use super::foreign_words::Here;
 use super::op::Signature;
 use super::program::{Script, StatementKind, Test, TestMesh};
 use super::report::Report;
@@ -23,7 +23,7 @@ use super::script::Scripting;
 use super::suggestion::suggest;
 use super::words::{arguments, quoted};
 
-/// What makes a mesh: its name, and the least that each of its sizes can be.
+/// The constructors of meshes: the name, and the least that each of its sizes can be.
 pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("tetrahedron", &[]),
     ("cube", &[]),
@@ -40,7 +40,7 @@ pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("pillow", &[3]),
 ];
 
-/// What is said to someone who calls a constructor of a mesh where none is made.
+/// The message to someone who calls a constructor of a mesh where none is made.
 pub(super) fn mesh_maker(word: &str) -> Option<Here> {
     let makes = word == "load" || CONSTRUCTORS.iter().any(|(known, _)| *known == word);
     makes.then_some(Here::Said(
@@ -49,7 +49,7 @@ pub(super) fn mesh_maker(word: &str) -> Option<Here> {
     ))
 }
 
-/// How large a size may be, and how often an icosphere is split at most.
+/// The greatest size, and how often an icosphere is split at most.
 const MOST: i64 = 1000;
 const MOST_SPLIT: i64 = 8;
 
@@ -214,7 +214,7 @@ impl Scripting<'_> {
         self.typing.report.add(Diagnostic::error("not-an-op", message, span));
     }
 
-    /// What makes a mesh: `cube()`, `load("cube.obj")`.
+    /// A mesh from a constructor: `cube()`, `load("cube.obj")`.
     fn mesh(&mut self, expr: &tree::Expr) -> Option<TestMesh> {
         let ExprKind::Call { function, args } = &expr.kind else {
             let message = "a mesh is made here, as by `cube()`, or loaded: `load(\"cube.obj\")`";

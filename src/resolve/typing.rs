@@ -18,7 +18,7 @@ use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
 use super::words::{a_type, subject};
 
-/// Where an expression stands, which decides what it may see.
+/// The place of an expression, which decides what it may see.
 #[derive(Clone, Copy)]
 pub(super) enum Place<'a> {
     /// The default of a parameter: constants and earlier parameters.
@@ -38,8 +38,8 @@ pub(super) struct Typing<'a> {
     pub(super) report: &'a mut Report,
     /// The ops of the program, by number, as far as they can be asked here.
     pub(super) ops: &'a [Signature],
-    /// Whether the function that is called next may change the mesh; it stands as a whole
-    /// value then.
+    /// True if the function that is called next may change the mesh; it stands as a whole value
+    /// then.
     pub(super) may_change: bool,
 }
 
@@ -166,7 +166,21 @@ impl Typing<'_> {
                 );
                 let error = Diagnostic::error("type-mismatch", message, expr.span)
                     .saying(format!("this is {}", a_type(ty)));
-                self.report.add(error);
+                let pointer = match (ty, wanted) {
+                    (Type::Halfedge, Type::Edge) => Some("edge"),
+                    (Type::Halfedge, Type::Face) => Some("face"),
+                    (Type::Edge | Type::Vertex | Type::Face, Type::Halfedge) => Some("halfedge"),
+                    _ => None,
+                };
+                let is_name = matches!(expr.kind, tree::ExprKind::Name(_));
+                self.report.add(match pointer.filter(|_| is_name) {
+                    Some(pointer) => error.fix(
+                        format!("write `.{pointer}` behind it"),
+                        expr.span.after(),
+                        format!(".{pointer}"),
+                    ),
+                    None => error,
+                });
                 None
             }
         }

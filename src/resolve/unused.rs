@@ -20,7 +20,7 @@ pub(super) struct Unused<'a> {
     pub(super) created: &'a [Ref],
     /// The side as it is written.
     pub(super) written: &'a tree::Side,
-    /// What it draws.
+    /// The elements it draws.
     pub(super) drawn: &'a Side,
 }
 
@@ -51,7 +51,7 @@ impl Unused<'_> {
         }
     }
 
-    /// Whether a name is given a position.
+    /// True if a name is given a position.
     fn is_placed(&self, word: &str) -> bool {
         let mut statements = self.written.statements.iter();
         statements.any(|statement| {
@@ -146,8 +146,8 @@ fn pairs(open: &[Open], names: &Names) -> Vec<Pair> {
     pairs
 }
 
-/// What has to be added to the subscript of `two` so that it runs from where `one` ends to
-/// where it starts; nothing if it does not.
+/// The shift that has to be added to the subscript of `two` so that it runs from where `one` ends
+/// to where it starts; nothing if it does not.
 fn turn(one: &Open, two: &Open, names: &Names) -> Option<i32> {
     let is_family = |name: NameId| names.get(name).role == Role::Family;
     let mut by = None;
@@ -180,7 +180,7 @@ fn written(half: Ref, names: &Names) -> String {
     }
 }
 
-/// Where one more statement can be written: behind the last one.
+/// The place where one more statement can be written: behind the last one.
 fn end_of_orbits(after: &Side) -> Option<Span> {
     let loops = after.loops.iter().map(|orbit| orbit.span);
     let edges = after.edges.iter().map(|edge| edge.span);

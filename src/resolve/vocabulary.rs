@@ -12,9 +12,9 @@ use super::words::a_type;
 /// One way to call a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signature {
-    /// What it takes, in words: `vertex`, `real`.
+    /// The types it takes, in words: `vertex`, `real`.
     pub takes: Vec<&'static str>,
-    /// What it gives.
+    /// The type it gives.
     pub gives: Option<Type>,
 }
 
@@ -25,11 +25,11 @@ pub struct FieldWord {
     pub name: &'static str,
     /// Its type; `None` if it is a sequence.
     pub ty: Option<Type>,
-    /// Whether it is stored with the element, and can be assigned to.
+    /// True if it is stored with the element, and can be assigned to.
     pub is_attribute: bool,
 }
 
-/// Whether a word is a function or an aggregate of the language.
+/// True if a word is a function or an aggregate of the language.
 pub fn is_function(word: &str) -> bool {
     function_words().any(|known| known == word)
 }
@@ -82,7 +82,7 @@ fn word(wanted: Wanted) -> &'static str {
     }
 }
 
-/// What may stand behind the dot of a value of a type.
+/// The fields behind the dot of a value of a type.
 pub fn fields(ty: Type) -> Vec<FieldWord> {
     let values = entries_of(ty).into_iter().map(|entry| {
         let Entry { name, ty, is_attribute } = entry;

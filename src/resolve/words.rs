@@ -49,7 +49,7 @@ pub(super) fn arguments(count: usize) -> String {
     }
 }
 
-/// How an operator is written.
+/// The spelling of an operator.
 pub(super) fn operator(op: BinaryOp) -> &'static str {
     match op {
         BinaryOp::Add => "+",
@@ -83,18 +83,5 @@ fn short(expr: &Expr, fields: usize) -> Option<String> {
         }
         ExprKind::Call { function, .. } => Some(format!("{}(…)", function.text)),
         _ => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lists_read_as_sentences() {
-        assert_eq!(either(&["a"]), "a");
-        assert_eq!(either(&["a", "b"]), "a or b");
-        assert_eq!(either(&["a", "b", "c"]), "a, b or c");
-        assert_eq!(quoted(&["x", "y'"]), "`x`, `y'`");
     }
 }

@@ -5,21 +5,21 @@
 
 use glam::DVec3;
 
-use super::{ElementField, Elements, HalfedgeField, Message, Walk};
+use super::{ElementField, Elements, Fault, HalfedgeField, Walk};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
 /// Why there is no such element.
 #[cold]
-pub(super) fn gone(kind: ElementKind, id: u32) -> Message {
+pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
     match id {
-        u32::MAX => Message::Missing(kind),
-        _ => Message::Gone(kind),
+        u32::MAX => Fault::Missing(kind),
+        _ => Fault::Gone(kind),
     }
 }
 
 /// Whether there is such an element.
 #[inline]
-pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<(), Message> {
+pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<(), Fault> {
     match mesh.is_alive(kind, id) {
         true => Ok(()),
         false => Err(gone(kind, id)),
@@ -28,7 +28,7 @@ pub(super) fn expect_alive(mesh: &Mesh, kind: ElementKind, id: u32) -> Result<()
 
 /// The living vertex of a number.
 #[inline]
-pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Message> {
+pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Fault> {
     match mesh.vertex_alive(VertexId(id)) {
         true => Ok(VertexId(id)),
         false => Err(gone(ElementKind::Vertex, id)),
@@ -36,7 +36,7 @@ pub(super) fn vertex(mesh: &Mesh, id: u32) -> Result<VertexId, Message> {
 }
 
 #[inline]
-fn halfedge(mesh: &Mesh, id: u32) -> Result<HalfedgeId, Message> {
+fn halfedge(mesh: &Mesh, id: u32) -> Result<HalfedgeId, Fault> {
     match mesh.halfedge_alive(HalfedgeId(id)) {
         true => Ok(HalfedgeId(id)),
         false => Err(gone(ElementKind::Halfedge, id)),
@@ -45,7 +45,7 @@ fn halfedge(mesh: &Mesh, id: u32) -> Result<HalfedgeId, Message> {
 
 /// The living edge of a number.
 #[inline]
-pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Message> {
+pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Fault> {
     match mesh.edge_alive(EdgeId(id)) {
         true => Ok(EdgeId(id)),
         false => Err(gone(ElementKind::Edge, id)),
@@ -54,7 +54,7 @@ pub(super) fn edge(mesh: &Mesh, id: u32) -> Result<EdgeId, Message> {
 
 /// The living face of a number.
 #[inline]
-pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Message> {
+pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Fault> {
     match mesh.face_alive(FaceId(id)) {
         true => Ok(FaceId(id)),
         false => Err(gone(ElementKind::Face, id)),
@@ -63,7 +63,7 @@ pub(super) fn face(mesh: &Mesh, id: u32) -> Result<FaceId, Message> {
 
 /// A pointer of a halfedge.
 #[inline]
-pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Message> {
+pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Fault> {
     let Some(record) = mesh.get_halfedge(HalfedgeId(id)) else {
         return Err(gone(ElementKind::Halfedge, id));
     };
@@ -79,7 +79,7 @@ pub(super) fn load(mesh: &Mesh, field: HalfedgeField, id: u32) -> Result<u32, Me
 
 /// The halfedge of an element.
 #[inline]
-pub(super) fn load_halfedge(mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Message> {
+pub(super) fn load_halfedge(mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Fault> {
     let (kind, halfedge) = match of {
         ElementField::Vertex => (ElementKind::Vertex, mesh.get_vertex_halfedge(VertexId(id))),
         ElementField::Edge => (ElementKind::Edge, mesh.get_edge_halfedge(EdgeId(id))),
@@ -116,10 +116,10 @@ pub(super) fn collect_living(mesh: &Mesh, of: Elements, into: &mut Vec<u64>) {
 
 /// A pointer may lead to any slot, or to nothing.
 #[inline]
-fn pointer(mesh: &Mesh, kind: ElementKind, value: u32) -> Result<(), Message> {
+fn pointer(mesh: &Mesh, kind: ElementKind, value: u32) -> Result<(), Fault> {
     match value == u32::MAX || (value as usize) < mesh.capacity(kind) {
         true => Ok(()),
-        false => Err(Message::WildPointer(kind)),
+        false => Err(Fault::WildPointer(kind)),
     }
 }
 
@@ -130,7 +130,7 @@ pub(super) fn store(
     field: HalfedgeField,
     id: u32,
     value: u32,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     let h = halfedge(mesh, id)?;
     match field {
         HalfedgeField::Next | HalfedgeField::Prev | HalfedgeField::Twin => {
@@ -165,7 +165,7 @@ pub(super) fn store_halfedge(
     of: ElementField,
     id: u32,
     value: u32,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     pointer(mesh, ElementKind::Halfedge, value)?;
     let value = HalfedgeId(value);
     match of {
@@ -182,25 +182,25 @@ pub(super) fn store_all(
     field: HalfedgeField,
     halfedges: &[u64],
     value: u32,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     halfedges.iter().try_for_each(|&id| store(mesh, field, id as u32, value))
 }
 
 /// A living vertex and a position that it may have.
 #[inline]
-pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, DVec3), Message> {
+pub(super) fn place(mesh: &Mesh, id: u32, position: DVec3) -> Result<(VertexId, DVec3), Fault> {
     let v = vertex(mesh, id)?;
     match position.is_finite() {
         true => Ok((v, position)),
-        false => Err(Message::NotFinite),
+        false => Err(Fault::NotFinite),
     }
 }
 
 /// Adds an element.
 #[inline]
-pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Message> {
+pub(super) fn add(mesh: &mut Mesh, kind: ElementKind) -> Result<u32, Fault> {
     if mesh.capacity(kind) >= u32::MAX as usize - 1 && !room_for_one(mesh, kind) {
-        return Err(Message::NoRoom(kind));
+        return Err(Fault::NoRoom(kind));
     }
     Ok(match kind {
         ElementKind::Vertex => mesh.add_vertex().0,
@@ -234,7 +234,7 @@ fn room_for_one(mesh: &Mesh, kind: ElementKind) -> bool {
 
 /// Erases a living element.
 #[inline]
-pub(super) fn erase(mesh: &mut Mesh, kind: ElementKind, id: u32) -> Result<(), Message> {
+pub(super) fn erase(mesh: &mut Mesh, kind: ElementKind, id: u32) -> Result<(), Fault> {
     match kind {
         ElementKind::Vertex => mesh.erase_vertex(vertex(mesh, id)?),
         ElementKind::Halfedge => mesh.erase_halfedge(halfedge(mesh, id)?),
@@ -246,7 +246,7 @@ pub(super) fn erase(mesh: &mut Mesh, kind: ElementKind, id: u32) -> Result<(), M
 
 /// The halfedge after `id`.
 #[inline]
-fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Message> {
+fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Fault> {
     match walk {
         Walk::Loop => load(mesh, HalfedgeField::Next, id),
         Walk::Star => {
@@ -263,7 +263,7 @@ pub(super) fn collect(
     walk: Walk,
     [from, until]: [u32; 2],
     into: &mut Vec<u64>,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     let mut at = from;
     // No walk that ends is longer than there are halfedges.
     for _ in 0..mesh.capacity(ElementKind::Halfedge) {
@@ -278,7 +278,7 @@ pub(super) fn collect(
     }
     // Nothing was walked where there are no halfedges at all.
     halfedge(mesh, from)?;
-    Err(Message::Endless)
+    Err(Fault::Endless)
 }
 
 /// Whether a walk from `from`, which counts, meets `goal` before it comes to `stop` or
@@ -288,7 +288,7 @@ pub(super) fn meets(
     walk: Walk,
     from: u32,
     [goal, stop]: [u32; 2],
-) -> Result<bool, Message> {
+) -> Result<bool, Fault> {
     let mut at = from;
     for _ in 0..mesh.capacity(ElementKind::Halfedge) {
         if at == goal {
@@ -300,5 +300,5 @@ pub(super) fn meets(
         }
     }
     halfedge(mesh, from)?;
-    Err(Message::Endless)
+    Err(Fault::Endless)
 }

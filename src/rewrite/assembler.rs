@@ -123,6 +123,11 @@ impl Assembler {
         self.insts.push(inst);
     }
 
+    /// The number of the instruction that comes next.
+    pub fn next_inst(&self) -> u32 {
+        self.insts.len() as u32
+    }
+
     /// Appends an instruction that can trap, with the number of its place in the source.
     pub fn trap_at(&mut self, place: u32, inst: Inst) {
         self.traps.push((self.insts.len() as u32, place));
@@ -212,7 +217,7 @@ struct Registers {
     first_free: usize,
     /// One past the highest register ever taken.
     most: u16,
-    /// What a release gives back, in the order it was taken.
+    /// The registers that a release gives back, in the order in which they were taken.
     live: Vec<(Reg, u16)>,
 }
 
@@ -262,52 +267,5 @@ impl Registers {
                 self.first_free = self.first_free.min(start);
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn released_registers_are_taken_again_and_constants_are_not() {
-        let mut asm = Assembler::new();
-        let param = asm.reg();
-        let mark = asm.mark();
-        let (a, b) = (asm.vec(), asm.reg());
-        let seven = asm.constant_int(7);
-        asm.release(mark);
-        assert_eq!((param, a, b, seven), (Reg(0), Reg(1), Reg(4), Reg(5)));
-        let eight = asm.constant_int(8);
-        assert_eq!(eight, Reg(6), "a free register may have been written to before");
-        assert_eq!(asm.block(5), Reg(7), "five in a row fit only behind");
-        assert_eq!(asm.vec(), Reg(1));
-        assert_eq!(asm.constant_int(7), seven);
-        assert_eq!(asm.finish().unwrap().registers, 12);
-    }
-
-    #[test]
-    fn labels_and_traps_move_behind_the_constants() {
-        let mut asm = Assembler::new();
-        let (head, end) = (asm.label(), asm.label());
-        let yes = asm.constant_bool(true);
-        asm.bind(head);
-        asm.trap_at(9, Inst::JumpUnless { condition: yes, to: end });
-        asm.emit(Inst::Jump { to: head });
-        let code = asm.finish().unwrap();
-        assert_eq!(
-            code.insts[1..],
-            [Inst::JumpUnless { condition: yes, to: Label(3) }, Inst::Jump { to: Label(1) }]
-        );
-        assert_eq!((code.place(1), code.place(2)), (Some(9), None));
-    }
-
-    #[test]
-    fn too_many_registers_are_an_error() {
-        let mut asm = Assembler::new();
-        for _ in 0..=u16::MAX {
-            asm.reg();
-        }
-        assert_eq!(asm.finish(), Err(TooLarge));
     }
 }

@@ -60,6 +60,12 @@ impl Inst {
                 | Inst::Erase { .. }
         )
     }
+
+    /// True if drains that run are told before it is taken.
+    #[inline]
+    pub(super) fn is_observed_write(&self) -> bool {
+        self.writes() || matches!(self, Inst::ReleaseHeld { .. })
+    }
 }
 
 impl Machine {

@@ -7,7 +7,7 @@ use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::access::gone;
 use super::window::Window;
-use super::{Message, Reg};
+use super::{Fault, Reg};
 use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 
 /// In the place of an attribute's number: what is kept back is a position.
@@ -26,9 +26,9 @@ pub(super) fn hold_position(vertex: VertexId, position: DVec3, held: &mut Vec<u6
 
 /// Where an attribute lies in the mesh.
 #[inline]
-pub(super) fn column(columns: &[Option<ColumnId>], attribute: u16) -> Result<ColumnId, Message> {
+pub(super) fn column(columns: &[Option<ColumnId>], attribute: u16) -> Result<ColumnId, Fault> {
     let column = columns.get(usize::from(attribute)).copied().flatten();
-    column.ok_or(Message::Malformed)
+    column.ok_or(Fault::Malformed)
 }
 
 /// How many slots a value takes.
@@ -46,7 +46,7 @@ fn width(data: &ColumnData) -> u16 {
 
 /// A living element as an index into its column.
 #[inline]
-fn index(mesh: &Mesh, column: ColumnId, id: u32) -> Result<usize, Message> {
+fn index(mesh: &Mesh, column: ColumnId, id: u32) -> Result<usize, Fault> {
     match mesh.is_alive(column.kind, id) {
         true => Ok(id as usize),
         false => Err(gone(column.kind, id)),
@@ -61,11 +61,11 @@ pub(super) fn load(
     id: u32,
     w: &mut Window,
     to: Reg,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     let at = index(mesh, column, id)?;
-    let data = mesh.column(column).ok_or(Message::Malformed)?.data();
+    let data = mesh.column(column).ok_or(Fault::Malformed)?.data();
     // A column is as long as the table of its kind.
-    let beyond = Message::Malformed;
+    let beyond = Fault::Malformed;
     match data {
         ColumnData::Bool(all) => w.set_truth(to, *all.get(at).ok_or(beyond)?),
         ColumnData::Int(all) => w.set_int(to, *all.get(at).ok_or(beyond)?),
@@ -87,7 +87,7 @@ pub(super) fn store(
     id: u32,
     w: &Window,
     value: Reg,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     let at = index(mesh, column, id)?;
     put(mesh, column, at, |part| w.bits(Reg(value.0.wrapping_add(part))))
 }
@@ -99,11 +99,11 @@ fn put(
     column: ColumnId,
     at: usize,
     slot: impl Fn(u16) -> u64,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     mesh.note_value(column, at as u32);
-    let data = mesh.column_data_mut(column).ok_or(Message::Malformed)?;
+    let data = mesh.column_data_mut(column).ok_or(Fault::Malformed)?;
     let real = |part: usize| f64::from_bits(slot(part as u16));
-    let beyond = Message::Malformed;
+    let beyond = Fault::Malformed;
     match data {
         ColumnData::Bool(all) => *all.get_mut(at).ok_or(beyond)? = slot(0) != 0,
         ColumnData::Int(all) => *all.get_mut(at).ok_or(beyond)? = slot(0) as i64,
@@ -138,9 +138,9 @@ pub(super) fn hold(
     w: &Window,
     value: Reg,
     held: &mut Vec<u64>,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     index(mesh, column, id)?;
-    let data = mesh.column(column).ok_or(Message::Malformed)?.data();
+    let data = mesh.column(column).ok_or(Fault::Malformed)?.data();
     let width = width(data);
     held.extend([header(attribute.into(), width), u64::from(id)]);
     let slots = 0..width;
@@ -182,11 +182,11 @@ pub(super) fn release(
     mesh: &mut Mesh,
     columns: &[Option<ColumnId>],
     held: &mut Vec<u64>,
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     let mut rest = held.as_slice();
     while !rest.is_empty() {
         let mut all = Held::new(columns, rest);
-        let (target, id, slots) = all.next().ok_or(Message::Malformed)?;
+        let (target, id, slots) = all.next().ok_or(Fault::Malformed)?;
         rest = all.rest;
         match (target, slots) {
             (None, [x, y, z]) if mesh.vertex_alive(VertexId(id)) => {

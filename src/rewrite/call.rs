@@ -91,15 +91,13 @@ impl<'c> Call<'c> {
         }
     }
 
-    /// The call of a function from this one.
-    pub(super) fn entering(&self, number: u16, function: &'c Function) -> Call<'c> {
-        Call {
-            code: &function.code,
-            function: Some(number),
-            base: self.base + usize::from(self.code.registers),
-            buffers: self.buffers + usize::from(self.code.buffers),
-            ..*self
-        }
+    /// Becomes the call of a function from this one.
+    #[inline]
+    pub(super) fn enter(&mut self, number: u16, function: &'c Function) {
+        self.base += usize::from(self.code.registers);
+        self.buffers += usize::from(self.code.buffers);
+        self.code = &function.code;
+        self.function = Some(number);
     }
 
     /// Of several refusals the one of the latest phase counts, of those the first.
@@ -115,7 +113,10 @@ impl<'c> Call<'c> {
 /// Where a function was called, to go on there.
 #[derive(Debug)]
 pub(super) struct Frame<'c> {
-    pub(super) call: Call<'c>,
+    code: &'c Code,
+    function: Option<u16>,
+    pub(super) base: usize,
+    buffers: usize,
     /// The instruction behind the call.
     pub(super) at: usize,
     /// Where the value goes.
@@ -124,13 +125,32 @@ pub(super) struct Frame<'c> {
     pub(super) holds: bool,
 }
 
+impl<'c> Frame<'c> {
+    #[inline]
+    pub(super) fn of(call: &Call<'c>, at: usize, to: Reg, holds: bool) -> Self {
+        let Call { code, function, base, buffers, .. } = *call;
+        Self { code, function, base, buffers, at, to, holds }
+    }
+
+    /// Makes a call what it was.
+    #[inline]
+    pub(super) fn give_back(&self, call: &mut Call<'c>) {
+        let Self { code, function, base, buffers, .. } = *self;
+        *call = Call { code, function, base, buffers, ..*call };
+    }
+}
+
 impl Trap {
     /// The trap seen from all running functions, the innermost first.
     #[cold]
     pub(super) fn through_all(self, call: &Call<'_>, at: usize, returns: &[Frame<'_>]) -> Self {
         let inner = self.through(call, at);
         let outer = returns.iter().rev();
-        outer.fold(inner, |trap, one| trap.through(&one.call, one.at - 1))
+        outer.fold(inner, |trap, one| {
+            let mut outer = *call;
+            one.give_back(&mut outer);
+            trap.through(&outer, one.at - 1)
+        })
     }
 
     /// The trap seen from a call: the instruction at `at` did it.

@@ -30,9 +30,9 @@ pub struct Label(pub u32);
 pub struct Code {
     /// The instructions; running past the last one returns.
     pub insts: Vec<Inst>,
-    /// How many slots its window has.
+    /// The number of slots of its window.
     pub registers: u16,
-    /// How many buffers it uses.
+    /// The number of buffers it uses.
     pub buffers: u16,
     /// Why each trapping instruction could fail, by its index: see [`Traps`].
     pub traps: Traps,
@@ -43,8 +43,8 @@ pub struct Code {
 }
 
 impl Code {
-    /// Whether a drain may run in it.
-    pub(super) fn drains(&self) -> bool {
+    /// True if a drain may run in it.
+    pub fn drains(&self) -> bool {
         let opens = |inst: &Inst| matches!(inst, Inst::DrainOpen { .. });
         let functions = self.functions.iter().map(|function| &function.code);
         let all = functions.chain([self]);
@@ -68,6 +68,14 @@ impl Code {
             }
         }
         found
+    }
+
+    /// True if it may change the mesh itself.
+    pub fn changes(&self) -> bool {
+        let changes = |inst: &Inst| {
+            inst.writes() || matches!(inst, Inst::Apply { .. } | Inst::ReleaseHeld { .. })
+        };
+        self.insts.iter().any(changes)
     }
 
     /// The number of the place in the source of an instruction that can trap.

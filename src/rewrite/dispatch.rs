@@ -9,7 +9,7 @@ use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
 use super::around;
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
-use super::memory;
+use super::memory::{self, Budget};
 use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
@@ -29,7 +29,7 @@ macro_rules! or_trap {
     ($result:expr) => {
         match $result {
             Ok(value) => value,
-            Err(message) => break message,
+            Err(fault) => break Message::from(fault),
         }
     };
 }
@@ -59,10 +59,15 @@ impl Machine {
                 }
             };
         }
+        macro_rules! budget {
+            () => {
+                Budget { buffers: &self.buffers, drains: &self.drains, limit: self.memory }
+            };
+        }
         macro_rules! make_room {
             ($buffer:expr, $more:expr) => {{
                 let at = call.buffers + usize::from($buffer);
-                let limit = (&*mesh, self.memory);
+                let limit = (&*mesh, &self.drains, self.memory);
                 or_trap!(memory::for_list(&mut self.buffers, at, $more, limit));
             }};
         }
@@ -74,7 +79,7 @@ impl Machine {
                     created.push(($kind, id));
                 }
                 if OBSERVED {
-                    self.drains.born($kind, id);
+                    self.drains.born(mesh, $kind, id);
                 }
             }};
         }
@@ -92,17 +97,22 @@ impl Machine {
                 break Message::Malformed;
             };
             at += 1;
-            if OBSERVED && self.is_dry && inst.writes() {
+            if OBSERVED && self.is_dry && (inst.writes() || matches!(inst, Return { .. })) {
+                self.stopped_at = at;
                 return Ok(Outcome::Applied { result: None });
             }
-            if OBSERVED && !self.drains.is_empty() {
+            let wants_writes = || !self.drains.is_empty() && inst.is_observed_write();
+            if OBSERVED && (self.drains.is_reading() || wants_writes()) {
                 let scene = Scene {
                     mesh,
                     w: &w,
                     buffers: self.buffers.get(call.buffers..).unwrap_or_default(),
                     columns: &self.columns,
                 };
-                self.drains.observe(&inst, &scene);
+                self.drains.observe_write(&inst, &scene);
+                if self.drains.is_reading() {
+                    self.drains.observe_read(&inst, &scene);
+                }
             }
             match inst {
                 // Values.
@@ -209,7 +219,7 @@ impl Machine {
                 LoadPosition { to, vertex } => {
                     let id = w.id(vertex);
                     let Some(position) = mesh.get_position(VertexId(id)) else {
-                        break gone(ElementKind::Vertex, id);
+                        break gone(ElementKind::Vertex, id).into();
                     };
                     w.set_vector(to, position);
                 }
@@ -292,7 +302,7 @@ impl Machine {
                         continue;
                     }
                     let more = [v, h, e, f];
-                    or_trap!(memory::for_elements(mesh, more, &self.buffers, self.memory));
+                    or_trap!(memory::for_elements(mesh, more, &budget!()));
                 }
                 Collect { walk, buffer, from, until, whole } => {
                     let ends = [w.id(from), w.id(until)];
@@ -360,13 +370,13 @@ impl Machine {
                         continue;
                     }
                     let more = (kind, count);
-                    or_trap!(memory::for_kind(mesh, more, &self.buffers, self.memory));
+                    or_trap!(memory::for_kind(mesh, more, &budget!()));
                 }
                 MeetsAll { walk, to, buffer } => {
                     let met = or_trap!(around::meets_all(mesh, walk, buffer!(buffer)));
                     w.set_truth(to, met);
                 }
-                PreviewClear => self.preview.clear(mesh),
+                PreviewClear => self.preview.clear(),
                 PreviewNew { to } => w.set_id(to, self.preview.add()),
                 PreviewStore { field, halfedge, value } => {
                     let (halfedge, value) = (w.id(halfedge), w.id(value));
@@ -493,7 +503,9 @@ impl Machine {
                     or_trap!(self.preview.store_all(mesh, field, part, w.id(value)));
                     *buffer!(span.ends) = ends;
                 }
-                Erase { kind, element } => or_trap!(access::erase(mesh, kind, w.id(element))),
+                Erase { kind, element } => {
+                    or_trap!(access::erase(mesh, kind, w.id(element)));
+                }
                 Recycle => {
                     if self.holding == 0 {
                         mesh.recycle();
@@ -506,14 +518,25 @@ impl Machine {
                         Some(buffer) => Some(buffer!(buffer).as_slice()),
                         None => None,
                     };
-                    self.drains.open(mesh, of, members);
+                    let paths = self.paths.of(&call, at - 1);
+                    self.drains.open(mesh, of, members, paths);
+                    if budget!().is_passed(mesh) {
+                        break Message::NoMemory(self.memory);
+                    }
                 }
                 DrainAllStale => self.drains.make_all_stale(mesh),
-                DrainStale { to, otherwise } => match self.drains.next_stale(mesh) {
-                    Some(id) => w.set_id(to, id),
-                    None => at = otherwise.0 as usize,
-                },
-                DrainKey { key } => or_trap!(self.drains.set_key(w.real(key))),
+                DrainStale { to, otherwise } => {
+                    match self.drains.next_stale(mesh, |variable| w.id(variable)) {
+                        Some(id) => w.set_id(to, id),
+                        None => at = otherwise.0 as usize,
+                    }
+                }
+                DrainKey { key } => {
+                    or_trap!(self.drains.set_key(w.real(key)));
+                    if self.drains.has_looked() && budget!().is_passed(mesh) {
+                        break Message::NoMemory(self.memory);
+                    }
+                }
                 DrainLeast { to, otherwise } => match self.drains.least() {
                     Some(id) => w.set_id(to, id),
                     None => at = otherwise.0 as usize,
@@ -532,12 +555,12 @@ impl Machine {
                     if self.progress.tick(watch).is_break() {
                         break Message::Interrupted;
                     }
-                    let inner = call.entering(function, called);
-                    self.pass(call.base, args, inner.base, called.params);
-                    self.clear_buffers(&inner);
+                    returns.push(Frame::of(&call, at, to, holds));
+                    let base = call.base;
+                    call.enter(function, called);
+                    self.pass(base, args, call.base, called.params);
+                    self.clear_buffers(&call);
                     self.holding += u32::from(holds);
-                    returns.push(Frame { call, at, to, holds });
-                    call = inner;
                     (insts, at) = (called.code.insts.as_slice(), 0);
                     match Window::at(&mut self.stack, call.base) {
                         Some(window) => w = window,
@@ -548,9 +571,9 @@ impl Machine {
                     let Some(back) = returns.pop() else {
                         return Ok(Outcome::Applied { result: None });
                     };
-                    self.pass(call.base, from, back.call.base + usize::from(back.to.0), width);
+                    self.pass(call.base, from, back.base + usize::from(back.to.0), width);
                     self.holding -= u32::from(back.holds);
-                    call = back.call;
+                    back.give_back(&mut call);
                     (insts, at) = (call.code.insts.as_slice(), back.at);
                     match Window::at(&mut self.stack, call.base) {
                         Some(window) => w = window,
@@ -606,9 +629,7 @@ impl Machine {
                     if self.progress.turn(watch, depth, done, total).is_break() {
                         break Message::Interrupted;
                     }
-                    if self.progress.has_looked()
-                        && mesh.bytes().saturating_add(memory::bytes(&self.buffers)) > self.memory
-                    {
+                    if self.progress.has_looked() && budget!().is_passed(mesh) {
                         break Message::NoMemory(self.memory);
                     }
                 }
@@ -698,7 +719,13 @@ impl Machine {
         reserve(&mut self.stack, to);
         let start = base + usize::from(from.0);
         let end = self.stack.len().min(start + usize::from(width));
-        self.stack.copy_within(start.min(end)..end, to);
+        // A few slots are copied sooner than a call is made that copies any number.
+        match end.saturating_sub(start) {
+            few @ 0..=4 => {
+                (0..few).for_each(|part| self.stack[to + part] = self.stack[start + part])
+            }
+            _ => self.stack.copy_within(start..end, to),
+        }
     }
 
     fn clear_buffers(&mut self, call: &super::Call<'_>) {

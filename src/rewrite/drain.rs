@@ -6,11 +6,17 @@
 //! into the queue, whether it was there before or not, and an infinite key keeps it out. So
 //! nothing depends on how stale ones are found, but the time: it is as if all keys were
 //! computed anew.
+//!
+//! They are found by walking back along the [`Paths`] of the key from what was written, or, where
+//! it has none, by [`Readers`], which note what each key reads.
+
+use std::sync::Arc;
 
 use super::access::lives;
+use super::paths::{Candidates, Fields, Paths, WalkBack, Written};
 use super::queue::Queue;
 use super::readers::{Place, Readers};
-use super::{Elements, Message};
+use super::{Elements, Message, Reg};
 use crate::mesh::{ElementKind, HalfedgeId, Mesh};
 
 /// The drains that run, the innermost last.
@@ -19,7 +25,26 @@ pub(super) struct Drains {
     all: Vec<Drain>,
     /// The first so many of them are not told what is written, since it will be undone.
     quiet: usize,
+    /// How many keys have been computed.
+    computed: u32,
+    /// How many compute a key whose reads are to be noted.
+    noting: usize,
+    walk: WalkBack,
 }
+
+/// How those are found whose keys may have changed.
+#[derive(Debug)]
+enum Changes {
+    Noted(Box<Readers>),
+    /// From what was written since the keys were computed.
+    Walked {
+        paths: Arc<Paths>,
+        written: Vec<Written>,
+    },
+}
+
+/// How many keys are computed between looks at the memory that they take.
+const KEYS_PER_LOOK: u32 = 1024;
 
 #[derive(Debug)]
 struct Drain {
@@ -32,12 +57,43 @@ struct Drain {
     queue: Queue,
     stale: Vec<u32>,
     is_stale: Vec<bool>,
-    readers: Readers,
+    changes: Changes,
     /// The element whose key is being computed.
     reading: Option<u32>,
 }
 
 impl Drain {
+    /// The memory that it takes, in bytes.
+    fn bytes(&self) -> usize {
+        let members = self.members.as_ref().map_or(0, Vec::capacity);
+        let changes = match &self.changes {
+            Changes::Noted(readers) => readers.bytes(),
+            Changes::Walked { written, .. } => written.capacity() * size_of::<Written>(),
+        };
+        members
+            + self.keys.capacity() * size_of::<f64>()
+            + self.stale.capacity() * size_of::<u32>()
+            + self.is_stale.capacity()
+            + self.queue.bytes()
+            + changes
+    }
+
+    fn of(of: Elements, members: Option<Vec<bool>>, paths: Option<Arc<Paths>>) -> Self {
+        Self {
+            of,
+            members,
+            keys: Vec::new(),
+            queue: Queue::default(),
+            stale: Vec::new(),
+            is_stale: Vec::new(),
+            changes: match paths {
+                Some(paths) => Changes::Walked { paths, written: Vec::new() },
+                None => Changes::Noted(Box::default()),
+            },
+            reading: None,
+        }
+    }
+
     fn make_stale(&mut self, id: u32) {
         let index = id as usize;
         if self.is_stale.len() <= index {
@@ -49,7 +105,9 @@ impl Drain {
     }
 
     fn touch(&mut self, place: Place) {
-        let Self { readers, stale, is_stale, .. } = self;
+        let Self { changes: Changes::Noted(readers), stale, is_stale, .. } = self else {
+            return;
+        };
         let mut make_stale = |reader: u32| {
             // Whoever reads has been stale before.
             if !std::mem::replace(&mut is_stale[reader as usize], true) {
@@ -60,10 +118,69 @@ impl Drain {
         readers.take(Place::Whole, &mut make_stale);
     }
 
+    /// Fields of an element are about to be written.
+    fn write(&mut self, mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) {
+        match &mut self.changes {
+            Changes::Walked { paths, written } => {
+                if paths.concern(kind, fields) {
+                    written.push(Written { kind, id, fields });
+                }
+            }
+            Changes::Noted(_) => {
+                if let Some(place) = place_of(mesh, kind, id, fields) {
+                    self.touch(place);
+                }
+            }
+        }
+    }
+
+    fn is_noted(&self) -> bool {
+        matches!(self.changes, Changes::Noted(_))
+    }
+
+    fn make_all_stale(&mut self, mesh: &Mesh) {
+        if let Changes::Walked { written, .. } = &mut self.changes {
+            written.clear();
+        }
+        // The stale ones are taken from the end.
+        for id in (0..mesh.capacity(self.of.kind()) as u32).rev() {
+            if self.is_member(mesh, id) {
+                self.make_stale(id);
+            }
+        }
+    }
+
+    /// Makes those stale to which what was written leads back. `held` tells what a variable
+    /// holds.
+    fn walk_back(&mut self, mesh: &Mesh, walk: &mut WalkBack, held: impl Fn(Reg) -> u32) {
+        let Changes::Walked { paths, written } = &mut self.changes else {
+            return;
+        };
+        if written.is_empty() {
+            return;
+        }
+        // Where as much was written as there is, to walk takes longer than to compute.
+        if written.len() > mesh.capacity(self.of.kind()) {
+            return self.make_all_stale(mesh);
+        }
+        let found = walk.candidates(mesh, paths, written, held);
+        written.clear();
+        match found {
+            Candidates::All => self.make_all_stale(mesh),
+            Candidates::These(ids) => {
+                for &id in ids.iter().rev() {
+                    if self.is_member(mesh, id) {
+                        self.make_stale(id);
+                    }
+                }
+            }
+        }
+    }
+
     /// Forgets an element that is gone; another may have its number later.
     fn forget(&mut self, id: u32) {
         if (id as usize) < self.keys.len() {
-            self.queue.remove(id, &self.keys);
+            self.queue.remove(id);
             self.keys[id as usize] = f64::NAN;
         }
     }
@@ -75,10 +192,22 @@ impl Drain {
 }
 
 impl Drains {
+    /// The memory that they take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.all.iter().map(Drain::bytes).sum()
+    }
+
+    /// True if the last key was one to look at the memory after.
+    #[inline]
+    pub(super) fn has_looked(&self) -> bool {
+        self.computed.is_multiple_of(KEYS_PER_LOOK)
+    }
+
     /// Ends all.
     pub(super) fn clear(&mut self) {
         self.all.clear();
         self.quiet = 0;
+        self.noting = 0;
     }
 
     /// From here on those that are open are not told what is written. Gives how many were not.
@@ -104,10 +233,51 @@ impl Drains {
     /// Ends all but so many.
     pub(super) fn leave(&mut self, open: usize) {
         self.all.truncate(open);
+        self.count_noting();
     }
 
-    /// Begins a drain of all elements of the mesh, or of some.
-    pub(super) fn open(&mut self, mesh: &Mesh, of: Elements, some: Option<&[u64]>) {
+    fn count_noting(&mut self) {
+        let is_noting = |drain: &&Drain| drain.reading.is_some() && drain.is_noted();
+        self.noting = self.all.iter().filter(is_noting).count();
+    }
+
+    /// One drain of which nothing is known, for who asks outside of any loop.
+    pub(super) fn alone(of: Elements) -> Self {
+        Self { all: vec![Drain::of(of, None, None)], ..Self::default() }
+    }
+
+    /// Makes an element of the innermost stale.
+    pub(super) fn make_stale(&mut self, id: u32) {
+        if let Some(drain) = self.all.last_mut() {
+            drain.make_stale(id);
+        }
+    }
+
+    /// The next stale element, living or not, which is no longer stale.
+    pub(super) fn pop_stale(&mut self) -> Option<u32> {
+        let drain = self.all.last_mut()?;
+        let id = drain.stale.pop()?;
+        drain.is_stale[id as usize] = false;
+        Some(id)
+    }
+
+    /// From here on what is read is noted for an element of the innermost, or for none.
+    pub(super) fn read_for_element(&mut self, id: Option<u32>) {
+        if let Some(drain) = self.all.last_mut() {
+            drain.reading = id;
+        }
+        self.count_noting();
+    }
+
+    /// Begins a drain of all elements of the mesh, or of some; with the paths of its key, if it
+    /// has any.
+    pub(super) fn open(
+        &mut self,
+        mesh: &Mesh,
+        of: Elements,
+        some: Option<&[u64]>,
+        paths: Option<Arc<Paths>>,
+    ) {
         let capacity = mesh.capacity(of.kind());
         let members = some.map(|some| {
             let mut members = vec![false; capacity];
@@ -118,43 +288,33 @@ impl Drains {
             }
             members
         });
-        self.all.push(Drain {
-            of,
-            members,
-            keys: Vec::new(),
-            queue: Queue::default(),
-            stale: Vec::new(),
-            is_stale: Vec::new(),
-            readers: Readers::default(),
-            reading: None,
-        });
+        self.all.push(Drain::of(of, members, paths));
         self.make_all_stale(mesh);
     }
 
     /// Ends the innermost.
     pub(super) fn close(&mut self) {
         self.all.pop();
+        self.count_noting();
     }
 
     /// Makes all elements of the innermost stale.
     pub(super) fn make_all_stale(&mut self, mesh: &Mesh) {
         if let Some(drain) = self.all.last_mut() {
-            // The stale ones are taken from the end.
-            for id in (0..mesh.capacity(drain.of.kind()) as u32).rev() {
-                if drain.is_member(mesh, id) {
-                    drain.make_stale(id);
-                }
-            }
+            drain.make_all_stale(mesh);
         }
     }
 
-    /// The next element whose key is to be computed; from here on what is read is noted.
-    pub(super) fn next_stale(&mut self, mesh: &Mesh) -> Option<u32> {
+    /// The next element whose key is to be computed; from here on what is read is noted, where
+    /// that is wanted. `held` tells what a variable holds.
+    pub(super) fn next_stale(&mut self, mesh: &Mesh, held: impl Fn(Reg) -> u32) -> Option<u32> {
         let drain = self.all.last_mut()?;
+        drain.walk_back(mesh, &mut self.walk, held);
         while let Some(id) = drain.stale.pop() {
             drain.is_stale[id as usize] = false;
             if drain.is_member(mesh, id) {
                 drain.reading = Some(id);
+                self.noting += usize::from(drain.is_noted());
                 return Some(id);
             }
             drain.forget(id);
@@ -170,9 +330,11 @@ impl Drains {
         let Some(id) = drain.reading.take() else {
             return Err(Message::Malformed);
         };
+        self.noting -= usize::from(drain.is_noted());
         if key.is_nan() {
             return Err(Message::KeyNotANumber);
         }
+        self.computed = self.computed.wrapping_add(1);
         let index = id as usize;
         if drain.keys.len() <= index {
             drain.keys.resize(index + 1, f64::NAN);
@@ -182,12 +344,12 @@ impl Drains {
         }
         match key == f64::INFINITY {
             true => {
-                drain.queue.remove(id, &drain.keys);
+                drain.queue.remove(id);
                 drain.keys[index] = key;
             }
             false => {
                 drain.keys[index] = key;
-                drain.queue.put(id, &drain.keys);
+                drain.queue.put(id, key);
             }
         }
         Ok(())
@@ -203,14 +365,14 @@ impl Drains {
         if let Some(drain) = self.all.last_mut()
             && let Some(id) = drain.queue.least()
         {
-            drain.queue.remove(id, &drain.keys);
+            drain.queue.remove(id);
         }
     }
 
-    /// Whether a key is being computed, so that reads are to be noted.
+    /// Whether a key is being computed whose reads are to be noted.
     #[inline]
     pub(super) fn is_reading(&self) -> bool {
-        self.all.iter().any(|drain| drain.reading.is_some())
+        self.noting > 0
     }
 
     #[inline]
@@ -221,8 +383,8 @@ impl Drains {
     /// Something at a place is read.
     pub(super) fn read(&mut self, place: Place) {
         for drain in &mut self.all {
-            if let Some(reader) = drain.reading {
-                drain.readers.note(place, reader);
+            if let (Some(reader), Changes::Noted(readers)) = (drain.reading, &mut drain.changes) {
+                readers.note(place, reader);
             }
         }
     }
@@ -234,11 +396,21 @@ impl Drains {
         }
     }
 
+    /// Fields of an element are about to be written.
+    pub(super) fn write(&mut self, mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) {
+        for drain in self.told() {
+            drain.write(mesh, kind, id, fields);
+        }
+    }
+
     /// An element has been created. It has no key, whatever had its number before, and
     /// belongs only to drains of all elements.
-    pub(super) fn born(&mut self, kind: ElementKind, id: u32) {
+    pub(super) fn born(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         for drain in self.told() {
-            drain.touch(Place::Whole);
+            match drain.is_noted() {
+                true => drain.touch(Place::Whole),
+                false => drain.write(mesh, kind, id, Fields::ALL),
+            }
             if drain.of.kind() != kind {
                 continue;
             }
@@ -252,8 +424,8 @@ impl Drains {
     }
 
     /// A face is about to become a hole, or a hole a face.
-    pub(super) fn turned(&mut self, face: u32) {
-        self.touch(Place::Face(face));
+    pub(super) fn turned(&mut self, mesh: &Mesh, face: u32) {
+        self.write(mesh, ElementKind::Face, face, Fields::HOLE);
         for drain in self.told() {
             if drain.of.kind() == ElementKind::Face && drain.members.is_none() {
                 drain.make_stale(face);
@@ -264,15 +436,12 @@ impl Drains {
     /// An element is about to be erased. Its key is known until the next turn, for what is
     /// rolled back lives again.
     pub(super) fn erased(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
-        if let Some(place) = place(mesh, kind, id) {
-            self.touch(place);
-        }
-        match kind {
-            ElementKind::Vertex => self.touch(Place::VertexHalfedge(id)),
-            ElementKind::Face => self.touch(Place::FaceHalfedge(id)),
-            ElementKind::Edge | ElementKind::Halfedge => {}
-        }
         for drain in self.told() {
+            drain.write(mesh, kind, id, Fields::ALL);
+            if drain.is_noted() {
+                drain.write(mesh, kind, id, Fields::FIRST);
+                drain.write(mesh, kind, id, Fields::ATTRIBUTES);
+            }
             if drain.of.kind() == kind {
                 drain.make_stale(id);
             }
@@ -280,16 +449,32 @@ impl Drains {
     }
 }
 
-/// Where an element lies; a halfedge at its edge. `None` for a halfedge that does not live or
-/// has no edge yet.
+/// Where fields of an element lie.
+fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<Place> {
+    match kind {
+        ElementKind::Vertex if fields == Fields::FIRST => Some(Place::VertexHalfedge(id)),
+        ElementKind::Face if fields == Fields::FIRST => Some(Place::FaceHalfedge(id)),
+        _ if fields.are_attributes() => attributes_place(mesh, kind, id),
+        _ => place(mesh, kind, id),
+    }
+}
+
+/// Where the attributes of an element lie.
+pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
+    match kind {
+        ElementKind::Vertex => Some(Place::VertexAttributes(id)),
+        ElementKind::Edge => Some(Place::EdgeAttributes(id)),
+        ElementKind::Face => Some(Place::FaceAttributes(id)),
+        ElementKind::Halfedge => place(mesh, kind, id),
+    }
+}
+
+/// Where an element lies. `None` for a halfedge that does not live.
 pub(super) fn place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::Vertex(id)),
         ElementKind::Edge => Some(Place::Edge(id)),
         ElementKind::Face => Some(Place::Face(id)),
-        ElementKind::Halfedge => {
-            let edge = mesh.get_halfedge(HalfedgeId(id))?.edge;
-            (!edge.is_none()).then_some(Place::Edge(edge.0))
-        }
+        ElementKind::Halfedge => mesh.halfedge_alive(HalfedgeId(id)).then_some(Place::Halfedge(id)),
     }
 }

@@ -12,11 +12,11 @@ use crate::source::Span;
 pub struct Function {
     /// Its name.
     pub name: String,
-    /// How many slots its parameters take.
+    /// The number of slots of its parameters.
     pub params: u16,
     /// Its code, which ends with [`Give`](super::Inst::Give). The functions that it calls are
     /// those of the code at the top.
     pub code: Code,
-    /// Where in the source the code can trap, by the numbers in [`Code::traps`].
+    /// The places in the source where the code can trap, by the numbers in [`Code::traps`].
     pub places: Vec<Span>,
 }

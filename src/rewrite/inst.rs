@@ -10,7 +10,6 @@ use crate::mesh::ElementKind;
 
 /// One instruction. `to` is written; everything else is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(missing_docs)]
 #[rustfmt::skip] // A table, a line each.
 pub enum Inst {
     // Values.
@@ -95,7 +94,7 @@ pub enum Inst {
     NextLiving { of: Elements, element: Reg, otherwise: Label },
     /// Jumps if an element is erased, or a face no longer of its sort. Never traps.
     JumpUnlessLiving { of: Elements, element: Reg, to: Label },
-    /// Whether an element exists. Never traps.
+    /// True if an element exists. Never traps.
     Alive { kind: ElementKind, to: Reg, element: Reg },
 
     // Questions.
@@ -132,8 +131,8 @@ pub enum Inst {
     /// Appends the corners of a face to a buffer, as halfedges, in an order in which they can
     /// be cut off.
     CollectEars { triangles: Triangles, buffer: u16, face: Reg },
-    /// Whether a walk from `from` meets `goal` before `stop` (which ends it). `from` counts;
-    /// where it is also the `stop`, the walk goes once around. It ends when it is back.
+    /// True if a walk from `from` meets `goal` before `stop` (which ends it). `from` counts; where
+    /// it is also the `stop`, the walk goes once around. It ends when it is back.
     Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },
     // Looking ahead: what would be written is noted on a sheet over the mesh, and asked
     // about. The mesh stays as it is. Each traps as loads do.
@@ -145,10 +144,10 @@ pub enum Inst {
     PreviewStoreHalfedge { of: ElementField, element: Reg, value: Reg },
     PreviewStoreHole { face: Reg, hole: bool },
     PreviewStoreAll { field: HalfedgeField, buffer: u16, value: Reg },
-    /// Whether a condition would hold for an element: a face, vertex or halfedge; `at` is
-    /// the vertex, where it speaks of a face and a vertex.
+    /// True if a condition would hold for an element: a face, vertex or halfedge; `at` is the
+    /// vertex, where it speaks of a face and a vertex.
     Foresee { condition: Foreseen, to: Reg, element: Reg, at: Reg },
-    /// Whether a condition of vertices would hold where the halfedges of a buffer start.
+    /// True if a condition of vertices would hold where the halfedges of a buffer start.
     ForeseeAlong { condition: Foreseen, to: Reg, buffer: u16 },
     PreviewStoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
 
@@ -168,8 +167,8 @@ pub enum Inst {
     ExpectAllDistinct { buffer: u16, refusal: u16, otherwise: Label },
     /// The refusal if the id space has no room for so many new elements of a kind.
     ExpectRoomFor { kind: ElementKind, count: Reg, refusal: u16, otherwise: Label },
-    /// Whether a walk from the first halfedge of a buffer, once around, meets all others in
-    /// their order.
+    /// True if a walk from the first halfedge of a buffer, once around, meets all others in their
+    /// order.
     MeetsAll { walk: Walk, to: Reg, buffer: u16 },
     /// Gives up: the op refuses with the reason noted.
     Refuse,
@@ -218,7 +217,7 @@ pub enum Inst {
     // first concern the innermost that runs.
     /// Begins a drain: of all such elements, or of those in a buffer.
     DrainOpen { of: Elements, members: Option<u16> },
-    /// What all keys depend on has changed.
+    /// All keys are stale, since what they depend on has changed.
     DrainAllStale,
     /// The next element whose key is to be computed; jumps if there is none.
     DrainStale { to: Reg, otherwise: Label },
@@ -266,13 +265,13 @@ pub enum Inst {
     PrintEnd,
     /// Prints why an op refused that was called last.
     PrintReason { op: u16 },
-    /// Whether the op that was called last refused for this reason.
+    /// True if the op that was called last refused for this reason.
     RefusedFor { op: u16, text: u32, to: Reg },
     /// Prints how the mesh differs from a kept one (tests).
     PrintDifference { mesh: u16 },
     /// Keeps the mesh as it is now, to compare it later (tests).
     MeshKeep { mesh: u16 },
-    /// Whether the mesh is one that is kept, up to renumbering (tests).
+    /// True if the mesh is one that is kept, up to renumbering (tests).
     MeshSame { mesh: u16, to: Reg },
     /// Traps with a constant text, and with what was printed since the last line ended.
     FailShowing { text: u32 },

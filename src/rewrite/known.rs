@@ -59,7 +59,11 @@ impl KnownLevel {
     }
 
     /// Whether what an operation writes has to be known when it has been applied.
+    #[inline]
     fn is_lowered_by(&self, plan: &Plan) -> bool {
+        if plan.keeps.len() >= MOST_KEPT && self.now == self.was {
+            return false;
+        }
         plan.level_after(self.now) < self.was
     }
 

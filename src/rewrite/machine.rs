@@ -9,57 +9,65 @@
 use super::attempt::Said;
 use super::chance::Chance;
 use super::drain::Drains;
+use super::key_paths::KeyPaths;
 use super::known::KnownLevel;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
-use super::{Call, Code, Message, Outcome, Plan, Plans, Trap, Unwatched, Watch};
+use super::{Call, Code, Holder, Matched, Message, Outcome, Plan, Plans, Trap, Unwatched, Watch};
 use crate::mesh::{ColumnId, ElementKind, Level, Mesh};
 
-/// How deep calls may be nested.
+/// The greatest depth of nested calls.
 const DEPTH: usize = 16;
 
 /// Runs code on meshes.
 #[derive(Debug)]
 pub struct Machine {
     pub(super) plans: Plans,
-    /// Where the attributes of the program lie in the mesh, by number.
+    /// The columns of the attributes of the program in the mesh, by number.
     pub(super) columns: Vec<Option<ColumnId>>,
     pub(super) stack: Vec<u64>,
     pub(super) buffers: Vec<Vec<u64>>,
-    /// What guards look at.
+    /// The preview that guards look at.
     pub(super) preview: Preview,
     pub(super) drains: Drains,
+    /// The paths of their keys.
+    pub(super) paths: KeyPaths,
     pub(super) progress: Progress,
     /// The line that is being printed.
     pub(super) line: String,
     counts: Vec<Count>,
-    /// What is known of the level of the mesh.
+    /// The level that the mesh is known to have.
     pub(super) known: KnownLevel,
     /// Why the op called last refused.
     pub(super) last_reason: Option<u16>,
-    /// Whether the operation that runs is only asked: it ends at its first write.
+    /// True if the operation that runs is only asked: it ends at its first write.
     pub(super) is_dry: bool,
-    /// What `random` gives.
+    /// The instruction at which the operation ended that was asked last.
+    pub(super) stopped_at: usize,
+    /// The source of `random`.
     pub(super) chance: Chance,
     /// The texts that code has made.
     pub(super) said: Said,
-    /// How many running calls need that no id is given out again.
+    /// The number of running calls that need that no id is given out again.
     pub(super) holding: u32,
     /// Meshes to compare with, by number.
     pub(super) meshes: Vec<Mesh>,
-    /// What was created, if anybody wants to know.
+    /// The elements that were created, if anybody wants to know.
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
-    /// How many bytes mesh and lists may take.
+    /// The greatest number of bytes of mesh and lists.
     pub(super) memory: usize,
 }
 
-/// What became of the calls of an operation.
+/// A name, the kind of the elements that it stands for, and their ids.
+pub type NamedElements<'p> = (&'p str, ElementKind, Vec<u32>);
+
+/// The counts of the calls of an operation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Count {
-    /// How many were applied.
+    /// The number that were applied.
     pub applied: u64,
-    /// How many were refused, by the number of the reason.
+    /// The number that were refused, by the number of the reason.
     pub refused: Vec<u64>,
 }
 
@@ -83,12 +91,14 @@ impl Machine {
             buffers: Vec::new(),
             preview: Preview::default(),
             drains: Drains::default(),
+            paths: KeyPaths::default(),
             progress: Progress::default(),
             line: String::new(),
             counts: plans.iter().map(count).collect(),
             known: KnownLevel::new(Level::Map),
             last_reason: None,
             is_dry: false,
+            stopped_at: 0,
             chance: Chance::new(0),
             said: Said::default(),
             holding: 0,
@@ -131,7 +141,7 @@ impl Machine {
         self.created = None;
     }
 
-    /// What the last run created, in that order, if that is remembered. Some of it may
+    /// The elements that the last run created, in that order, if that is remembered. Some of it may
     /// have been erased since.
     pub fn created(&self) -> &[(ElementKind, u32)] {
         self.created.as_deref().unwrap_or_default()
@@ -140,6 +150,27 @@ impl Machine {
     /// The window of the last run: what its registers hold.
     pub fn window(&self) -> &[u64] {
         &self.stack
+    }
+
+    /// The alternative of an operation that matched where it was [asked](Self::ask) last and would
+    /// be applied, and the elements that its names stand for; nothing of an operation in steps.
+    pub fn matched<'p>(&self, plan: &'p Plan) -> Option<(usize, Vec<NamedElements<'p>>)> {
+        let stopped = |matched: &Matched| matched.from as usize <= self.stopped_at;
+        let rule = plan.matched.iter().rposition(stopped)?;
+        let ids = |slots: &[u64]| slots.iter().map(|&slot| slot as u32).collect();
+        let names = plan.matched[rule].names.iter().map(|(name, kind, holder)| {
+            let slots = match *holder {
+                Holder::Reg(reg) => self.stack.get(usize::from(reg.0)).map(std::slice::from_ref),
+                Holder::Buffer(buffer) => self.buffers.get(usize::from(buffer)).map(Vec::as_slice),
+            };
+            (name.as_str(), *kind, slots.map_or_else(Vec::new, ids))
+        });
+        Some((rule, names.collect()))
+    }
+
+    /// The text of a number in that window; the code is that of the run.
+    pub fn text<'t>(&'t self, code: &'t Code, number: u64) -> Option<&'t str> {
+        self.said.text(&code.texts, u32::try_from(number).ok()?)
     }
 
     /// The level that the mesh of the last run surely has now.
@@ -176,6 +207,19 @@ impl Machine {
         }
     }
 
+    /// The same for code of which it is known that no drain runs in it, as [`Code::drains`] tells.
+    pub fn run_without_drains(
+        &mut self,
+        mesh: &mut Mesh,
+        code: &Code,
+        args: &[u64],
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        self.start(args);
+        let plans = Plans::clone(&self.plans);
+        self.execute::<false>(mesh, Call::top(code, &plans), watch)
+    }
+
     /// Applies an operation with the arguments in slots. It is not counted.
     pub fn apply(&mut self, mesh: &mut Mesh, plan: &Plan, args: &[u64]) -> Result<Outcome, Trap> {
         self.apply_watched(mesh, plan, args, &mut Unwatched)
@@ -194,8 +238,8 @@ impl Machine {
         self.carry_out::<false>(mesh, plan, Call::of(plan, &plans), watch)
     }
 
-    /// Whether an operation would be applied with the arguments in slots, and if not, why. The
-    /// mesh is as it was, nothing is printed or counted, and there is no result.
+    /// Asks if an operation would be applied with the arguments in slots, and if not, why. The mesh
+    /// is as it was, nothing is printed or counted, and there is no result.
     pub fn ask(
         &mut self,
         mesh: &mut Mesh,
@@ -208,9 +252,10 @@ impl Machine {
         self.consider(mesh, plan, Call::of(plan, &plans), watch)
     }
 
-    fn start(&mut self, args: &[u64]) {
+    pub(super) fn start(&mut self, args: &[u64]) {
         self.line.clear();
         self.drains.clear();
+        self.paths.clear();
         self.last_reason = None;
         self.is_dry = false;
         self.holding = 0;
@@ -223,8 +268,8 @@ impl Machine {
         }
     }
 
-    /// What is the same for an operation that is called and for one that is asked: its plan, and
-    /// the call with the arguments at their place.
+    /// The beginning that is the same for an operation that is called and for one that is asked:
+    /// its plan, and the call with the arguments at their place.
     #[inline]
     pub(super) fn begin_call<'c>(
         &mut self,
@@ -269,6 +314,9 @@ impl Machine {
         // What a step does may yet be undone.
         if caller.op.is_none() && caller.steps.is_none() {
             self.count(op, outcome);
+            if applied && watch.applied(op).is_break() {
+                return Err(Trap::new(Message::Interrupted));
+            }
         }
         Ok(outcome)
     }

@@ -1,11 +1,27 @@
-//! The limit of memory that a run keeps to: of the mesh and of lists.
+//! The limit of memory that a run keeps to: of the mesh, of lists and of the keys of drains.
 
+use super::drain::Drains;
 use super::{Machine, Message};
 use crate::mesh::{ElementKind, Mesh};
 
-/// What lists take, in bytes.
-pub(super) fn bytes(buffers: &[Vec<u64>]) -> usize {
-    buffers.iter().map(|buffer| buffer.capacity() * size_of::<u64>()).sum()
+/// The memory of a run besides the mesh, and its limit.
+pub(super) struct Budget<'r> {
+    pub(super) buffers: &'r [Vec<u64>],
+    pub(super) drains: &'r Drains,
+    pub(super) limit: usize,
+}
+
+impl Budget<'_> {
+    /// The memory of lists and of the keys of drains, in bytes.
+    pub(super) fn taken(&self) -> usize {
+        let lists = self.buffers.iter().map(|buffer| buffer.capacity() * size_of::<u64>());
+        lists.sum::<usize>().saturating_add(self.drains.bytes())
+    }
+
+    /// True if the limit is passed.
+    pub(super) fn is_passed(&self, mesh: &Mesh) -> bool {
+        mesh.bytes().saturating_add(self.taken()) > self.limit
+    }
 }
 
 /// Makes room for new elements.
@@ -13,12 +29,11 @@ pub(super) fn bytes(buffers: &[Vec<u64>]) -> usize {
 pub(super) fn for_elements(
     mesh: &mut Mesh,
     more: [usize; 4],
-    buffers: &[Vec<u64>],
-    limit: usize,
+    budget: &Budget,
 ) -> Result<(), Message> {
-    match mesh.make_room(more, || limit.saturating_sub(bytes(buffers))) {
+    match mesh.make_room(more, || budget.limit.saturating_sub(budget.taken())) {
         true => Ok(()),
-        false => Err(Message::NoMemory(limit)),
+        false => Err(Message::NoMemory(budget.limit)),
     }
 }
 
@@ -26,11 +41,10 @@ pub(super) fn for_elements(
 pub(super) fn for_kind(
     mesh: &mut Mesh,
     (kind, count): (ElementKind, usize),
-    buffers: &[Vec<u64>],
-    limit: usize,
+    budget: &Budget,
 ) -> Result<(), Message> {
     let more = ElementKind::ALL.map(|this| if kind == this { count } else { 0 });
-    for_elements(mesh, more, buffers, limit)
+    for_elements(mesh, more, budget)
 }
 
 /// Makes room for more slots in a list.
@@ -39,11 +53,11 @@ pub(super) fn for_list(
     buffers: &mut [Vec<u64>],
     at: usize,
     more: usize,
-    (mesh, limit): (&Mesh, usize),
+    (mesh, drains, limit): (&Mesh, &Drains, usize),
 ) -> Result<(), Message> {
     match buffers.get(at) {
         Some(list) if more <= list.capacity() - list.len() => Ok(()),
-        Some(_) => grow(buffers, at, more, (mesh, limit)),
+        Some(_) => grow(buffers, at, more, (mesh, drains, limit)),
         None => Err(Message::Malformed),
     }
 }
@@ -53,9 +67,10 @@ fn grow(
     buffers: &mut [Vec<u64>],
     at: usize,
     more: usize,
-    (mesh, limit): (&Mesh, usize),
+    (mesh, drains, limit): (&Mesh, &Drains, usize),
 ) -> Result<(), Message> {
-    let left = limit.saturating_sub(bytes(buffers)).saturating_sub(mesh.bytes()) / size_of::<u64>();
+    let taken = Budget { buffers, drains, limit }.taken().saturating_add(mesh.bytes());
+    let left = limit.saturating_sub(taken) / size_of::<u64>();
     let list = &mut buffers[at];
     let wanted = list.len().max(more).max(16).min((left / 2).max(more));
     match more <= left && list.try_reserve_exact(wanted).is_ok() {
@@ -65,8 +80,8 @@ fn grow(
 }
 
 impl Machine {
-    /// Keeps to a limit of memory, in bytes, for the mesh and for lists: what would need more
-    /// traps. There is none at first.
+    /// Keeps to a limit of memory, in bytes, for the mesh, for lists and for the keys of drains:
+    /// what would need more traps. There is none at first.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.memory = bytes;
     }

@@ -22,39 +22,48 @@ mod dispatch;
 mod window;
 
 mod access;
-mod arithmetic;
-mod around;
+pub mod arithmetic;
+pub mod around;
+mod asked;
 mod attempt;
 mod attribute;
-mod chance;
+pub mod chance;
+pub mod distinct;
 mod drain;
+mod key_paths;
 mod known;
 mod memory;
-mod notes;
+pub mod noted;
+pub mod notes;
 mod observe;
-mod preview;
+mod paths;
+pub mod preview;
 mod print;
-mod queue;
-mod readers;
-mod wide;
+pub mod queue;
+pub mod readers;
+mod reads;
+pub mod wide;
 
 mod trap;
 mod watch;
 
+pub use asked::Asked;
 pub use assembler::{Assembler, Mark, TooLarge};
 pub use call::Outcome;
 pub use code::{Code, Label, Reg, Traps};
 pub use function::Function;
 pub use inst::Inst;
-pub use machine::{Count, Machine};
+pub use key_paths::drains;
+pub use machine::{Count, Machine, NamedElements};
 pub use operand::{
     ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
 };
-pub use plan::{Cell, Phase, Plan, Plans, Refusal, Row, Stage};
+pub use paths::Unbounded;
+pub use plan::{Cell, Holder, Matched, Phase, Plan, Plans, Refusal, Row, Stage};
 pub use print::{ElementText, RealDigits, RealText, VectorText, WideText};
 pub use question::Question;
 pub use steps::{BELOW, Steps};
-pub use trap::{Message, Site, Trap};
+pub use trap::{Fault, Message, Site, Trap};
 pub use watch::{Unwatched, Watch};
 pub use wide::{Lanes, Matrix};
 

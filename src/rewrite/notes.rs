@@ -1,4 +1,4 @@
-//! What has been noted about elements: the last note about each counts.
+//! Notes about elements: the last note about each counts.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -8,7 +8,7 @@ const FEW: usize = 24;
 
 /// Notes by key.
 #[derive(Debug)]
-pub(super) struct Notes<K, V> {
+pub struct Notes<K, V> {
     few: Vec<(K, V)>,
     many: HashMap<K, V>,
 }
@@ -49,25 +49,5 @@ impl<K: Copy + Eq + Hash, V: Copy> Notes<K, V> {
             let mut early = self.few.iter().rev();
             early.find(|note| note.0 == key).map(|note| note.1)
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_note_counts() {
-        let mut notes = Notes::default();
-        for round in 0..3 {
-            for key in 0..20 {
-                notes.set(key, 100 * round + key);
-            }
-        }
-        assert_eq!(notes.get(3), Some(203));
-        assert_eq!(notes.get(19), Some(219));
-        assert_eq!(notes.get(20), None);
-        notes.clear();
-        assert_eq!(notes.get(3), None);
     }
 }

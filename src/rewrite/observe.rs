@@ -1,12 +1,15 @@
-//! What an instruction reads and writes, for drains to know which keys may have changed.
+//! Observation of the reads and writes of an instruction, for drains to know which keys may have
+//! changed.
 //!
 //! This is asked before an instruction is taken, and only while a drain runs. Reads are noted
-//! while a key is computed; more may be noted than is read. Every instruction is listed, so
-//! that a new one is not forgotten.
+//! while a key is computed that has no [paths](super::paths); more may be noted than is read. Every
+//! instruction is listed, so that a new one is not forgotten.
 
+use super::access::{load, load_halfedge};
 use super::around;
 use super::attribute::{self, Held};
-use super::drain::{Drains, place};
+use super::drain::{Drains, attributes_place, place};
+use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
 use super::window::Window;
@@ -15,7 +18,7 @@ use crate::mesh::{
     ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId,
 };
 
-/// What an instruction is about to work on.
+/// The state on which an instruction is about to work.
 pub(super) struct Scene<'a, 'w> {
     pub(super) mesh: &'a Mesh,
     pub(super) w: &'a Window<'w>,
@@ -25,7 +28,16 @@ pub(super) struct Scene<'a, 'w> {
 }
 
 impl ElementField {
-    /// Where the `halfedge` of an element lies.
+    /// The kind of the element.
+    pub(super) fn kind(self) -> ElementKind {
+        match self {
+            ElementField::Vertex => ElementKind::Vertex,
+            ElementField::Edge => ElementKind::Edge,
+            ElementField::Face => ElementKind::Face,
+        }
+    }
+
+    /// The place of the `halfedge` of an element.
     fn place(self, id: u32) -> Place {
         match self {
             ElementField::Vertex => Place::VertexHalfedge(id),
@@ -36,15 +48,8 @@ impl ElementField {
 }
 
 impl Drains {
-    /// Notes what an instruction reads or writes.
-    pub(super) fn observe(&mut self, inst: &Inst, scene: &Scene) {
-        self.observe_write(inst, scene);
-        if self.is_reading() {
-            self.observe_read(inst, scene);
-        }
-    }
-
-    fn observe_write(&mut self, inst: &Inst, scene: &Scene) {
+    /// Notes what an instruction writes.
+    pub(super) fn observe_write(&mut self, inst: &Inst, scene: &Scene) {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
             Inst::Store { field, halfedge, value } => {
@@ -64,26 +69,34 @@ impl Drains {
                     self.pointer_set(mesh, field, halfedge as u32, w.id(value));
                 }
             }
-            Inst::StoreHalfedge { of, element, .. } => {
-                self.touch(of.place(w.id(element)));
+            Inst::StoreHalfedge { of, element, value } => {
+                let element = w.id(element);
+                if load_halfedge(mesh, of, element) != Ok(w.id(value)) {
+                    self.write(mesh, of.kind(), element, Fields::FIRST);
+                }
             }
             Inst::StoreHole { face, hole }
                 if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
             {
-                self.turned(w.id(face));
+                self.turned(mesh, w.id(face));
             }
-            Inst::StorePosition { vertex, .. } => self.touch(Place::Vertex(w.id(vertex))),
+            Inst::StorePosition { vertex, .. } => {
+                self.write(mesh, ElementKind::Vertex, w.id(vertex), Fields::POSITION);
+            }
             Inst::StoreAttribute { attribute, element, .. } => {
                 if let Ok(column) = attribute::column(scene.columns, attribute) {
-                    self.touch_element(mesh, column.kind, w.id(element));
+                    self.write(mesh, column.kind, w.id(element), Fields::attribute(attribute));
                 }
             }
             Inst::ReleaseHeld { buffer } => {
                 let held = scene.buffers.get(usize::from(buffer));
                 let held = held.map_or(&[][..], Vec::as_slice);
                 for (target, id, _) in Held::new(scene.columns, held) {
-                    let kind = target.map_or(ElementKind::Vertex, |column| column.kind);
-                    self.touch_element(mesh, kind, id);
+                    let (kind, fields) = match target {
+                        None => (ElementKind::Vertex, Fields::POSITION),
+                        Some(column) => (column.kind, Fields::ATTRIBUTES),
+                    };
+                    self.write(mesh, kind, id, fields);
                 }
             }
             Inst::Erase { kind, element } => self.erased(mesh, kind, w.id(element)),
@@ -94,14 +107,8 @@ impl Drains {
 
     /// A pointer of a halfedge is about to be set, perhaps to what it is.
     fn pointer_set(&mut self, mesh: &Mesh, field: HalfedgeField, halfedge: u32, value: u32) {
-        if super::access::load(mesh, field, halfedge) != Ok(value) {
-            self.touch_element(mesh, ElementKind::Halfedge, halfedge);
-        }
-    }
-
-    fn touch_element(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
-        if let Some(place) = place(mesh, kind, id) {
-            self.touch(place);
+        if load(mesh, field, halfedge) != Ok(value) {
+            self.write(mesh, ElementKind::Halfedge, halfedge, Fields::pointer(field));
         }
     }
 
@@ -121,6 +128,21 @@ impl Drains {
         let record = mesh.get_halfedge(id)?;
         self.read(Place::Vertex(record.vertex.0));
         Some(record)
+    }
+
+    /// A vertex with its spokes, as a walk around it follows them, and the vertices where they end,
+    /// but not where these lie.
+    fn read_spokes(&mut self, mesh: &Mesh, id: u32) {
+        self.read(Place::Vertex(id));
+        self.read(Place::VertexHalfedge(id));
+        for spoke in mesh.spokes(VertexId(id)) {
+            self.read_halfedge(mesh, spoke.0);
+            if let Some(record) = mesh.get_halfedge(spoke) {
+                for near in [record.prev, record.twin, record.next] {
+                    self.read_halfedge(mesh, near.0);
+                }
+            }
+        }
     }
 
     /// A vertex with its spokes, their ends and the kinds of the loops around it; these loops.
@@ -198,7 +220,8 @@ impl Drains {
         }
     }
 
-    fn observe_read(&mut self, inst: &Inst, scene: &Scene) {
+    /// Notes what an instruction reads.
+    pub(super) fn observe_read(&mut self, inst: &Inst, scene: &Scene) {
         let (mesh, w) = (scene.mesh, scene.w);
         match *inst {
             Inst::Load { halfedge, .. } => self.read_halfedge(mesh, w.id(halfedge)),
@@ -206,8 +229,10 @@ impl Drains {
             Inst::LoadHole { face, .. } => self.read(Place::Face(w.id(face))),
             Inst::LoadPosition { vertex, .. } => self.read(Place::Vertex(w.id(vertex))),
             Inst::LoadAttribute { attribute, element, .. } => {
-                if let Ok(column) = attribute::column(scene.columns, attribute) {
-                    self.read_element(mesh, column.kind, w.id(element));
+                if let Ok(column) = attribute::column(scene.columns, attribute)
+                    && let Some(place) = attributes_place(mesh, column.kind, w.id(element))
+                {
+                    self.read(place);
                 }
             }
             Inst::JumpUnlessLiving { of, element, .. } => {
@@ -289,7 +314,7 @@ impl Drains {
         }
     }
 
-    /// What was foreseen has looked at these.
+    /// Notes the elements that a preview has looked at.
     pub(super) fn foreseen(&mut self, mesh: &Mesh, looked: &[Looked]) {
         for &looked in looked {
             match looked {
@@ -302,12 +327,13 @@ impl Drains {
 
     fn read_for(&mut self, question: Question, mesh: &Mesh, [first, second]: [u32; 2]) {
         match question {
-            Question::Degree | Question::BoundaryVertex => {
+            Question::Degree => self.read_spokes(mesh, first),
+            Question::BoundaryVertex => {
                 self.read_star(mesh, first);
             }
             Question::Adjacent => {
-                self.read_star(mesh, first);
-                self.read_star(mesh, second);
+                self.read_spokes(mesh, first);
+                self.read_spokes(mesh, second);
             }
             Question::NormalVertex => self.read_loops_around(mesh, first),
             Question::BoundaryEdge | Question::LengthEdge => {
@@ -324,7 +350,7 @@ impl Drains {
         }
     }
 
-    /// Whether an element lives: one that does not has no place of its own.
+    /// Notes that it is read whether an element lives: one that does not has no place of its own.
     fn read_living(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {
         match mesh.is_alive(kind, id) {
             true => self.read_element(mesh, kind, id),

@@ -1,10 +1,9 @@
-//! What instructions speak of: pointers, walks, sorts of elements, functions.
+//! Operands of instructions: pointers, walks, sorts of elements, functions.
 
 use crate::mesh::ElementKind;
 
 /// A pointer of a halfedge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum HalfedgeField {
     Next,
     Prev,
@@ -16,7 +15,6 @@ pub enum HalfedgeField {
 
 /// The `halfedge` pointer of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum ElementField {
     Vertex,
     Edge,
@@ -26,17 +24,16 @@ pub enum ElementField {
 /// The part of a buffer that belongs to an index: another buffer tells where the parts end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Span {
-    /// What is in all parts.
+    /// The buffer of all parts.
     pub buffer: u16,
     /// For each index the end of its part.
     pub ends: u16,
-    /// What is added to the index, around the cycle.
+    /// The shift of the index, around the cycle.
     pub shift: i16,
 }
 
 /// So many new elements of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub struct Room {
     pub vertices: u16,
     pub halfedges: u16,
@@ -44,7 +41,7 @@ pub struct Room {
     pub faces: u16,
 }
 
-/// How a run of halfedges is walked.
+/// The way in which a run of halfedges is walked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Walk {
     /// Along a loop: `h.next`.
@@ -55,7 +52,6 @@ pub enum Walk {
 
 /// The elements a loop over the whole mesh visits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Elements {
     Vertices,
     Halfedges,
@@ -86,8 +82,8 @@ pub enum Triangles {
     LeastBend,
 }
 
-/// What can be asked of the result before it is written: the conditions of the levels,
-/// for one orbit each.
+/// The questions about the result before it is written: the conditions of the levels, for one orbit
+/// each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Foreseen {
     /// A loop has three sides or more.
@@ -114,7 +110,6 @@ pub enum Foreseen {
 
 /// A function of reals: `f64 -> f64`, or with two or three operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Math {
     Sqrt,
     Sin,

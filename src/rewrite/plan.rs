@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Code, Steps};
+use super::{Code, Reg, Steps};
 use crate::mesh::{ElementKind, Level};
 use crate::source::Span;
 
@@ -25,14 +25,34 @@ pub struct Plan {
     pub keeps: Vec<Level>,
     /// The code: match, allocate, reassign, erase; whole or not at all.
     pub code: Code,
-    /// Where in the source the code can trap, by the numbers in [`Code::traps`].
+    /// The places in the source where the code can trap, by the numbers in [`Code::traps`].
     pub places: Vec<Span>,
     /// Why it can refuse, by number.
     pub refusals: Vec<Refusal>,
     /// Each alternative in four phases, to read; none of an op in steps.
     pub stages: Vec<Stage>,
-    /// Where it is an op in steps, which calls others, all or nothing.
+    /// The places where, for each alternative, its names stand when it has matched; none of an op in steps.
+    pub matched: Vec<Matched>,
+    /// The steps, where it is an op in steps, which calls others, all or nothing.
     pub steps: Option<Steps>,
+}
+
+/// The names of an alternative that has matched, before anything is written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Matched {
+    /// The first instruction behind the matching.
+    pub from: u32,
+    /// The elements that are named in `before`.
+    pub names: Vec<(String, ElementKind, Holder)>,
+}
+
+/// The place of the element of a name, or of the elements of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Holder {
+    /// In a register.
+    Reg(Reg),
+    /// In a buffer, one for each index.
+    Buffer(u16),
 }
 
 impl Plan {
@@ -48,12 +68,12 @@ impl Plan {
 pub struct Refusal {
     /// The reason, as a person reads it: "`f0` is a hole".
     pub reason: String,
-    /// How far the attempt had come; of several attempts the furthest one is reported,
+    /// The phase to which the attempt had come; of several attempts the furthest one is reported,
     /// of equals the first.
     pub phase: Phase,
 }
 
-/// How far an attempt came.
+/// The phase to which an attempt came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
     /// The diagram does not match.
@@ -86,11 +106,11 @@ pub struct Stage {
 pub struct Row {
     /// The parts: `a.next`, `=`, `c`.
     pub cell: Cell,
-    /// Whether the code does it; what provably changes nothing is left out.
+    /// True if the code does it; what provably changes nothing is left out.
     pub executed: bool,
 }
 
-/// What a line says.
+/// A cell of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Cell {
     /// `target = value`

@@ -11,8 +11,10 @@
 use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
+use super::distinct::are_distinct;
+use super::noted::Noted;
 use super::notes::Notes;
-use super::{ElementField, Foreseen, HalfedgeField, Message};
+use super::{ElementField, Fault, Foreseen, HalfedgeField};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
 
 /// The number of the first new element; that of the next one is one less.
@@ -20,11 +22,9 @@ const FIRST_NEW: u32 = u32::MAX - 1;
 
 /// The sheet, and what is needed to look at it.
 #[derive(Debug, Default)]
-pub(super) struct Preview {
-    /// Which preview this is: notes of earlier ones do not count.
-    stamp: u32,
-    /// For each halfedge of the mesh the preview that noted it last, and its record there.
-    noted: Vec<(u32, u32)>,
+pub struct Preview {
+    /// The halfedges of the mesh that are noted, by the places of their records.
+    noted: Noted,
     records: Vec<HalfedgeRecord>,
     /// For each new element a record, which is used if it is a halfedge.
     new: Vec<HalfedgeRecord>,
@@ -34,15 +34,19 @@ pub(super) struct Preview {
     /// Whether what is read of the mesh is wanted, and that.
     listens: Cell<bool>,
     looked: RefCell<Vec<Looked>>,
+    /// The vertex whose spokes were walked last, if nothing has been noted since.
+    walked_of: Option<u32>,
     walked: Vec<u32>,
-    seen: Vec<u32>,
+    /// For each of these spokes its face, and the vertex where it ends.
+    faces: Vec<u32>,
+    targets: Vec<u32>,
     corners: Vec<u32>,
     runs: Vec<(u32, u32)>,
 }
 
 /// What a question has read of the mesh under the sheet.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Looked {
+pub enum Looked {
     Halfedge(u32),
     HalfedgeOf(ElementField, u32),
     Hole(u32),
@@ -59,18 +63,10 @@ const NOTHING: HalfedgeRecord = HalfedgeRecord {
 
 /// What would be set.
 impl Preview {
-    /// An empty sheet over the mesh.
-    pub fn clear(&mut self, mesh: &Mesh) {
-        self.stamp = self.stamp.wrapping_add(1);
-        let capacity = mesh.capacity(ElementKind::Halfedge);
-        if self.stamp == 0 {
-            self.stamp = 1;
-            self.noted.clear();
-        }
-        // What is there stays: only what a mesh has grown by costs something.
-        if self.noted.len() < capacity {
-            self.noted.resize(capacity, (0, 0));
-        }
+    /// An empty sheet.
+    pub fn clear(&mut self) {
+        self.walked_of = None;
+        self.noted.clear();
         self.records.clear();
         self.new.clear();
         self.halfedges.clear();
@@ -90,7 +86,8 @@ impl Preview {
         field: HalfedgeField,
         id: u32,
         value: u32,
-    ) -> Result<(), Message> {
+    ) -> Result<(), Fault> {
+        self.walked_of = None;
         let record = self.record_mut(mesh, id)?;
         match field {
             HalfedgeField::Next => record.next = HalfedgeId(value),
@@ -110,12 +107,13 @@ impl Preview {
         field: HalfedgeField,
         halfedges: &[u64],
         value: u32,
-    ) -> Result<(), Message> {
+    ) -> Result<(), Fault> {
         halfedges.iter().try_for_each(|&id| self.store(mesh, field, id as u32, value))
     }
 
     /// Sets the halfedge of an element.
     pub fn store_halfedge(&mut self, of: ElementField, id: u32, value: u32) {
+        self.walked_of = None;
         self.halfedges.set((of, id), value);
     }
 
@@ -124,19 +122,23 @@ impl Preview {
         self.holes.set(face, hole);
     }
 
-    fn record_mut(&mut self, mesh: &Mesh, id: u32) -> Result<&mut HalfedgeRecord, Message> {
+    fn record_mut(&mut self, mesh: &Mesh, id: u32) -> Result<&mut HalfedgeRecord, Fault> {
         let new = (FIRST_NEW.wrapping_sub(id)) as usize;
         if new < self.new.len() {
             return Ok(&mut self.new[new]);
         }
         let gone = || gone(ElementKind::Halfedge, id);
-        let record = mesh.get_halfedge(HalfedgeId(id)).ok_or_else(gone)?;
-        let noted = self.noted.get_mut(id as usize).ok_or_else(gone)?;
-        if noted.0 != self.stamp {
-            *noted = (self.stamp, self.records.len() as u32);
-            self.records.push(record.clone());
-        }
-        self.records.get_mut(noted.1 as usize).ok_or_else(gone)
+        let place = match self.noted.get(id) {
+            Some(place) => place,
+            None => {
+                let record = mesh.get_halfedge(HalfedgeId(id)).ok_or_else(gone)?;
+                let place = self.records.len() as u32;
+                self.noted.add(id, place);
+                self.records.push(record.clone());
+                place
+            }
+        };
+        self.records.get_mut(place as usize).ok_or_else(gone)
     }
 }
 
@@ -159,15 +161,15 @@ impl Preview {
         }
     }
 
-    fn record<'a>(&'a self, mesh: &'a Mesh, id: u32) -> Result<&'a HalfedgeRecord, Message> {
+    #[inline]
+    pub fn record<'a>(&'a self, mesh: &'a Mesh, id: u32) -> Result<&'a HalfedgeRecord, Fault> {
         let new = (FIRST_NEW.wrapping_sub(id)) as usize;
         if let Some(record) = self.new.get(new) {
             return Ok(record);
         }
-        let noted = self.noted.get(id as usize).copied().unwrap_or_default();
-        let record = match noted.0 == self.stamp {
-            true => self.records.get(noted.1 as usize),
-            false => {
+        let record = match self.noted.get(id) {
+            Some(place) => self.records.get(place as usize),
+            None => {
                 self.look(Looked::Halfedge(id));
                 mesh.get_halfedge(HalfedgeId(id))
             }
@@ -175,7 +177,7 @@ impl Preview {
         record.ok_or_else(|| gone(ElementKind::Halfedge, id))
     }
 
-    fn halfedge(&self, mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Message> {
+    fn halfedge(&self, mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Fault> {
         match self.halfedges.get((of, id)) {
             Some(halfedge) => Ok(halfedge),
             None => {
@@ -185,7 +187,7 @@ impl Preview {
         }
     }
 
-    fn is_hole(&self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
+    fn is_hole(&self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
         match self.holes.get(face) {
             Some(hole) => Ok(hole),
             None => {
@@ -200,28 +202,56 @@ impl Preview {
         mesh.capacity(ElementKind::Halfedge) + self.new.len()
     }
 
-    /// Notes the spokes of a vertex in `walked`.
-    fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<(), Message> {
-        self.walked.clear();
+    /// Notes the spokes of a vertex in `walked`, with their faces and targets.
+    fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<(), Fault> {
+        if self.walked_of == Some(vertex) {
+            return Ok(());
+        }
+        let mut walked = std::mem::take(&mut self.walked);
+        let mut faces = std::mem::take(&mut self.faces);
+        let mut targets = std::mem::take(&mut self.targets);
+        [&mut walked, &mut faces, &mut targets].into_iter().for_each(Vec::clear);
+        let ended = self.walk_spokes(mesh, vertex, |spoke, face, before| {
+            walked.push(spoke);
+            faces.push(face);
+            // The spoke that follows is the twin of the halfedge before this one.
+            targets.push(before);
+        });
+        let turn = targets.len().min(1);
+        targets.rotate_right(turn);
+        (self.walked, self.faces, self.targets) = (walked, faces, targets);
+        ended?;
+        self.walked_of = Some(vertex);
+        Ok(())
+    }
+
+    /// Shows the spokes of a vertex, each with its face and where the halfedge before it starts.
+    fn walk_spokes(
+        &self,
+        mesh: &Mesh,
+        vertex: u32,
+        mut each: impl FnMut(u32, u32, u32),
+    ) -> Result<(), Fault> {
         let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
         if start == u32::MAX {
             return Ok(());
         }
         let mut at = start;
         for _ in 0..self.longest(mesh) {
-            self.walked.push(at);
-            let prev = self.record(mesh, at)?.prev.0;
-            at = self.record(mesh, prev)?.twin.0;
+            let record = self.record(mesh, at)?;
+            let before = self.record(mesh, record.prev.0)?;
+            each(at, record.face.0, before.vertex.0);
+            at = before.twin.0;
             if at == start {
                 return Ok(());
             }
         }
-        Err(Message::Endless)
+        Err(Fault::Endless)
     }
 
     /// Notes the origins of the halfedges of a face in `corners`, behind what is there; no
     /// more than `most`. The number of them.
-    fn walk_loop(&mut self, mesh: &Mesh, face: u32, most: usize) -> Result<usize, Message> {
+    fn walk_loop(&mut self, mesh: &Mesh, face: u32, most: usize) -> Result<usize, Fault> {
         let start = self.halfedge(mesh, ElementField::Face, face)?;
         let mut at = start;
         for walked in 0..self.longest(mesh).min(most) {
@@ -235,15 +265,11 @@ impl Preview {
         }
         match most < self.longest(mesh) {
             true => Ok(most),
-            false => Err(Message::Endless),
+            false => Err(Fault::Endless),
         }
     }
 
-    fn face(&self, mesh: &Mesh, halfedge: u32) -> Result<u32, Message> {
-        Ok(self.record(mesh, halfedge)?.face.0)
-    }
-
-    fn target(&self, mesh: &Mesh, halfedge: u32) -> Result<u32, Message> {
+    fn target(&self, mesh: &Mesh, halfedge: u32) -> Result<u32, Fault> {
         let twin = self.record(mesh, halfedge)?.twin.0;
         Ok(self.record(mesh, twin)?.vertex.0)
     }
@@ -259,18 +285,21 @@ impl Preview {
         condition: Foreseen,
         element: u32,
         at: u32,
-    ) -> Result<bool, Message> {
+    ) -> Result<bool, Fault> {
         match condition {
             Foreseen::ThreeSides => self.three_sides(mesh, element),
             Foreseen::MeetsOnce => self.meets_once(mesh, element),
             Foreseen::CornerOnce => self.corner_once(mesh, element, at),
-            Foreseen::TwoSpokes => {
-                self.walk_star(mesh, element)?;
-                Ok(self.walked.len() != 1)
-            }
+            Foreseen::TwoSpokes => self.two_spokes(mesh, element),
             Foreseen::OneHole => self.one_hole(mesh, element),
-            Foreseen::FacesDiffer => self.differ(mesh, element, Self::face),
-            Foreseen::NeighborsDiffer => self.differ(mesh, element, Self::target),
+            Foreseen::FacesDiffer => {
+                self.walk_star(mesh, element)?;
+                Ok(are_distinct(&self.faces))
+            }
+            Foreseen::NeighborsDiffer => {
+                self.walk_star(mesh, element)?;
+                Ok(are_distinct(&self.targets))
+            }
             Foreseen::SingleEdge => self.single_edge(mesh, element),
             Foreseen::CornersDiffer => self.corners_differ(mesh, element),
             Foreseen::CornersOwn => self.corners_own(mesh, element, at),
@@ -283,7 +312,7 @@ impl Preview {
         mesh: &Mesh,
         condition: Foreseen,
         halfedges: &[u64],
-    ) -> Result<bool, Message> {
+    ) -> Result<bool, Fault> {
         for &halfedge in halfedges {
             let vertex = self.record(mesh, halfedge as u32)?.vertex.0;
             if !self.foresees(mesh, condition, vertex, vertex)? {
@@ -293,70 +322,56 @@ impl Preview {
         Ok(true)
     }
 
-    fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
+    fn three_sides(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
         self.corners.clear();
         Ok(self.walk_loop(mesh, face, 3)? == 3)
     }
 
-    fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Message> {
+    fn meets_once(&mut self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
         self.corners.clear();
         self.walk_loop(mesh, face, usize::MAX)?;
-        Ok(are_distinct(&mut self.corners))
+        Ok(are_distinct(&self.corners))
     }
 
-    fn corner_once(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Message> {
-        self.walk_star(mesh, vertex)?;
-        let mut corners = 0;
-        for &spoke in &self.walked {
-            corners += usize::from(self.face(mesh, spoke)? == face);
+    fn two_spokes(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
+        if start == u32::MAX {
+            return Ok(true);
         }
-        Ok(corners <= 1)
+        let before = self.record(mesh, start)?.prev.0;
+        Ok(self.record(mesh, before)?.twin.0 != start)
     }
 
-    fn one_hole(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Message> {
+    fn corner_once(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
+        self.walk_star(mesh, vertex)?;
+        Ok(self.faces.iter().filter(|&&around| around == face).count() <= 1)
+    }
+
+    fn one_hole(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         self.walk_star(mesh, vertex)?;
         let mut holes = 0;
-        for &spoke in &self.walked {
-            holes += usize::from(self.is_hole(mesh, self.face(mesh, spoke)?)?);
+        for &face in &self.faces {
+            holes += usize::from(self.is_hole(mesh, face)?);
         }
         Ok(holes <= 1)
     }
 
-    /// Whether no two spokes have the same of something.
-    fn differ(
-        &mut self,
-        mesh: &Mesh,
-        vertex: u32,
-        what: impl Fn(&Self, &Mesh, u32) -> Result<u32, Message>,
-    ) -> Result<bool, Message> {
-        self.walk_star(mesh, vertex)?;
-        let mut seen = std::mem::take(&mut self.seen);
-        seen.clear();
-        for &spoke in &self.walked {
-            seen.push(what(self, mesh, spoke)?);
-        }
-        let distinct = are_distinct(&mut seen);
-        self.seen = seen;
-        Ok(distinct)
-    }
-
-    fn single_edge(&mut self, mesh: &Mesh, halfedge: u32) -> Result<bool, Message> {
+    fn single_edge(&mut self, mesh: &Mesh, halfedge: u32) -> Result<bool, Fault> {
         let ends = (self.record(mesh, halfedge)?.vertex.0, self.target(mesh, halfedge)?);
         self.walk_star(mesh, ends.0)?;
-        let mut edges = 0;
-        for &spoke in &self.walked {
-            edges += usize::from(self.target(mesh, spoke)? == ends.1);
-        }
-        Ok(edges <= 1)
+        Ok(self.targets.iter().filter(|&&target| target == ends.1).count() <= 1)
     }
 
     /// Whether no two faces around a vertex have the same set of corners.
-    fn corners_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Message> {
+    fn corners_differ(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         self.walk_star(mesh, vertex)?;
+        if self.is_star_of_triangles(mesh, vertex)? {
+            return Ok(true);
+        }
         self.corners.clear();
         self.runs.clear();
         for at in 0..self.walked.len() {
-            let face = self.face(mesh, self.walked[at])?;
+            let face = self.faces[at];
             if self.is_hole(mesh, face)? {
                 continue;
             }
@@ -372,8 +387,31 @@ impl Preview {
         Ok(self.runs.windows(2).all(|two| run(&two[0]) != run(&two[1])))
     }
 
+    /// Whether the faces around a vertex, whose spokes are walked, are triangles with a neighbor
+    /// of the vertex between one and the next, at least three, all different: then two that
+    /// follow each other as two others do are the same two.
+    fn is_star_of_triangles(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+        if self.walked.len() < 3
+            || self.targets.contains(&vertex)
+            || !are_distinct(&self.targets)
+            || !are_distinct(&self.faces)
+        {
+            return Ok(false);
+        }
+        for (&spoke, &face) in self.walked.iter().zip(&self.faces) {
+            if self.is_hole(mesh, face)? {
+                continue;
+            }
+            let record = self.record(mesh, spoke)?;
+            if self.record(mesh, record.next.0)?.next != record.prev {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Whether no other face around a vertex of a face has the same set of corners.
-    fn corners_own(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Message> {
+    fn corners_own(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
         if self.is_hole(mesh, face)? {
             return Ok(true);
         }
@@ -382,7 +420,7 @@ impl Preview {
         let size = self.walk_loop(mesh, face, usize::MAX)?;
         self.corners.sort_unstable();
         for at in 0..self.walked.len() {
-            let other = self.face(mesh, self.walked[at])?;
+            let other = self.faces[at];
             if other == face || self.is_hole(mesh, other)? {
                 continue;
             }
@@ -397,55 +435,5 @@ impl Preview {
             }
         }
         Ok(true)
-    }
-}
-
-fn are_distinct(numbers: &mut [u32]) -> bool {
-    numbers.sort_unstable();
-    numbers.windows(2).all(|two| two[0] != two[1])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::shape;
-
-    #[test]
-    fn an_empty_sheet_shows_the_mesh() {
-        let mesh = shape::pillow(3);
-        let mut preview = Preview::default();
-        preview.clear(&mesh);
-        let mut ask = |condition| preview.foresees(&mesh, condition, 0, 0).unwrap();
-        assert!(ask(Foreseen::ThreeSides) && ask(Foreseen::MeetsOnce));
-        assert!(ask(Foreseen::NeighborsDiffer) && ask(Foreseen::TwoSpokes));
-        assert!(!ask(Foreseen::CornersDiffer) && !ask(Foreseen::CornersOwn));
-    }
-
-    #[test]
-    fn notes_count_until_the_sheet_is_cleared() {
-        let mesh = shape::tetrahedron();
-        let mut preview = Preview::default();
-        preview.clear(&mesh);
-        let spoke = mesh.vertex_halfedge(VertexId(0));
-        let twin = mesh.twin(spoke).0;
-        let other = mesh.vertex(HalfedgeId(mesh.prev(spoke).0)).0;
-        preview.store(&mesh, HalfedgeField::Vertex, twin, other).unwrap();
-        let neighbors = |preview: &mut Preview| {
-            preview.foresees(&mesh, Foreseen::NeighborsDiffer, 0, 0).unwrap()
-        };
-        assert!(!neighbors(&mut preview), "two spokes lead to {other}");
-        preview.clear(&mesh);
-        assert!(neighbors(&mut preview));
-    }
-
-    #[test]
-    fn new_elements_have_numbers_that_the_mesh_does_not_use() {
-        let mesh = shape::tetrahedron();
-        let mut preview = Preview::default();
-        preview.clear(&mesh);
-        let (a, b) = (preview.add(), preview.add());
-        assert!(a != b && mesh.get_halfedge(HalfedgeId(b)).is_none());
-        preview.store(&mesh, HalfedgeField::Face, b, 3).unwrap();
-        assert_eq!(preview.face(&mesh, b), Ok(3));
     }
 }

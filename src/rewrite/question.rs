@@ -7,12 +7,11 @@ use glam::DVec3;
 
 use super::access;
 use super::window::Window;
-use super::{Message, Reg};
+use super::{Fault, Reg};
 use crate::mesh::Mesh;
 
 /// A question to the mesh about one element; [`Question::Adjacent`] is about two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Question {
     // Of a vertex.
     Degree,
@@ -38,7 +37,7 @@ pub(super) fn ask(
     question: Question,
     w: &mut Window,
     [to, first, second]: [Reg; 3],
-) -> Result<(), Message> {
+) -> Result<(), Fault> {
     let id = w.id(first);
     let vertex = || access::vertex(mesh, id);
     let edge = || access::edge(mesh, id);

@@ -1,20 +1,25 @@
-//! Who has read what: for each place of the mesh the elements whose keys depend on it.
+//! Readers: for each place of the mesh the elements whose keys depend on it.
 //!
-//! A place is a vertex or a face with what is stored there but its `halfedge`; that; an edge with
-//! its two halfedges; or all of the mesh. An operation often gives its neighbours another
-//! `halfedge`, which few keys read: that is why it is a place of its own. When something is written at a place, its readers are taken off
+//! A place is a vertex, an edge, a halfedge or a face with what is stored there; but the `halfedge`
+//! of a vertex or a face is a place of its own, since operations often give their neighbours another,
+//! which few keys read, and so are the attributes of a vertex, an edge or a face, which many
+//! operations write and few keys read. All of the mesh is a place too. When something is written at a place, its readers are taken off
 //! and their keys computed anew, by which they are noted again wherever they still read. A
 //! note may outlive its reason: then a key is computed once for nothing.
 
-/// What a reader can depend on.
+/// The place that a reader can depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub enum Place {
     Vertex(u32),
     VertexHalfedge(u32),
+    VertexAttributes(u32),
+    Halfedge(u32),
     Edge(u32),
+    EdgeAttributes(u32),
     Face(u32),
     FaceHalfedge(u32),
-    /// How many elements there are, and which.
+    FaceAttributes(u32),
+    /// The number of elements, and which.
     Whole,
 }
 
@@ -23,10 +28,14 @@ impl Place {
         match self {
             Place::Vertex(id) => (0, id as usize),
             Place::VertexHalfedge(id) => (1, id as usize),
-            Place::Edge(id) => (2, id as usize),
-            Place::Face(id) => (3, id as usize),
-            Place::FaceHalfedge(id) => (4, id as usize),
-            Place::Whole => (5, 0),
+            Place::VertexAttributes(id) => (2, id as usize),
+            Place::Halfedge(id) => (3, id as usize),
+            Place::Edge(id) => (4, id as usize),
+            Place::EdgeAttributes(id) => (5, id as usize),
+            Place::Face(id) => (6, id as usize),
+            Place::FaceHalfedge(id) => (7, id as usize),
+            Place::FaceAttributes(id) => (8, id as usize),
+            Place::Whole => (9, 0),
         }
     }
 }
@@ -52,8 +61,8 @@ struct Entry {
 
 /// The readers of all places.
 #[derive(Debug)]
-pub(super) struct Readers {
-    lists: [Vec<List>; 6],
+pub struct Readers {
+    lists: [Vec<List>; 10],
     pool: Vec<Entry>,
     /// The first of the pool's free entries.
     free: u32,
@@ -75,8 +84,16 @@ impl Default for Readers {
 }
 
 impl Readers {
+    /// The memory that they take, in bytes.
+    pub fn bytes(&self) -> usize {
+        let lists = self.lists.iter().map(|lists| lists.capacity() * size_of::<List>());
+        lists.sum::<usize>()
+            + self.pool.capacity() * size_of::<Entry>()
+            + self.seen.capacity() * size_of::<u32>()
+    }
+
     /// Notes that a reader depends on a place.
-    pub(super) fn note(&mut self, place: Place, reader: u32) {
+    pub fn note(&mut self, place: Place, reader: u32) {
         let (kind, at) = place.split();
         let lists = &mut self.lists[kind];
         if lists.len() <= at {
@@ -132,7 +149,7 @@ impl Readers {
     }
 
     /// Takes all readers off a place.
-    pub(super) fn take(&mut self, place: Place, mut each: impl FnMut(u32)) {
+    pub fn take(&mut self, place: Place, mut each: impl FnMut(u32)) {
         let (kind, at) = place.split();
         let Some(list) = self.lists[kind].get_mut(at) else {
             return;
@@ -145,36 +162,5 @@ impl Readers {
             self.free = entry;
             entry = next;
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn readers_are_found_once_each_and_their_entries_used_again() {
-        let mut readers = Readers::default();
-        for round in 0..500 {
-            for reader in 0..20 {
-                readers.note(Place::Edge(3), (reader * 7 + round) % 20);
-                readers.note(Place::Whole, reader);
-            }
-        }
-        assert!(readers.pool.len() < 200, "{}", readers.pool.len());
-        for place in [Place::Edge(3), Place::Whole] {
-            let mut found = Vec::new();
-            readers.take(place, |reader| found.push(reader));
-            found.sort_unstable();
-            found.dedup();
-            assert_eq!(found, (0..20).collect::<Vec<_>>());
-            readers.take(place, |_| panic!("they are taken off"));
-        }
-        let before = readers.pool.len();
-        for reader in 0..40 {
-            readers.note(Place::Vertex(reader), reader);
-        }
-        assert_eq!(readers.pool.len(), before);
-        readers.take(Place::Face(9), |_| panic!("nobody has read it"));
     }
 }

@@ -1,13 +1,13 @@
 //! Operations in steps: they call others, all or nothing.
 //!
-//! What a step has done is undone if a later one refuses, or if at the end the mesh is not of
+//! The effects of a step are undone if a later one refuses, or if at the end the mesh is not of
 //! the level that it was: a journal of the mesh knows what was written, so both cost no more
 //! than the steps did.
 
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 
-/// What the plan of an operation in steps has besides its code.
+/// The additions to the plan of an operation in steps besides its code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Steps {
     /// The operations that it calls, by number. The refusals of each stand among its own, from

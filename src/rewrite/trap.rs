@@ -93,6 +93,41 @@ pub enum Message {
     Malformed,
 }
 
+/// Why an instruction could not be taken. Instructions tell it on every way, so it is small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    Gone(ElementKind),
+    Missing(ElementKind),
+    DivisionByZero,
+    IntOverflow,
+    RoundsNaN,
+    NotFinite,
+    NoRoom(ElementKind),
+    WildPointer(ElementKind),
+    OutOfRange,
+    Endless,
+    Malformed,
+}
+
+impl From<Fault> for Message {
+    #[cold]
+    fn from(fault: Fault) -> Self {
+        match fault {
+            Fault::Gone(kind) => Self::Gone(kind),
+            Fault::Missing(kind) => Self::Missing(kind),
+            Fault::DivisionByZero => Self::DivisionByZero,
+            Fault::IntOverflow => Self::IntOverflow,
+            Fault::RoundsNaN => Self::RoundsNaN,
+            Fault::NotFinite => Self::NotFinite,
+            Fault::NoRoom(kind) => Self::NoRoom(kind),
+            Fault::WildPointer(kind) => Self::WildPointer(kind),
+            Fault::OutOfRange => Self::OutOfRange,
+            Fault::Endless => Self::Endless,
+            Fault::Malformed => Self::Malformed,
+        }
+    }
+}
+
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -107,8 +142,12 @@ impl fmt::Display for Message {
             Message::NoRoom(kind) => write!(f, "there is no room for another {kind}"),
             Message::NoMemory(usize::MAX) => f.write_str("there is no memory for more"),
             Message::NoMemory(limit) => {
-                let limit = *limit as f64 / (1_u64 << 20) as f64;
-                write!(f, "there is no room for more in {limit:.0} MiB of memory")
+                let (unit, name) = match *limit < 1 << 20 {
+                    true => (1_u64 << 10, "KiB"),
+                    false => (1 << 20, "MiB"),
+                };
+                let limit = *limit as f64 / unit as f64;
+                write!(f, "there is no room for more in {limit:.0} {name} of memory")
             }
             Message::WildPointer(kind) => write!(f, "a pointer would lead to no {kind}"),
             Message::OutOfRange => f.write_str("the index is out of range"),

@@ -1,11 +1,11 @@
-//! Who looks on while a script runs.
+//! Watchers of a script while it runs.
 
 use std::ops::ControlFlow;
 
-/// How many turns of loops go by between two looks.
+/// The number of turns of loops between two looks.
 pub(super) const TURNS_PER_LOOK: u32 = 256;
 
-/// How many nested loops a look shows.
+/// The number of nested loops that a look shows.
 pub(super) const DEPTHS: usize = 8;
 
 /// Looks on while code runs: sees how far its loops are, may interrupt it, gets what it
@@ -22,6 +22,11 @@ pub trait Watch {
         ControlFlow::Continue(())
     }
 
+    /// A script has applied the operation of this number, and goes on.
+    fn applied(&mut self, _op: u16) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
     /// A line, without its end.
     fn print(&mut self, _line: &str) {}
 }
@@ -32,7 +37,7 @@ pub struct Unwatched;
 
 impl Watch for Unwatched {}
 
-/// Where the running loops are.
+/// The progress of the running loops.
 #[derive(Debug, Default)]
 pub(super) struct Progress {
     turns: u32,
@@ -58,7 +63,7 @@ impl Progress {
         }
     }
 
-    /// Whether the last turn was one to look at.
+    /// True if the last turn was one to look at.
     #[inline]
     pub(super) fn has_looked(&self) -> bool {
         self.turns.is_multiple_of(TURNS_PER_LOOK)

@@ -10,7 +10,6 @@ use super::window::Window;
 
 /// What is computed component by component, or of all components of one or two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Lanes {
     Add,
     Subtract,
@@ -32,7 +31,6 @@ pub enum Lanes {
 
 /// What is computed of matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
 pub enum Matrix {
     /// The real on the left along the diagonal, zero elsewhere.
     Diagonal,
@@ -190,7 +188,7 @@ fn reals<const N: usize>(w: &Window, from: Reg) -> [f64; N] {
 /// (Golub and Van Loan, Matrix Computations, 1996, section 3.4), which loses less than
 /// an inverse by cofactors. A matrix is singular if a pivot is lost in rounding: no larger
 /// than the number of rows times the rounding of the largest entry.
-fn eliminate<const N: usize, const M: usize>(
+pub fn eliminate<const N: usize, const M: usize>(
     mut a: [[f64; N]; N],
     mut b: [[f64; N]; M],
 ) -> [[f64; N]; M] {
@@ -217,37 +215,4 @@ fn eliminate<const N: usize, const M: usize>(
         }
     }
     b
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn elimination_inverts_what_glam_multiplies() {
-        let a = DMat4::from_cols_array(&[
-            2.0, -1.0, 0.5, 3.0, 1.0, 4.0, -2.0, 0.25, 0.0, 1.5, 5.0, -1.0, 3.0, 0.0, 1.0, 7.0,
-        ]);
-        let unit = DMat4::IDENTITY.to_cols_array_2d();
-        let inverse = DMat4::from_cols_array_2d(&eliminate(a.to_cols_array_2d(), unit));
-        assert!((inverse * a).abs_diff_eq(DMat4::IDENTITY, 1e-12));
-        // A zero on the diagonal asks for another pivot.
-        let b = DMat3::from_cols_array(&[0.0, 1.0, 0.0, 2.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
-        let x = DVec3::new(1.0, -2.0, 3.0);
-        let [solved] = eliminate(b.to_cols_array_2d(), [x.to_array()]);
-        assert!((b * DVec3::from_array(solved)).abs_diff_eq(x, 1e-12));
-    }
-
-    #[test]
-    fn a_singular_matrix_has_no_inverse_at_any_scale() {
-        for scale in [1e-200, 1.0, 1e200] {
-            let row = [1.0, 2.0, 3.0].map(|x| x * scale);
-            let singular = [row, row.map(|x| x * 1.1), [0.0, 0.0, scale]];
-            assert!(eliminate(singular, [row])[0][0].is_nan());
-            let regular = [row, [0.0, scale, 0.0], [0.0, 0.0, scale]];
-            assert!(eliminate(regular, [row])[0][0].is_finite());
-        }
-        assert!(eliminate([[0.0; 4]; 4], [[0.0; 4]])[0][0].is_nan());
-        assert!(eliminate([[f64::INFINITY; 3]; 3], [[0.0; 3]])[0][0].is_nan());
-    }
 }

@@ -12,14 +12,14 @@ use crate::resolve::{Program, Script, Variable};
 use crate::rewrite::{Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch};
 use crate::source::Span;
 
-/// What became of a call.
+/// The outcome of a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Applied {
     /// The operation has been applied.
     Done {
-        /// What it returned.
+        /// The element it returned.
         result: Option<(ElementKind, u32)>,
-        /// What it created, in that order.
+        /// The elements it created, in that order.
         created: Vec<(ElementKind, u32)>,
     },
     /// It does not apply here, and the mesh is as it was; the reason.

@@ -8,7 +8,6 @@ use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, Vertex
 
 /// A value for a parameter.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs)]
 pub enum Argument {
     Bool(bool),
     Int(i64),
@@ -56,7 +55,7 @@ impl Argument {
         }
     }
 
-    /// Whether it is one of the mesh, if it is an element.
+    /// True if it is one of the mesh, if it is an element.
     pub(super) fn exists_in(&self, mesh: &Mesh) -> bool {
         match *self {
             Self::Element(kind, id) => mesh.is_alive(kind, id),
@@ -64,7 +63,7 @@ impl Argument {
         }
     }
 
-    /// Whether its numbers are finite.
+    /// True if its numbers are finite.
     pub(super) fn is_finite(&self) -> bool {
         match self {
             Self::Real(value) => value.is_finite(),
@@ -132,7 +131,7 @@ from! {
     FaceId: |value| Element::from(value).into();
 }
 
-/// What a value of a type looks like, for whoever got it wrong.
+/// An example of a value of a type, for whoever got it wrong.
 pub(super) fn example(ty: Type) -> &'static str {
     match ty {
         Type::Bool => "`true` or `false`",
@@ -161,40 +160,4 @@ fn reals(text: &str, ty: Type) -> Option<Vec<f64>> {
 
 fn element(kind: ElementKind, text: &str) -> Option<Argument> {
     text.parse().ok().map(|id| Argument::Element(kind, id))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn texts_become_values_of_their_type() {
-        let good = [
-            ("true", Argument::Bool(true)),
-            ("-12", Argument::Int(-12)),
-            ("12", Argument::Real(12.0)),
-            ("1e-3", Argument::Real(0.001)),
-            ("1, 2,-3", Argument::Reals(Type::Vec3, vec![1.0, 2.0, -3.0])),
-            ("(1,2)", Argument::Reals(Type::Vec2, vec![1.0, 2.0])),
-            ("7", Argument::Element(ElementKind::Edge, 7)),
-            ("hello", Argument::Text("hello".to_owned())),
-        ];
-        for (text, value) in good {
-            assert_eq!(Argument::parse(text, value.ty()), Some(value));
-        }
-        for (text, ty) in [
-            ("yes", Type::Bool),
-            ("1.5", Type::Int),
-            ("99999999999999999999", Type::Int),
-            ("inf", Type::Real),
-            ("NaN", Type::Real),
-            ("", Type::Real),
-            ("1,2", Type::Vec3),
-            ("1,2,3,4", Type::Vec3),
-            ("(1,2,3", Type::Vec3),
-            ("-1", Type::Face),
-        ] {
-            assert_eq!(Argument::parse(text, ty), None, "{text}");
-        }
-    }
 }

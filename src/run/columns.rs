@@ -21,10 +21,10 @@ pub(crate) struct Columns(Vec<Option<Needed>>);
 struct Needed {
     kind: ElementKind,
     name: String,
-    /// What a new element has.
+    /// The value of a new element.
     default: Value,
     private: bool,
-    /// Whether the code may write to it.
+    /// True if the code may write to it.
     written: bool,
     span: Span,
 }
@@ -121,7 +121,7 @@ impl Columns {
     }
 }
 
-/// What an element has that was given no value: the default, or zero.
+/// The value of an element that was given no value: the default, or zero.
 fn default(attribute: &Attribute) -> Result<Value, Diagnostic> {
     let mut machine = Machine::default();
     let Some(default) = &attribute.default else {

@@ -40,7 +40,7 @@ impl Lowering<'_> {
         let element = self.names.local(*variable);
         let changing = self.changing(key, body);
         self.copy_slots(&changing);
-        self.asm.emit(Inst::DrainOpen { of, members });
+        self.trap_at(span, Inst::DrainOpen { of, members });
 
         let asked: Vec<&Expr> = condition.iter().chain([key]).collect();
         let exits = self.exits_of_body(&asked, body, exits).map(|mut exits| {

@@ -9,12 +9,12 @@ use super::live::Exits;
 use super::lower::{Lowering, Routine};
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, ExprKind};
-use crate::resolve::{self, Program, Script};
+use crate::diagram::{Expr, ExprKind, Type};
+use crate::resolve::{self, Program, Script, Statement, StatementKind, Variable};
 use crate::rewrite::{self, Code};
 use crate::source::Span;
 
-/// What functions are in code, and which operations each of them may call.
+/// The code of functions, and which operations each of them may call.
 #[derive(Clone, Debug, Default)]
 pub struct Functions {
     /// Their code, by number.
@@ -119,10 +119,41 @@ impl Functions {
     }
 }
 
+/// A script that calls a function of a program with its own parameters, and keeps the value as the
+/// first of its other variables.
+pub(super) fn calling(function: &resolve::Function, number: usize) -> Script {
+    let variable =
+        |(name, ty, span): (&str, Type, Span)| Variable { name: name.to_owned(), ty, span };
+    let params = function.params.iter();
+    let params = params.map(|param| (param.name.as_str(), param.ty, param.span));
+    let value = function.result.map(|ty| ("value", ty, function.span));
+    let args = (0..).zip(&function.params).map(|(at, param)| Expr {
+        ty: param.ty,
+        kind: ExprKind::Local(at),
+        span: param.span,
+    });
+    let (span, function_number, args) = (function.span, number as u32, args.collect());
+    let kind = match function.result {
+        Some(ty) => StatementKind::Set {
+            variable: function.params.len() as u32,
+            value: Expr { ty, kind: ExprKind::Invoke(function_number, args), span },
+        },
+        None => StatementKind::Call { function: function_number, args, result: None },
+    };
+    Script {
+        name: function.name.clone(),
+        span,
+        docs: function.docs.clone(),
+        params: function.params.clone(),
+        variables: params.chain(value).map(variable).collect(),
+        body: vec![Statement { kind, span }],
+    }
+}
+
 /// Lowers something, with the texts that are known.
 type Lower<'p> = Box<dyn Fn(&[String]) -> Lowering<'p> + 'p>;
 
-/// What is to be lowered: a function, or a script that is called as one.
+/// The beginning of code to be lowered: a function, or a script that is called as one.
 #[derive(Default)]
 struct Beginning<'p> {
     name: String,

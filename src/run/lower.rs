@@ -17,9 +17,9 @@ pub(super) struct Lowering<'p> {
     pub(super) loops: Vec<Loop>,
     /// The variables of the loops around it that visit elements, the innermost last.
     visited: Vec<u32>,
-    /// How many drains run around the statement.
+    /// The number of drains around the statement.
     pub(super) drains: u32,
-    /// Where the running `update` keeps its writes back.
+    /// The buffer in which the running `update` keeps its writes back.
     pub(super) held: Option<u16>,
     /// The operations that are called, each with its first call.
     pub(super) called: Vec<(usize, Span)>,
@@ -29,12 +29,12 @@ pub(super) struct Lowering<'p> {
     pub(super) assertions: Vec<u32>,
     /// Why an operation in steps may refuse by itself.
     pub(super) refusals: Vec<Refusal>,
-    /// Where it does.
+    /// The label to jump to where it does.
     refuses: Label,
     ending: Ending,
 }
 
-/// What `return` does.
+/// The effect of `return`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ending {
     /// The script ends.
@@ -54,7 +54,7 @@ pub(super) struct Routine<'p> {
     pub(super) block: &'p [Statement],
 }
 
-/// Where a loop goes on, and where it ends.
+/// The labels of a loop: where a loop goes on, and where it ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loop {
     pub(super) again: Label,
@@ -326,14 +326,14 @@ impl<'p> Lowering<'p> {
         Some(exits.of_body(head))
     }
 
-    /// Whether somebody still needs ids when a statement with these exits has been run, but
-    /// for a variable that it sets.
+    /// True if somebody still needs ids when a statement with these exits has been run, but for a
+    /// variable that it sets.
     fn needs_ids(&self, exits: Option<&Exits>, set: Option<u32>) -> bool {
         let needed = |exits: &Exits| exits.next.iter().any(|needed| Some(*needed) != set);
         exits.is_none_or(needed)
     }
 
-    /// What a function gives that is called for `value`; whether it `holds` ids is said in
+    /// The result of a function that is called for `value`; whether it `holds` ids is said in
     /// [`FunctionCall`].
     fn given(&mut self, function: u32, args: &[Expr], value: &Expr, holds: bool) -> Reg {
         let to = self.asm.block(width(value.ty));

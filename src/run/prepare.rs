@@ -3,18 +3,19 @@
 use super::Argument;
 use super::argument::example;
 use super::columns::Columns;
-use super::function::{Functions, routine, with_functions};
+use super::function::{Functions, calling, routine, with_functions};
 use super::lower::Lowering;
+use super::report::level_of_steps;
 use super::steps::with_steps;
 use crate::compile::width;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
-use crate::mesh::{Mesh, WantedAttribute};
+use crate::mesh::{Level, Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
-use crate::rewrite::{Code, Plans, TooLarge};
+use crate::rewrite::{self, Code, Plans, TooLarge, Unbounded};
 use crate::source::Span;
 
-/// What may be wrong with how often a parameter is given: the code and the words.
+/// The message for a wrong number of values of a parameter: the code and the words.
 const MISSING: (&str, &str) = ("missing-argument", "has no value");
 const TWICE: (&str, &str) = ("repeated-argument", "is given more than once");
 
@@ -28,15 +29,15 @@ pub struct Prepared {
     pub(super) code: Code,
     pub(super) functions: Functions,
     pub(super) columns: Columns,
-    /// Where the numbers come from that it gets by chance.
+    /// The seed of the numbers that it gets by chance.
     pub(super) seed: u64,
-    /// Where in the source the code can trap, by number.
+    /// The places in the source where the code can trap, by number.
     pub(super) places: Vec<Span>,
     /// The numbers of those places where the script asserts something, in order.
     pub(super) assertions: Vec<u32>,
     /// The operations it may call, in the order of the program.
     pub(super) called: Vec<usize>,
-    /// How many bytes mesh and lists may take.
+    /// The greatest number of bytes of mesh and lists.
     pub(super) memory: usize,
 }
 
@@ -59,6 +60,24 @@ pub fn prepare(
         return Err(too_large);
     }
     prepare_script(program, script, plans, functions)
+}
+
+/// Prepares a function of a program, by its number, to be called as a script is. Its value then
+/// stands behind its parameters: see [`Prepared::value`].
+///
+/// # Errors
+/// As of [`prepare`].
+pub(crate) fn prepare_function(
+    program: &Program,
+    function: usize,
+    plans: &Plans,
+) -> Result<Prepared, Vec<Diagnostic>> {
+    let (functions, too_large) = Functions::of(program);
+    if !too_large.is_empty() {
+        return Err(too_large);
+    }
+    let script = calling(&program.functions[function], function);
+    prepare_script(program, &script, plans, functions)
 }
 
 /// The same for a script that need not stand among those of the program.
@@ -145,6 +164,26 @@ impl Prepared {
         &self.code
     }
 
+    /// The loops `drain` of the script and of the functions that it calls, each with its place in
+    /// the source, and why its key is no bounded walk from its element, if it is none: then what it
+    /// reads is noted.
+    pub fn drains(&self) -> Vec<(Span, Option<Unbounded>)> {
+        let functions = &self.functions.code;
+        let called = self.code.with_called();
+        let places = |code: &Code| {
+            let function = functions.iter().find(|one| std::ptr::eq(&one.code, code));
+            function.map_or(self.places.as_slice(), |function| &function.places)
+        };
+        let mut drains = Vec::new();
+        for code in called {
+            for (at, why) in rewrite::drains(code, functions) {
+                let place = code.place(at).and_then(|place| places(code).get(place as usize));
+                drains.push((place.copied().unwrap_or(self.span), why));
+            }
+        }
+        drains
+    }
+
     /// Keeps to a limit of memory, in bytes, for the mesh and for lists: a run that needs more
     /// fails with `no-room`.
     pub fn limit_memory(&mut self, bytes: usize) {
@@ -154,6 +193,23 @@ impl Prepared {
     /// Its parameters, in order.
     pub(crate) fn params(&self) -> &[Param] {
         &self.params
+    }
+
+    /// The slot of its value in the window of a function that was called.
+    pub(crate) fn value(&self) -> usize {
+        // Before it stand the parameters, and for each whether it was given.
+        let widths = self.params.iter().map(|param| usize::from(width(param.ty)) + 1);
+        widths.sum()
+    }
+
+    /// True if it may change the mesh.
+    pub(crate) fn changes(&self) -> bool {
+        self.code.with_called().iter().any(|code| code.changes())
+    }
+
+    /// The level that a mesh should have for all that it calls.
+    pub(crate) fn wanted(&self) -> Level {
+        level_of_steps(&self.plans, &self.called, Level::Map)
     }
 
     /// The columns that it needs.

@@ -6,21 +6,21 @@ use crate::mesh::{Level, Mesh, validate_level};
 use crate::rewrite::{Count, Machine, Message, Plan, Site, Trap, Watch};
 use crate::source::Span;
 
-/// What a script did.
+/// The report on a script.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     /// For each operation it may call, in the order of the program.
     pub ops: Vec<OpReport>,
 }
 
-/// What became of the calls of an operation.
+/// The report on the calls of an operation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OpReport {
     /// Its name.
     pub name: String,
-    /// How many were applied.
+    /// The number that were applied.
     pub applied: u64,
-    /// How many were refused, by reason: those that occurred, in the order in which the
+    /// The number that were refused, by reason: those that occurred, in the order in which the
     /// operation tests them.
     pub refused: Vec<(String, u64)>,
 }
@@ -30,7 +30,7 @@ pub struct OpReport {
 pub struct Failure {
     /// Why and where; the calls that led there are labels.
     pub diagnostic: Diagnostic,
-    /// What it did up to there.
+    /// The report up to there.
     pub report: Report,
 }
 
@@ -103,7 +103,7 @@ pub(crate) fn highest_between(mesh: &Mesh, level: Level, wanted: Level) -> Level
     levels.find(has).unwrap_or(level)
 }
 
-/// Whether the mesh has the level that an operation is for.
+/// Checks that the mesh has the level that an operation is for.
 pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), Diagnostic> {
     if plan.level == Level::Map {
         return Ok(());
@@ -115,7 +115,7 @@ pub(super) fn expect_level(plan: &Plan, mesh: &Mesh, place: Span) -> Result<(), 
     })
 }
 
-/// What became of the calls of the operations that a script calls.
+/// The report on the calls of the operations that a script calls.
 pub(crate) fn report(prepared: &Prepared, counts: &[Count]) -> Report {
     let called = prepared.called.iter();
     let ops = called.filter_map(|&op| {
@@ -137,7 +137,7 @@ fn op_report(plan: &Plan, count: &Count) -> OpReport {
     OpReport { name: plan.name.clone(), applied: count.applied, refused }
 }
 
-/// How many calls are shown that led to a failure.
+/// The greatest number of calls shown that led to a failure.
 const MOST_CALLERS: usize = 8;
 
 /// The diagnostic of a trap: it points at the innermost place that is known.

@@ -15,8 +15,8 @@ use crate::mesh::Level;
 use crate::resolve::{Program, ResolvedOp, Steps};
 use crate::rewrite::{self, BELOW, Code, Phase, Plan, Refusal, TooLarge};
 
-/// How many reasons to refuse an operation in steps can have, with those of all that it calls:
-/// each has its own list of them.
+/// The greatest number of reasons to refuse an operation in steps can have, with those of all that
+/// it calls: each has its own list of them.
 const MOST_REFUSALS: usize = 1024;
 
 /// Makes plans of the operations in steps of a program, among the plans of the others. One
@@ -79,8 +79,8 @@ fn called_first(all: &BTreeMap<usize, Lowered>) -> Vec<usize> {
     order
 }
 
-/// What each operation in steps of a program calls, by their numbers; also what the functions do
-/// that it calls.
+/// The calls of each operation in steps of a program, by their numbers; also what the
+/// functions do that it calls.
 pub fn calls_of_steps(
     program: &Program,
     functions: &Functions,
@@ -173,6 +173,7 @@ impl Lowered<'_> {
         number(refusals.len())?;
         let keeps = [Level::Surface, Level::Simple];
         Ok(Some(Plan {
+            matched: Vec::new(),
             name: op.name.clone(),
             params: op.params.iter().map(|param| width(param.ty)).collect(),
             result: op.result.and_then(element_kind),

@@ -15,7 +15,23 @@ use crate::source::Span;
 /// Gives the file of a mesh that a test loads, by its path as it is written.
 pub type Load<'l> = dyn FnMut(&str, Span) -> Result<MeshFile, String> + 'l;
 
-/// Runs a test of a program, by its number. What it gets by chance comes from the seed.
+/// The conditions of a test.
+#[derive(Clone, Copy, Debug)]
+pub struct Conditions {
+    /// The seed of what it gets by chance.
+    pub seed: u64,
+    /// The most memory that it may take, in bytes.
+    pub memory: usize,
+}
+
+/// The seed 0, and no limit of memory.
+impl Default for Conditions {
+    fn default() -> Self {
+        Self { seed: 0, memory: usize::MAX }
+    }
+}
+
+/// Runs a test of a program, by its number.
 ///
 /// # Errors
 /// It fails; or it cannot be run, because a mesh cannot be loaded or an operation is not
@@ -24,7 +40,7 @@ pub fn test(
     program: &Program,
     test: usize,
     plans: &Plans,
-    seed: u64,
+    conditions: Conditions,
     load: &mut Load,
     watch: &mut dyn Watch,
 ) -> Result<Report, Box<Failure>> {
@@ -39,7 +55,9 @@ pub fn test(
         return Err(failure(error));
     }
     let prepared = prepare_script(program, &test.script, plans, functions);
-    let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?.with_seed(seed);
+    let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
+    let mut prepared = prepared.with_seed(conditions.seed);
+    prepared.limit_memory(conditions.memory);
     let mut made = Vec::new();
     for mesh in std::iter::once(&test.begin).chain(&test.meshes) {
         made.push(make(mesh, &prepared, load).map_err(failure)?);

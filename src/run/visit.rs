@@ -136,7 +136,7 @@ impl Lowering<'_> {
     }
 }
 
-/// What the elements must still be when their turn comes.
+/// The elements that they must still be when their turn comes.
 pub(super) fn kind(collection: &Collection) -> Elements {
     match (collection, collection.element()) {
         (Collection::Holes, _) => Elements::Holes,

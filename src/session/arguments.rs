@@ -1,4 +1,4 @@
-//! What a call is given, by order or by name.
+//! Arguments of a call, by order or by name.
 
 use crate::diagnostic::Diagnostic;
 use crate::run::{Argument, Prepared};
@@ -27,7 +27,7 @@ pub trait Arguments {
     fn give(self, to: &mut Given<'_>);
 }
 
-/// Where arguments go.
+/// The arguments as given.
 pub struct Given<'g> {
     takes: &'g Prepared,
     values: &'g mut Vec<Option<Argument>>,
@@ -43,7 +43,7 @@ impl<'g> Given<'g> {
         Self { takes, values, next: 0, error: None }
     }
 
-    /// What was wrong first.
+    /// The first mistake.
     pub(super) fn end(self) -> Result<(), Diagnostic> {
         self.error.map_or(Ok(()), Err)
     }

@@ -1,4 +1,4 @@
-//! What went wrong, with the texts to show it.
+//! Errors, with the texts to show them.
 
 use std::fmt;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Rendering, render};
 use crate::run::{Failure, Report};
 use crate::source::{FileId, Sources, Span};
 
-/// How many diagnostics are shown at most.
+/// The greatest number of diagnostics that are shown.
 const MOST: usize = 50;
 
 /// No place in any text.
@@ -70,7 +70,7 @@ impl Error {
         self.0.diagnostics.first().map_or("", |first| &first.message)
     }
 
-    /// What a script did before it failed; `None` of other errors.
+    /// The report of a script up to its failure; `None` of other errors.
     pub fn report(&self) -> Option<&Report> {
         self.0.report.as_ref()
     }

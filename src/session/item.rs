@@ -4,11 +4,12 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{Error, Program};
+use crate::analysis;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::Param;
+use crate::diagram::{Param, Type};
 use crate::mesh::{ElementKind, Level};
 use crate::resolve;
-use crate::run::{Application, Prepared, UNKNOWN_REASON, prepare};
+use crate::run::{Application, Prepared, UNKNOWN_REASON, prepare, prepare_function};
 
 pub(super) type ApplicationOrError = Result<Application, Diagnostic>;
 
@@ -26,14 +27,21 @@ pub struct Script {
     pub(super) index: usize,
 }
 
-/// A parameter of an operation or a script.
+/// A function of a program.
+#[derive(Clone)]
+pub struct Function {
+    pub(super) program: Program,
+    pub(super) index: usize,
+}
+
+/// A parameter of an operation, a script or a function.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter<'p> {
     /// Its name.
     pub name: &'p str,
     /// Its type as the language writes it: `edge`, `real`, `vec3` …
     pub ty: &'static str,
-    /// What it is if it is not given, as the program writes it.
+    /// Its default, as the program writes it.
     pub default: Option<&'p str>,
 }
 
@@ -82,6 +90,27 @@ impl Op {
         parameters(&self.program, &self.item().params)
     }
 
+    /// The program.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// True if both are the same operation of the same program.
+    pub fn is(&self, other: &Self) -> bool {
+        self.index == other.index && self.program.is(&other.program)
+    }
+
+    /// The levels, of those that are more than a map, that a mesh keeps.
+    pub fn keeps(&self) -> &[Level] {
+        self.application().map_or(&[], |application| &application.plan().keeps)
+    }
+
+    /// The verdict of its proof.
+    #[doc(hidden)]
+    pub fn proved(&self) -> analysis::Verdict {
+        analysis::verdict(&self.program.0.analysis, self.index)
+    }
+
     /// The kind of its result, if it has one.
     pub fn result(&self) -> Option<ElementKind> {
         self.application().ok()?.plan().result
@@ -113,6 +142,11 @@ impl Script {
         &self.program.0.analysis.program.scripts[self.index]
     }
 
+    /// The program.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
     pub(super) fn prepared(&self) -> Result<&Prepared, Error> {
         let parts = &self.program.0;
         let made = parts.scripts[self.index]
@@ -133,6 +167,67 @@ impl Script {
     /// Its parameters, in order.
     pub fn parameters(&self) -> Vec<Parameter<'_>> {
         parameters(&self.program, &self.item().params)
+    }
+}
+
+impl Function {
+    pub(super) fn new(program: &Program, index: usize) -> Self {
+        Self { program: program.clone(), index }
+    }
+
+    fn item(&self) -> &resolve::Function {
+        &self.program.0.analysis.program.functions[self.index]
+    }
+
+    /// The program.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    pub(super) fn prepared(&self) -> Result<&Prepared, Error> {
+        let parts = &self.program.0;
+        let made = parts.functions[self.index].get_or_init(|| {
+            prepare_function(&parts.analysis.program, self.index, &parts.analysis.plans)
+        });
+        made.as_ref().map_err(|errors| Error::new(errors.clone(), &parts.sources))
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.item().name
+    }
+
+    /// Its doc comment, line by line.
+    pub fn docs(&self) -> &[String] {
+        &self.item().docs
+    }
+
+    /// Its parameters, in order.
+    pub fn parameters(&self) -> Vec<Parameter<'_>> {
+        parameters(&self.program, &self.item().params)
+    }
+
+    /// The type of its value as the language writes it, if it gives one.
+    pub fn result(&self) -> Option<&'static str> {
+        self.result_type().map(Type::word)
+    }
+
+    pub(super) fn result_type(&self) -> Option<Type> {
+        self.item().result
+    }
+
+    /// True if it may change the mesh.
+    ///
+    /// # Errors
+    /// It calls an operation that is not proved.
+    pub fn changes(&self) -> Result<bool, Error> {
+        Ok(self.prepared()?.changes())
+    }
+}
+
+impl fmt::Debug for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Function").field(&self.name()).finish()
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::mesh::{Level, Mesh};
 use crate::run::highest_between;
 
-/// What is known of the level of a mesh.
+/// The level that a mesh is known to have.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
     /// It surely has this one.

@@ -32,10 +32,11 @@ impl Session {
     /// The mark has ended, or is another session's (`unknown-mark`).
     pub fn undo(&mut self, mark: Mark) -> Result<(), Error> {
         self.end(mark, |session, bookmark, known| {
+            session.masks.note(&session.mesh, &bookmark);
             session.mesh.roll_back(bookmark);
             session.known = known;
             // Columns may have come since.
-            session.unbind();
+            session.engine.unbind();
         })
     }
 
@@ -54,7 +55,7 @@ impl Session {
     ) -> Result<(), Error> {
         let Some(at) = self.marks.open.iter().position(|(open, ..)| *open == mark) else {
             let message = "this mark has ended, or belongs to another session".to_owned();
-            return Err(Error::nowhere("unknown-mark", message, &self.program.0.sources));
+            return Err(Error::nowhere("unknown-mark", message, &self.engine.program.0.sources));
         };
         while self.marks.open.len() > at {
             if let Some((_, bookmark, known)) = self.marks.open.pop() {

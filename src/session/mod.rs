@@ -13,18 +13,27 @@ mod item;
 mod program;
 
 mod arguments;
+mod attributes;
 mod outcome;
+mod values;
 
+mod engine;
 mod level;
 mod marks;
+mod masks;
+#[cfg(feature = "draw")]
+mod picture;
 mod questions;
 #[allow(clippy::module_inception)]
 mod session;
 
 pub use arguments::{Arguments, Given};
 pub use error::Error;
-pub use item::{Op, Parameter, Script};
+pub use item::{Function, Op, Parameter, Script};
 pub use marks::Mark;
+pub use masks::KeptMask;
 pub use outcome::{Outcome, Reason, Verdict};
 pub use program::Program;
+pub use questions::Match;
 pub use session::Session;
+pub use values::Values;

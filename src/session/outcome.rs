@@ -1,11 +1,11 @@
-//! What becomes of a call of an operation.
+//! Outcomes of calls of operations.
 
 use std::fmt;
 use std::sync::Arc;
 
 use crate::mesh::Element;
 
-/// What became of a call of an operation.
+/// The outcome of a call of an operation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It has been applied; the element that it returned, if it returns one.
@@ -15,7 +15,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Whether it has been applied.
+    /// True if it has been applied.
     pub fn is_applied(&self) -> bool {
         matches!(self, Self::Applied(_))
     }
@@ -42,7 +42,7 @@ impl Outcome {
 pub struct Reason {
     /// Its number among them.
     pub number: usize,
-    /// What it says.
+    /// Its text.
     pub text: Arc<str>,
 }
 
@@ -52,7 +52,7 @@ impl fmt::Display for Reason {
     }
 }
 
-/// Whether an operation would be applied at an element.
+/// The answer if an operation would be applied at an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// There is no such element.

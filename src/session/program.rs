@@ -6,18 +6,20 @@ use std::sync::{Arc, OnceLock};
 use strsim::damerau_levenshtein;
 
 use super::item::ApplicationOrError;
-use super::{Error, Op, Script};
-use crate::analysis::{Analysis, Disk, Reader, read_program};
+use super::{Error, Function, Op, Script};
+use crate::analysis::{Analysis, Disk, Nowhere, Reader, read_program};
 use crate::diagnostic::Diagnostic;
 use crate::library;
 use crate::run::Prepared;
-use crate::source::{Sources, Span};
+use crate::source::{FileId, Sources, Span};
 
 /// A program that is proved and compiled. Copies are cheap and share all of it.
 #[derive(Clone)]
 pub struct Program(pub(super) Arc<Parts>);
 
-/// What copies of a program share.
+type PreparedOrErrors = Result<Prepared, Vec<Diagnostic>>;
+
+/// The parts that copies of a program share.
 pub(super) struct Parts {
     pub(super) sources: Arc<Sources>,
     pub(super) analysis: Analysis,
@@ -26,7 +28,9 @@ pub(super) struct Parts {
     /// The reasons for which they refuse, by number.
     pub(super) reasons: Vec<OnceLock<Arc<[Arc<str>]>>>,
     /// The scripts, likewise.
-    pub(super) scripts: Vec<OnceLock<Result<Prepared, Vec<Diagnostic>>>>,
+    pub(super) scripts: Vec<OnceLock<PreparedOrErrors>>,
+    /// The functions, likewise.
+    pub(super) functions: Vec<OnceLock<PreparedOrErrors>>,
 }
 
 impl Program {
@@ -58,9 +62,55 @@ impl Program {
         Self::read(name, text, &mut Disk)
     }
 
+    /// The same, where somebody else has the files that it uses.
+    ///
+    /// # Errors
+    /// Something in the program is wrong.
+    pub fn parse_with(name: &str, text: &str, reader: &mut dyn Reader) -> Result<Self, Error> {
+        Self::read(name, text, reader)
+    }
+
+    /// A program from texts alone, each with its name, the program itself first; what it uses
+    /// besides must be of the library. [`texts`](Self::texts) gives them.
+    ///
+    /// # Errors
+    /// There are none, or something in the program is wrong.
+    pub fn from_texts(texts: &[(String, String)]) -> Result<Self, Error> {
+        let mut sources = Sources::new();
+        let files: Vec<_> = texts.iter().map(|(name, text)| sources.add(name, text)).collect();
+        match files.first() {
+            Some(&file) => Self::analysed(sources, file, &mut Nowhere),
+            None => {
+                let message = "a program of no texts".to_owned();
+                Err(Error::nowhere("missing-file", message, &Arc::default()))
+            }
+        }
+    }
+
+    /// Names and texts of the program and all that it uses, its own first, those of the library
+    /// left out.
+    pub fn texts(&self) -> Vec<(String, String)> {
+        let (sources, own) = (&self.0.sources, self.0.analysis.file);
+        let others = sources.ids().filter(|&file| file != own);
+        let others = others.filter(|&file| library::file(sources.get(file).name()).is_none());
+        let texts = std::iter::once(own).chain(others).map(|file| {
+            let source = sources.get(file);
+            (source.name().to_owned(), source.text().to_owned())
+        });
+        texts.collect()
+    }
+
     fn read(name: &str, text: &str, reader: &mut dyn Reader) -> Result<Self, Error> {
         let mut sources = Sources::new();
         let file = sources.add(name, text);
+        Self::analysed(sources, file, reader)
+    }
+
+    fn analysed(
+        mut sources: Sources,
+        file: FileId,
+        reader: &mut dyn Reader,
+    ) -> Result<Self, Error> {
         let analysis = Analysis::with(&mut sources, file, reader);
         let sources = Arc::new(sources);
         if !analysis.is_sound() {
@@ -68,11 +118,13 @@ impl Program {
         }
         let ops = analysis.program.ops.len();
         let scripts = analysis.program.scripts.len();
+        let functions = analysis.program.functions.len();
         Ok(Self(Arc::new(Parts {
             sources,
             applications: (0..ops).map(|_| OnceLock::new()).collect(),
             reasons: (0..ops).map(|_| OnceLock::new()).collect(),
             scripts: (0..scripts).map(|_| OnceLock::new()).collect(),
+            functions: (0..functions).map(|_| OnceLock::new()).collect(),
             analysis,
         })))
     }
@@ -107,6 +159,20 @@ impl Program {
         }
     }
 
+    /// The function of a name: of the file itself, or else of those that it uses.
+    ///
+    /// # Errors
+    /// There is none (`unknown-function`).
+    pub fn function(&self, name: &str) -> Result<Function, Error> {
+        match self.0.analysis.function(name) {
+            Some(function) => Ok(Function::new(self, function)),
+            None => {
+                let names = self.functions().map(|function| function.name().to_owned()).collect();
+                Err(self.unknown(("unknown-function", "function"), name, None, names))
+            }
+        }
+    }
+
     /// All operations that can be named, those of the file first.
     pub fn ops(&self) -> impl Iterator<Item = Op> + '_ {
         let ops = self.0.analysis.program.ops.iter().map(|op| op.span);
@@ -119,14 +185,33 @@ impl Program {
         self.visible(scripts).map(|at| Script::new(self, at))
     }
 
+    /// All functions that can be named, those of the file first.
+    pub fn functions(&self) -> impl Iterator<Item = Function> + '_ {
+        let functions = self.0.analysis.program.functions.iter().map(|function| function.span);
+        self.visible(functions).map(|at| Function::new(self, at))
+    }
+
     fn visible(&self, spans: impl Iterator<Item = Span>) -> impl Iterator<Item = usize> {
         let seen = spans.enumerate().filter(|(_, span)| self.0.analysis.seen.contains(&span.file));
         seen.map(|(at, _)| at)
     }
 
-    /// What is doubtful about it.
+    /// The warnings about it.
     pub fn warnings(&self) -> &[Diagnostic] {
         &self.0.analysis.diagnostics
+    }
+
+    /// The analysis of its texts.
+    pub(crate) fn analysis(&self) -> &Analysis {
+        &self.0.analysis
+    }
+
+    /// True for an operation or a script that its own file declares, not one that it uses.
+    pub(crate) fn is_own(&self, name: &str) -> bool {
+        let analysis = &self.0.analysis;
+        let op = analysis.op(name).map(|at| analysis.program.ops[at].span.file);
+        let script = || analysis.script(name).map(|at| analysis.program.scripts[at].span.file);
+        op.or_else(script) == Some(analysis.file)
     }
 
     /// Its texts, for rendering diagnostics.
@@ -134,7 +219,7 @@ impl Program {
         &self.0.sources
     }
 
-    /// Whether both are the same program, not only alike.
+    /// True if both are the same program, not only alike.
     pub(super) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }

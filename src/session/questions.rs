@@ -1,12 +1,61 @@
-//! Whether operations would be applied: nothing is written.
+//! Questions whether operations would be applied; nothing is written.
 
 use super::{Arguments, Error, Op, Reason, Session, Verdict};
+use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
-use crate::rewrite::{Outcome, Unwatched};
-use crate::run::Argument;
+use crate::mesh::{Element, ElementKind};
+use crate::rewrite::{Outcome, Trap, Unwatched};
+use crate::run::{Application, Argument, Prepared};
+
+/// The parameter of an operation that is asked for all elements.
+pub(super) struct Free<'o> {
+    pub(super) application: &'o Application,
+    /// Its number.
+    pub(super) at: usize,
+    pub(super) kind: ElementKind,
+    /// Its slot in the window.
+    pub(super) slot: usize,
+}
+
+/// The first parameter that is an element and has no value, its kind, and its place in the window.
+pub(super) fn free_parameter(
+    parameters: &Prepared,
+    values: &[Option<Argument>],
+) -> Option<(usize, ElementKind, usize)> {
+    let mut slot = 0;
+    for (at, (param, value)) in parameters.params().iter().zip(values).enumerate() {
+        if let (None, Some(kind)) = (value, element_kind(param.ty)) {
+            return Some((at, kind, slot));
+        }
+        slot += usize::from(width(param.ty));
+    }
+    None
+}
+
+impl Op {
+    pub(super) fn verdict(&self, outcome: Outcome) -> Verdict {
+        match outcome {
+            Outcome::Applied { .. } => Verdict::Applies,
+            Outcome::Refused { reason } => {
+                let unknown = self.reasons().len() - 1;
+                Verdict::Refuses(reason.map_or(unknown, usize::from).min(unknown))
+            }
+        }
+    }
+}
+
+/// A match of an operation: what its drawing means at a place.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Match {
+    /// The place of the rule that matches, among those of the operation.
+    pub rule: usize,
+    /// The names of its `before`, with what they stand for: one element each, of a family one for
+    /// each index. None of an operation in steps, which draws none.
+    pub names: Vec<(String, Vec<Element>)>,
+}
 
 impl Session {
-    /// Whether an operation would be applied.
+    /// True if an operation would be applied.
     ///
     /// # Errors
     /// As of [`apply`](Self::apply).
@@ -21,6 +70,28 @@ impl Session {
     pub fn why(&mut self, op: &Op, arguments: impl Arguments) -> Result<Option<Reason>, Error> {
         let refusal = self.ask(op, arguments)?;
         Ok(refusal.map(|reason| self.reason(op, reason)))
+    }
+
+    /// The rule of an operation that matches, and what its names stand for; or why it would refuse.
+    ///
+    /// # Errors
+    /// As of [`apply`](Self::apply).
+    pub fn matched(
+        &mut self,
+        op: &Op,
+        arguments: impl Arguments,
+    ) -> Result<Result<Match, Reason>, Error> {
+        if let Some(reason) = self.ask(op, arguments)? {
+            return Ok(Err(self.reason(op, reason)));
+        }
+        let Some((rule, names)) = self.engine.machine.matched(op.application()?.plan()) else {
+            return Ok(Ok(Match::default()));
+        };
+        let names = names.into_iter().map(|(name, kind, ids)| {
+            let elements = ids.into_iter().map(|index| Element { kind, index });
+            (name.to_owned(), elements.collect())
+        });
+        Ok(Ok(Match { rule, names: names.collect() }))
     }
 
     /// At which elements an operation would be applied: for each slot of the first parameter that
@@ -48,7 +119,7 @@ impl Session {
         self.give(application.parameters(), arguments)?;
         self.make_ready(op, application)?;
         let plan = application.plan();
-        let asked = self.machine.ask(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+        let asked = self.engine.machine.ask(&mut self.mesh, plan, &self.slots, &mut Unwatched);
         match asked.map_err(|trap| self.trapped(application, trap))? {
             Outcome::Applied { .. } => Ok(None),
             Outcome::Refused { reason } => Ok(Some(reason)),
@@ -61,20 +132,7 @@ impl Session {
         arguments: impl Arguments,
         answer: impl Fn(Verdict) -> T,
     ) -> Result<Vec<T>, Error> {
-        self.expect_own(&op.program)?;
-        let application = op.application()?;
-        let parameters = application.parameters();
-        self.give(parameters, arguments)?;
-        let mut places = parameters.params().iter().zip(&self.values).enumerate();
-        let free = places.find_map(|(at, (param, value))| match value {
-            None => Some((at, crate::compile::element_kind(param.ty)?)),
-            Some(_) => None,
-        });
-        let Some((at, kind)) = free else {
-            let message = format!("`{}` has no parameter left that is an element", op.name());
-            let error = Diagnostic::error("wrong-argument", message, super::error::NOWHERE);
-            return Err(self.error(error));
-        };
+        let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
         let mut answers = vec![answer(Verdict::Gone); self.mesh.capacity(kind)];
         let ids = 0..answers.len() as u32;
         let living: Vec<u32> = ids.filter(|&id| self.mesh.is_alive(kind, id)).collect();
@@ -83,25 +141,45 @@ impl Session {
         };
         self.values[at] = Some(Argument::Element(kind, first));
         self.make_ready(op, application)?;
-        let before = parameters.params()[..at].iter();
-        let slot = before.map(|param| usize::from(crate::compile::width(param.ty))).sum::<usize>();
         let plan = application.plan();
-        let unknown = op.reasons().len() - 1;
         for id in living {
             self.slots[slot] = u64::from(id);
-            let asked = self.machine.ask(&mut self.mesh, plan, &self.slots, &mut Unwatched);
-            let verdict = match asked {
-                Ok(Outcome::Applied { .. }) => Verdict::Applies,
-                Ok(Outcome::Refused { reason }) => {
-                    Verdict::Refuses(reason.map_or(unknown, usize::from).min(unknown))
-                }
-                Err(trap) => {
-                    let told = application.told(trap, &self.mesh);
-                    return Err(self.error(told.note(format!("asked at {kind} {id}"))));
-                }
-            };
-            answers[id as usize] = answer(verdict);
+            let asked = self.engine.machine.ask(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+            let asked = asked.map_err(|trap| self.trapped_at(application, trap, (kind, id)))?;
+            answers[id as usize] = answer(op.verdict(asked));
         }
         Ok(answers)
+    }
+
+    /// Takes the arguments, and finds the parameter that is asked for all elements.
+    pub(super) fn free_parameter<'o>(
+        &mut self,
+        op: &'o Op,
+        arguments: impl Arguments,
+    ) -> Result<Free<'o>, Error> {
+        self.expect_own(&op.program)?;
+        let application = op.application()?;
+        let parameters = application.parameters();
+        self.give(parameters, arguments)?;
+        match free_parameter(parameters, &self.values) {
+            Some((at, kind, slot)) => Ok(Free { application, at, kind, slot }),
+            None => Err(self.no_free_parameter(op.name())),
+        }
+    }
+
+    pub(super) fn no_free_parameter(&self, name: &str) -> Error {
+        let message = format!("`{name}` has no parameter left that is an element");
+        self.error(Diagnostic::error("wrong-argument", message, super::error::NOWHERE))
+    }
+
+    /// A trap where an operation was asked.
+    pub(super) fn trapped_at(
+        &self,
+        application: &Application,
+        trap: Trap,
+        (kind, id): (ElementKind, u32),
+    ) -> Error {
+        let told = application.told(trap, &self.mesh);
+        self.error(told.note(format!("asked at {kind} {id}")))
     }
 }

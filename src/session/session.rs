@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use super::engine::Engine;
 use super::level::Known;
 use super::marks::Marks;
+use super::masks::Masks;
 use super::{Arguments, Error, Given, Op, Outcome, Program, Reason, Script};
 use crate::diagnostic::Diagnostic;
-use crate::mesh::{ColumnId, Element, ElementKind, Mesh};
-use crate::rewrite::{self, Machine, Trap, Unwatched, Watch};
+use crate::mesh::{Element, ElementKind, Mesh};
+use crate::rewrite::{self, Trap, Unwatched, Watch};
 use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report};
 
 /// A mesh, and operations and scripts of one program at work on it.
@@ -30,16 +32,13 @@ use crate::run::{self, Application, Argument, Columns, Failure, Prepared, Report
 /// An operation that refuses or fails leaves the mesh as it was. A script that fails has done what
 /// it did so far, each step of it whole; [`attempt`](Self::attempt) makes it all or nothing.
 pub struct Session {
-    pub(super) program: Program,
+    pub(super) engine: Engine,
+    /// Those of other programs that have been used.
+    others: Vec<Engine>,
     pub(super) mesh: Mesh,
-    pub(super) machine: Machine,
-    /// Where the attributes lie in the mesh, by number.
-    columns: Vec<Option<ColumnId>>,
-    /// By number whether the columns of an operation or a script are on the mesh.
-    bound_ops: Vec<bool>,
-    bound_scripts: Vec<bool>,
     pub(super) known: Known,
     pub(super) marks: Marks,
+    pub(super) masks: Masks,
     pub(super) values: Vec<Option<Argument>>,
     pub(super) slots: Vec<u64>,
     created: Vec<Element>,
@@ -49,16 +48,13 @@ pub struct Session {
 impl Session {
     /// A mesh for a program.
     pub fn new(program: &Program, mesh: Mesh) -> Self {
-        let analysis = &program.0.analysis;
         Self {
-            machine: Machine::new(&analysis.plans),
-            columns: vec![None; analysis.program.attributes.len()],
-            bound_ops: vec![false; analysis.program.ops.len()],
-            bound_scripts: vec![false; analysis.program.scripts.len()],
-            program: program.clone(),
+            engine: Engine::new(program),
+            others: Vec::new(),
             mesh,
             known: Known::NOTHING,
             marks: Marks::default(),
+            masks: Masks::default(),
             values: Vec::new(),
             slots: Vec::new(),
             created: Vec::new(),
@@ -68,7 +64,24 @@ impl Session {
 
     /// The program.
     pub fn program(&self) -> &Program {
-        &self.program
+        &self.engine.program
+    }
+
+    /// Goes over to another program: from now on its operations, scripts and functions are called.
+    /// The mesh stays, with its attributes but those that are scratch, and so do marks. What calls
+    /// of the program before need is kept, so that to come back costs little.
+    pub fn use_program(&mut self, program: &Program) {
+        if self.engine.program.is(program) {
+            return;
+        }
+        self.engine.release(&mut self.mesh);
+        self.engine.unbind();
+        let known = self.others.iter().position(|other| other.program.is(program));
+        let next = match known {
+            Some(at) => self.others.swap_remove(at),
+            None => Engine::new(program),
+        };
+        self.others.push(std::mem::replace(&mut self.engine, next));
     }
 
     /// The mesh.
@@ -78,8 +91,9 @@ impl Session {
 
     /// The mesh, to be changed by hand. Its level has to be found out anew afterwards.
     pub fn mesh_mut(&mut self) -> &mut Mesh {
-        self.unbind();
+        self.engine.unbind();
         self.known = Known::NOTHING;
+        self.masks.forget();
         &mut self.mesh
     }
 
@@ -87,19 +101,22 @@ impl Session {
     pub fn into_mesh(mut self) -> Mesh {
         let mut mesh = std::mem::take(&mut self.mesh);
         mesh.keep_all();
-        let parts = &self.program.0;
-        let ops = parts.applications.iter().filter_map(|op| op.get()?.as_ref().ok());
-        ops.for_each(|op| op.columns().release(&mut mesh));
-        let scripts = parts.scripts.iter().filter_map(|script| script.get()?.as_ref().ok());
-        scripts.for_each(|script| script.columns().release(&mut mesh));
+        self.engine.release(&mut mesh);
+        mesh
+    }
+
+    /// A copy of the mesh, without scratch attributes. What is marked stays.
+    pub fn copy_mesh(&self) -> Mesh {
+        let mut mesh = self.mesh.clone();
+        mesh.keep_all();
+        self.engine.release(&mut mesh);
         mesh
     }
 
     /// Another session with the same mesh. It has no marks.
     pub fn copy(&self) -> Self {
-        let mut mesh = self.mesh.clone();
-        mesh.keep_all();
-        let mut copy = Self::new(&self.program, mesh);
+        let mesh = self.copy_mesh();
+        let mut copy = Self::new(&self.engine.program, mesh);
         copy.known = self.known;
         copy
     }
@@ -107,10 +124,16 @@ impl Session {
     /// Keeps to a limit of memory, in bytes, for the mesh and for lists: what needs more fails with
     /// `no-room`. There is none at first.
     pub fn limit_memory(&mut self, bytes: usize) {
-        self.machine.limit_memory(bytes);
+        self.engine.machine.limit_memory(bytes);
     }
 
-    /// Whether an element is alive.
+    /// Says from which seed the numbers come that scripts and functions get by chance from now on.
+    /// Without it, they come from 0, and go on from call to call.
+    pub fn seed(&mut self, seed: u64) {
+        self.engine.machine.seed(seed);
+    }
+
+    /// True if an element is alive.
     pub fn is_alive(&self, element: impl Into<Element>) -> bool {
         let Element { kind, index } = element.into();
         self.mesh.is_alive(kind, index)
@@ -132,17 +155,23 @@ impl Session {
         self.created.clear();
         self.erased.clear();
         let application = self.enter(op, arguments)?;
-        self.machine.remember_created();
+        self.engine.machine.remember_created();
         let plan = application.plan();
         let gone = ElementKind::ALL.map(|kind| self.mesh.erased(kind).len());
-        let outcome = self.machine.apply_watched(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+        let mark = self.masks.are_kept().then(|| self.mesh.open_journal());
+        let outcome =
+            self.engine.machine.apply_watched(&mut self.mesh, plan, &self.slots, &mut Unwatched);
+        if let Some(mark) = mark {
+            self.masks.note(&self.mesh, &mark);
+            self.mesh.keep(mark);
+        }
         let outcome = outcome.map_err(|trap| self.trapped(application, trap))?;
         Ok(match outcome {
             rewrite::Outcome::Applied { result } => {
-                self.known.leave(plan.level_after(self.machine.level()));
+                self.known.leave(plan.level_after(self.engine.machine.level()));
                 application.columns().clear(&mut self.mesh);
                 let element = |&(kind, index): &(ElementKind, u32)| Element { kind, index };
-                self.created.extend(self.machine.created().iter().map(element));
+                self.created.extend(self.engine.machine.created().iter().map(element));
                 for (kind, before) in ElementKind::ALL.into_iter().zip(gone) {
                     let gone = self.mesh.erased(kind)[before..].iter();
                     self.erased.extend(gone.map(|&index| Element { kind, index }));
@@ -154,17 +183,18 @@ impl Session {
         })
     }
 
-    /// What the last call of [`apply`](Self::apply) has created, in the order in which it did.
+    /// The elements that the last call of [`apply`](Self::apply) has created, in the order in which
+    /// it did.
     pub fn created(&self) -> &[Element] {
         &self.created
     }
 
-    /// What the last call of [`apply`](Self::apply) has erased.
+    /// The elements that the last call of [`apply`](Self::apply) has erased.
     pub fn erased(&self) -> &[Element] {
         &self.erased
     }
 
-    /// What was created and erased by the same call was never there for others.
+    /// Elements that were created and erased by the same call were never there for others.
     fn forget_passing(&mut self) {
         let Self { created, erased, mesh, .. } = self;
         if !erased.is_empty() && !created.is_empty() {
@@ -197,31 +227,43 @@ impl Session {
         self.expect_own(&script.program)?;
         let prepared = script.prepared()?;
         self.give(prepared, arguments)?;
+        if !std::mem::replace(&mut self.engine.bound_scripts[script.index], true) {
+            self.bind(prepared.columns())?;
+        }
+        self.go(prepared, watch)
+    }
+
+    /// Runs what is prepared with the values that are given; its columns are there.
+    pub(super) fn go(
+        &mut self,
+        prepared: &Prepared,
+        watch: &mut dyn Watch,
+    ) -> Result<Report, Error> {
         let mut texts = prepared.code().texts.clone();
         let known = texts.len();
         let filled = prepared.fill(&self.mesh, &self.values, &mut texts, &mut self.slots);
         filled.map_err(|error| self.error(error))?;
-        if !std::mem::replace(&mut self.bound_scripts[script.index], true) {
-            self.bind(prepared.columns())?;
+        if self.masks.are_kept() && prepared.changes() {
+            self.masks.forget();
         }
-        self.machine.forget_created();
-        self.machine.clear_counts();
-        self.machine.trust_level(self.known.level());
+        self.engine.machine.forget_created();
+        self.engine.machine.clear_counts();
+        self.engine.machine.trust_level(self.known.level());
         let outcome = match texts.len() == known {
-            true => self.machine.run(&mut self.mesh, prepared.code(), &self.slots, watch),
+            true => self.engine.machine.run(&mut self.mesh, prepared.code(), &self.slots, watch),
             false => {
                 let code = rewrite::Code { texts, ..prepared.code().clone() };
-                self.machine.run(&mut self.mesh, &code, &self.slots, watch)
+                self.engine.machine.run(&mut self.mesh, &code, &self.slots, watch)
             }
         };
-        self.known.leave(self.machine.level());
+        self.known.leave(self.engine.machine.level());
         prepared.columns().clear(&mut self.mesh);
-        let report = run::report(prepared, self.machine.counts());
+        let report = run::report(prepared, self.engine.machine.counts());
         match outcome {
             Ok(_) => Ok(report),
             Err(trap) => {
                 let diagnostic = run::diagnostic(prepared, trap);
-                Err(Error::failure(Failure { diagnostic, report }, &self.program.0.sources))
+                Err(Error::failure(Failure { diagnostic, report }, &self.engine.program.0.sources))
             }
         }
     }
@@ -241,11 +283,11 @@ impl Session {
 
     /// The program is this session's.
     pub(super) fn expect_own(&self, program: &Program) -> Result<(), Error> {
-        if self.program.is(program) {
+        if self.engine.program.is(program) {
             return Ok(());
         }
         let message = "this belongs to another program than the session";
-        Err(Error::nowhere("foreign-program", message.to_owned(), &self.program.0.sources))
+        Err(Error::nowhere("foreign-program", message.to_owned(), &self.engine.program.0.sources))
     }
 
     /// Takes the arguments.
@@ -271,44 +313,37 @@ impl Session {
         if has < plan.level {
             application.expect_level(&self.mesh).map_err(|error| self.error(error))?;
         }
-        if !std::mem::replace(&mut self.bound_ops[op.index], true) {
+        if !std::mem::replace(&mut self.engine.bound_ops[op.index], true) {
             self.bind(application.columns())?;
         }
-        self.machine.trust_level(has);
+        self.engine.machine.trust_level(has);
         if !all_given {
-            self.machine.forget_created();
+            self.engine.machine.forget_created();
             let code = parameters.code();
-            let run = self.machine.run(&mut self.mesh, code, &self.slots, &mut Unwatched);
+            let run = self.engine.machine.run(&mut self.mesh, code, &self.slots, &mut Unwatched);
             run.map_err(|trap| self.error(application.told_of_parameters(trap)))?;
-            for (slot, value) in self.slots.iter_mut().zip(self.machine.window()) {
+            for (slot, value) in self.slots.iter_mut().zip(self.engine.machine.window()) {
                 *slot = *value;
             }
         }
         Ok(())
     }
 
-    fn bind(&mut self, columns: &Columns) -> Result<(), Error> {
+    pub(super) fn bind(&mut self, columns: &Columns) -> Result<(), Error> {
         match columns.bind(&mut self.mesh) {
             Ok(places) => {
-                for (known, place) in self.columns.iter_mut().zip(places) {
+                for (known, place) in self.engine.columns.iter_mut().zip(places) {
                     *known = place.or(*known);
                 }
-                self.machine.use_columns(self.columns.clone());
+                self.engine.machine.use_columns(self.engine.columns.clone());
                 Ok(())
             }
             Err(conflict) => {
                 // Nobody knows which of them are there.
-                self.unbind();
+                self.engine.unbind();
                 Err(self.error(conflict))
             }
         }
-    }
-
-    /// The columns are to be looked for anew.
-    pub(super) fn unbind(&mut self) {
-        self.bound_ops.fill(false);
-        self.bound_scripts.fill(false);
-        self.columns.fill(None);
     }
 
     pub(super) fn reason(&self, op: &Op, number: Option<u16>) -> Reason {
@@ -323,7 +358,7 @@ impl Session {
     }
 
     pub(super) fn error(&self, diagnostic: Diagnostic) -> Error {
-        Error::one(diagnostic, &self.program.0.sources)
+        Error::one(diagnostic, &self.engine.program.0.sources)
     }
 }
 
@@ -337,7 +372,7 @@ impl std::fmt::Debug for Session {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let counts = ElementKind::ALL.map(|kind| (kind.plural(), self.mesh.count(kind)));
         let mut shown = f.debug_struct("Session");
-        shown.field("program", &self.program);
+        shown.field("program", &self.engine.program);
         for (name, count) in &counts {
             shown.field(name, count);
         }

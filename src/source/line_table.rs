@@ -1,6 +1,6 @@
 //! From bytes to lines and columns, and back.
 
-/// Where each line of a text begins.
+/// The starts of the lines of a text.
 #[derive(Clone, Debug)]
 pub struct LineTable {
     starts: Vec<u32>,
@@ -16,7 +16,7 @@ impl LineTable {
         Self { starts }
     }
 
-    /// How many lines there are; at least one.
+    /// The number of lines; at least one.
     pub fn line_count(&self) -> usize {
         self.starts.len()
     }
@@ -29,20 +29,5 @@ impl LineTable {
     /// The first byte of a 0-based line, or `None` behind the last line.
     pub fn start(&self, line: usize) -> Option<usize> {
         self.starts.get(line).map(|&start| start as usize)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_byte_lies_in_the_line_that_starts_last_before_it() {
-        let table = LineTable::new("ab\n\ncd");
-        assert_eq!(table.line_count(), 3);
-        let lines: Vec<_> = (0..=6).map(|offset| table.line(offset)).collect();
-        assert_eq!(lines, [0, 0, 0, 1, 2, 2, 2]);
-        assert_eq!(table.start(2), Some(4));
-        assert_eq!(table.start(3), None);
     }
 }

@@ -11,7 +11,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// What the file is called in messages, usually its path as the user wrote it.
+    /// The name of the file in messages, usually its path as the user wrote it.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -74,21 +74,5 @@ impl Sources {
     /// The text a span covers.
     pub fn slice(&self, span: Span) -> &str {
         self.get(span.file).text().get(span.range()).unwrap_or("")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_count_characters() {
-        let mut sources = Sources::new();
-        let file = sources.add("a", "x\né𝄞z");
-        let source = sources.get(file);
-        assert_eq!(source.line_column(2), (2, 1));
-        assert_eq!(source.line_column(8), (2, 3));
-        assert_eq!(source.line_column(3), (2, 1), "inside a character: its start");
-        assert_eq!(sources.slice(Span::new(file, 4, 8)), "𝄞");
     }
 }

@@ -1,4 +1,4 @@
-//! Where something stands: a file and a range of bytes in it.
+//! Places in texts: a file and a range of bytes in it.
 
 /// A file among the [`Sources`](super::Sources), by the order in which it was added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -43,7 +43,7 @@ impl Span {
         self.start as usize..self.end as usize
     }
 
-    /// Whether the byte at `offset` lies inside, or just behind the last byte.
+    /// True if the byte at `offset` lies inside, or just behind the last byte.
     pub fn touches(self, offset: usize) -> bool {
         (self.start as usize..=self.end as usize).contains(&offset)
     }

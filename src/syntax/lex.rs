@@ -1,7 +1,7 @@
 //! Text to tokens, with the comments beside them.
 //!
-//! What is no token is reported and left out, so that the parser never sees it; a number
-//! or a text with a mistake in it is reported and stays.
+//! Characters that are no token are reported and left out, so that the parser never sees them; a
+//! number or a text with a mistake in it is reported and stays.
 
 use super::text::{holes, read_text};
 use super::token::{Token, TokenKind};
@@ -10,10 +10,10 @@ use crate::source::{FileId, Span};
 use logos::Logos;
 use std::ops::Range;
 
-/// How many runs of unknown characters are reported one by one.
+/// The greatest number of runs of unknown characters that are reported one by one.
 const MOST_UNKNOWN: usize = 16;
 
-/// What a comment is for.
+/// The purpose of a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CommentKind {
     /// `// …`
@@ -27,14 +27,14 @@ pub enum CommentKind {
 /// A comment and its place, without the line end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comment {
-    /// What it is for.
+    /// Its purpose.
     pub kind: CommentKind,
-    /// Where it stands, slashes included.
+    /// Its place in the source, slashes included.
     pub span: Span,
 }
 
 impl Comment {
-    /// What it says in the text it was read from, without slashes and outer spaces.
+    /// Its text as read, without slashes and outer spaces.
     pub fn text(self, source: &str) -> &str {
         let whole = source.get(self.span.range()).unwrap_or("");
         let marks = match self.kind {
@@ -46,14 +46,14 @@ impl Comment {
     }
 }
 
-/// What a text is made of.
+/// The tokens and comments of a text.
 #[derive(Clone, Debug)]
 pub struct Lexed {
     /// Every token, in order.
     pub tokens: Vec<Token>,
     /// Every comment, in order.
     pub comments: Vec<Comment>,
-    /// What is no token, and what is wrong with one.
+    /// The mistakes: characters that are no token, and what is wrong with one.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -248,60 +248,11 @@ fn shown(character: char) -> String {
     }
 }
 
-/// What stands on a keyboard for a sign that is typeset.
+/// The character on a keyboard for a sign that is typeset.
 fn usual(character: char) -> Option<&'static str> {
     Some(match character {
         '\u{2032}' | '\u{2019}' | '\u{2018}' => "'",
         '\u{201C}' | '\u{201D}' => "\"",
         _ => return None,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn kinds(text: &str) -> Vec<TokenKind> {
-        let lexed = lex(FileId(0), text);
-        assert_eq!(lexed.diagnostics, []);
-        lexed.tokens.iter().map(|token| token.kind).collect()
-    }
-
-    #[test]
-    fn marks_of_fixed_spelling_read_as_themselves() {
-        for &(word, kind) in TokenKind::KEYWORDS.iter().chain(TokenKind::MARKS) {
-            assert_eq!(kinds(word), [kind], "{word}");
-        }
-    }
-
-    #[test]
-    fn numbers_names_and_arrows_end_where_they_should() {
-        use TokenKind::{Arrow, Dot, FatArrow, Int, Minus, Real, Slash, Star, Word};
-        assert_eq!(kinds("4/3 0.5 1e-3 2E5"), [Int, Slash, Int, Real, Real, Real]);
-        assert_eq!(kinds("h'' *S ñandú_1 edges"), [Word, Star, Word, Word, Word]);
-        assert_eq!(kinds("-a->"), [Minus, Word, Arrow]);
-        assert_eq!(kinds("=P=>"), [TokenKind::Equals, Word, FatArrow]);
-        assert_eq!(kinds("1.x 1.0.x"), [Int, Dot, Word, Real, Dot, Word]);
-    }
-
-    #[test]
-    fn comments_end_before_the_line_end() {
-        let text = "\u{FEFF}// a \r\n\t/// b\r\n//!c\r//\r\n";
-        let lexed = lex(FileId(0), text);
-        assert_eq!((lexed.tokens.len(), lexed.diagnostics.len()), (0, 0));
-        let said: Vec<_> = lexed.comments.iter().map(|c| (c.kind, c.text(text))).collect();
-        let plain = CommentKind::Plain;
-        let kinds = [(plain, "a"), (CommentKind::Doc, "b"), (CommentKind::FileDoc, "c\r//")];
-        assert_eq!(said, kinds);
-    }
-
-    #[test]
-    fn runs_of_unknown_characters_are_reported_once_and_not_for_ever() {
-        let garbage = lex(FileId(0), &"§§ \0 a ".repeat(1000));
-        assert_eq!(garbage.diagnostics.len(), MOST_UNKNOWN + 1);
-        assert_eq!(garbage.tokens.len(), 1000);
-        let run = lex(FileId(0), "a §¶§ § b");
-        assert_eq!(run.diagnostics.len(), 1);
-        assert_eq!(run.diagnostics[0].span(), Span::new(FileId(0), 2, 11));
-    }
 }

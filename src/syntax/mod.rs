@@ -6,7 +6,7 @@
 
 mod token;
 
-mod text;
+pub mod text;
 
 mod lex;
 
@@ -14,12 +14,13 @@ pub mod tree;
 
 mod parts;
 
-mod place;
+mod shift;
 
-mod habit;
+pub mod foreign_syntax;
 
 mod parse;
 
+pub use foreign_syntax::written_elsewhere;
 pub use lex::{Comment, CommentKind, Lexed, lex};
 pub use parse::{Parsed, parse, parse_again};
 pub use parts::Part;

@@ -1,6 +1,6 @@
-//! What lies directly in a statement or a value: other values, and blocks.
+//! Parts of a statement or a value: other values, and blocks.
 //!
-//! Who looks for something in code, whatever stands around it, walks it by these; who treats
+//! A search for something in code, whatever stands around it, walks it by these; who treats
 //! each kind of statement in its own way matches on the [tree](super::tree) instead.
 
 use super::tree::{Action, ActionKind, Block, Expr, ExprKind, Shown};

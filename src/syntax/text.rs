@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// A text as it was meant, and the escapes that mean nothing.
-pub(super) struct ReadText {
+pub struct ReadText {
     /// The text; an unknown escape stands for itself.
     pub value: String,
     /// Unknown escapes and their places within the token.
@@ -11,7 +11,7 @@ pub(super) struct ReadText {
 }
 
 /// Undoes the escapes of a text token; the closing quote may be missing.
-pub(super) fn read_text(token: &str) -> ReadText {
+pub fn read_text(token: &str) -> ReadText {
     let mut read = ReadText { value: String::with_capacity(token.len()), unknown: Vec::new() };
     let mut chars = token.char_indices().skip(1).peekable();
     while let Some((at, character)) = chars.next() {
@@ -36,15 +36,15 @@ pub(super) fn read_text(token: &str) -> ReadText {
 
 /// The values in a text token, each a place between braces within it; the last one runs to the
 /// closing quote if its brace is missing.
-pub(super) struct Holes {
-    /// What stands between the braces, and before a format.
+pub struct Holes {
+    /// The values between the braces, and before a format.
     pub values: Vec<Range<usize>>,
-    /// Whether the brace of the last is missing.
+    /// True if the brace of the last is missing.
     pub is_open: bool,
 }
 
 /// Finds the values in a text token: `"mean {mean(len):.3}"` has one.
-pub(super) fn holes(token: &str) -> Holes {
+pub fn holes(token: &str) -> Holes {
     let mut holes = Holes { values: Vec::new(), is_open: false };
     let mut begun: Option<Hole> = None;
     let mut chars = token.char_indices();
@@ -77,42 +77,8 @@ pub(super) fn holes(token: &str) -> Holes {
 /// A value of which the end is not seen yet.
 struct Hole {
     start: usize,
-    /// How many braces are open in it.
+    /// The number of braces that are open in it.
     depth: usize,
-    /// Where its format begins.
+    /// The start of its format.
     format: Option<usize>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn escapes_are_undone_and_unknown_ones_are_told() {
-        let read = read_text(r#""a\n\"\\\q""#);
-        assert_eq!(read.value, "a\n\"\\\\q");
-        assert_eq!(read.unknown, [(8..10, r"\q".to_owned())]);
-    }
-
-    #[test]
-    fn values_in_texts_are_found() {
-        let found = |token: &str| {
-            let holes = holes(token);
-            let values = holes.values.into_iter().map(|hole| token[hole].to_owned());
-            (values.collect::<Vec<_>>(), holes.is_open)
-        };
-        let none: [&str; 0] = [];
-        assert_eq!(found(r#""a \{b\} }""#), (none.map(String::from).to_vec(), false));
-        let two = ["x.y", "if c { 1 } else { 2 }"].map(String::from).to_vec();
-        assert_eq!(found(r#""{x.y:.3}{if c { 1 } else { 2 }}""#), (two, false));
-        assert_eq!(found(r#""a {b""#), (vec!["b".to_owned()], true));
-        assert_eq!(found(r#""{""#), (vec![String::new()], true));
-    }
-
-    #[test]
-    fn a_text_may_break_off_anywhere() {
-        assert_eq!(read_text("\"").value, "");
-        assert_eq!(read_text("\"ab\\").value, "ab\\");
-        assert_eq!(read_text("").value, "");
-    }
 }

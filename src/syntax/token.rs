@@ -12,9 +12,9 @@ use std::fmt;
 /// A token and its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
+    /// Its kind.
     pub kind: TokenKind,
-    /// Where it stands.
+    /// Its place in the source.
     pub span: Span,
 }
 
@@ -24,11 +24,10 @@ macro_rules! token_kinds {
         keywords { $($word:literal $keyword:ident)* }
         marks { $($mark:literal $name:ident)* }
     ) => {
-        /// What a token is.
+        /// The kind of a token.
         #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[logos(skip r"[ \t\r\n\x0C\u{FEFF}]+")]
         #[repr(u8)]
-        #[allow(missing_docs)]
         pub enum TokenKind {
             $(#[token($word)] $keyword,)*
             $(#[token($mark)] $name,)*
@@ -62,7 +61,7 @@ macro_rules! token_kinds {
             /// A text up to its first value: `"mean {`. The automaton knows whole texts only;
             /// those with values in them are cut where they are read.
             TextHead,
-            /// What stands between two values of a text: `:.3} and {`.
+            /// The text between two values of a text: `:.3} and {`.
             TextMiddle,
             /// A text behind its last value: `}."`.
             TextTail,
@@ -90,7 +89,7 @@ macro_rules! token_kinds {
                 }
             }
 
-            /// Whether it is a keyword.
+            /// True if it is a keyword.
             pub fn is_keyword(self) -> bool {
                 matches!(self, $(Self::$keyword)|*)
             }
@@ -121,19 +120,18 @@ token_kinds! {
 }
 
 impl TokenKind {
-    /// Whether it is spelled like a name: a name or any keyword.
+    /// True if it is spelled like a name: a name or any keyword.
     pub fn is_wordlike(self) -> bool {
         self == Self::Word || self.is_keyword()
     }
 
-    /// Whether it is a keyword that may also be a name, since it means something only in
-    /// one place: `test` before a text, `private` before `attr`, `by` behind a sequence,
-    /// `steps` in an op.
+    /// True if it is a keyword that may also be a name, since it means something only in one place:
+    /// `test` before a text, `private` before `attr`, `by` behind a sequence, `steps` in an op.
     pub fn is_soft(self) -> bool {
         matches!(self, Self::Test | Self::Private | Self::By | Self::Steps)
     }
 
-    /// Whether it can stand where a name is wanted.
+    /// True if it can stand where a name is wanted.
     pub fn is_name(self) -> bool {
         self == Self::Word || self.is_soft()
     }

@@ -269,7 +269,10 @@ fn info_describes_a_mesh() {
 #[test]
 fn every_line_of_help_fits_a_terminal() {
     let bench = Bench::new();
-    for command in ["", "check", "run", "apply", "plan", "draw", "view", "explain", "info"] {
+    for command in [
+        "", "check", "run", "apply", "plan", "draw", "view", "explain", "info", "test", "play",
+        "learn",
+    ] {
         let arguments = [command, "--help"];
         let arguments = arguments.into_iter().filter(|word| !word.is_empty());
         let told = bench.succeeds(&arguments.collect::<Vec<_>>());

@@ -1,5 +1,7 @@
 //! Programs and files that would do harm: fill the memory, or speak to the terminal.
 
+use hedgerow::cli::memory;
+
 use crate::bench::Bench;
 
 const GROW: &str = "
@@ -46,6 +48,27 @@ fn who_creates_without_end_is_stopped_at_the_limit() {
     assert_eq!(bench.files(), ["grow.hedge", "square.obj"]);
     let run = ["run", "grow.hedge::grow", "square.obj", "--memory", "much"];
     bench.fails(2, &run, "`much` is no size");
+}
+
+#[test]
+fn keys_and_tests_keep_to_the_limit() {
+    let bench = Bench::with_square();
+    bench.write(
+        "keys.hedge",
+        "fn move(h: halfedge) { h.vertex.position = vec3(0) }
+fn keyed() { drain h in halfedges by length(h) while count(vertices) < 0 { move(h) } }
+test \"keys\" { mesh = grid(40, 40)  keyed() }
+test \"none\" {
+  mesh = grid(40, 40)
+  repeat 10 { for v in vertices { v.position = v.position * 1.0 } }
+}
+",
+    );
+    let said = bench.run(&["test", "keys.hedge", "--memory", "500K"]);
+    assert!(said.out.contains("1 passed, 1 failed"), "{said:?}");
+    assert!(said.err.contains("error[no-room]: there is no room for more in 500 KiB"), "{said:?}");
+    assert!(said.out.contains("ok      none"), "the mesh itself has room: {said:?}");
+    assert!(bench.succeeds(&["test", "keys.hedge", "--memory", "4M"]).contains("2 passed"));
 }
 
 #[test]
@@ -96,4 +119,15 @@ script t() {
     // For programs it is exact.
     let json = bench.json(&["run", "e.hedge::t", "square.obj"]);
     assert_eq!(json["ops"][0]["reasons"][0]["reason"], evil);
+}
+
+#[test]
+fn sizes() {
+    assert_eq!(memory::read("4G"), Ok(4 << 30));
+    assert_eq!(memory::read("1.5 MiB"), Ok(3 << 19));
+    assert_eq!(memory::read("1000"), Ok(1000));
+    for wrong in ["", "G", "much", "-1G", "0", "nan"] {
+        assert!(memory::read(wrong).is_err(), "{wrong}");
+    }
+    assert!(memory::usual() > 1 << 24);
 }

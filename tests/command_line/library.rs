@@ -104,3 +104,29 @@ fn the_only_script_of_a_file_is_found() {
     bench.fails(1, &["test", "test.hedge", "--seed", "2"], "the left side is");
     bench.fails(2, &["run", "std/nothing", "mesh.obj"], "cannot read `std/nothing`");
 }
+
+#[test]
+fn what_keeps_the_keys_of_a_drain_is_told() {
+    let bench = Bench::new();
+    bench.write("mesh.obj", TETRAHEDRON);
+    let told = |arguments: &[&str]| bench.run(arguments).out;
+    let simplify = ["run", "std/simplify.hedge", "mesh.obj", "--set", "faces_left=4", "-v"];
+    let line =
+        "std/simplify.hedge:140:3: changed keys of `drain` are found from what was written\n";
+    assert!(told(&simplify).contains(line), "{}", told(&simplify));
+    bench.write(
+        "own.hedge",
+        "fn far(v: vertex) -> int { var n = 0  var h = v.halfedge  while n < 9 { n = n + 1  h = h.next.twin }  degree(h.vertex) }
+         script main() {
+           drain v in vertices by far(v) { if degree(v) > 99 { print v } }
+           drain v in vertices by degree(v) + count(edges) { if degree(v) > 99 { print v } }
+         }",
+    );
+    let said = told(&["run", "own.hedge", "mesh.obj", "--verbose", "--format", "json"]);
+    let said: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let whys = ["the key follows pointers without bound", "the key reads all of the mesh"];
+    for (at, why) in whys.into_iter().enumerate() {
+        assert_eq!(said["drains"][at]["keys"], "found by what they have read", "{said}");
+        assert_eq!(said["drains"][at]["because"], why, "{said}");
+    }
+}

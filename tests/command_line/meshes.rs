@@ -101,7 +101,7 @@ fn repair_makes_a_mesh_and_says_how() {
     bench.write("fins.obj", fins);
     let run = ["run", "s.hedge", "fins.obj", "-o", "out.obj"];
     let said = bench.fails(2, &run, "2 faults keep its faces from being a mesh");
-    assert!(said.err.contains("1 edges of three faces or more: line 9,"), "{}", said.err);
+    assert!(said.err.contains("1 edge of three faces or more: line 9,"), "{}", said.err);
     assert!(said.err.contains("`--repair`"), "{}", said.err);
     assert!(!bench.has("out.obj"));
     let said = bench.run(&[&run[..], &["--repair"]].concat());
@@ -125,6 +125,19 @@ fn repair_makes_a_mesh_and_says_how() {
 }
 
 #[test]
+fn damaged_places_are_passed_over_on_demand() {
+    let bench = Bench::new();
+    bench.write("d.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2");
+    let told = "d.off:8: the file ends where a vertex of a face should stand; `--repair` ";
+    bench.fails(2, &["info", "d.off"], told);
+    let said = bench.run(&["info", "d.off", "--repair", "--format", "json"]);
+    assert!(said.out.contains("\"damaged_places\": 1"), "{said:?}");
+    let told = "d.off: repaired: passed over 1 damaged place of the file (line 8: the file ends \
+        where a vertex of a face should stand)\n";
+    assert_eq!(said.err, told);
+}
+
+#[test]
 fn every_line_of_an_obj_file_is_kept_or_told() {
     let bench = Bench::new();
     bench.write("s.hedge", "script s() { }\n");
@@ -145,7 +158,7 @@ fn every_line_of_an_obj_file_is_kept_or_told() {
     assert!(bench.read("n.obj").starts_with("v 0 0 0 1 0 0 0.5\nv 1 0 0 1 1 1 1\n"));
     for told in [
         "what it says with `%x`, first in line 4, is not in it",
-        "1 vertices with 5 numbers, or more than 7, first in line 6",
+        "1 vertex with 5 numbers, or more than 7, first in line 6",
         "1 `vt` with more than three numbers, first in line 5",
         "2 vertices without a colour, which are white now",
     ] {

@@ -128,6 +128,8 @@ fn standard_output_may_be_a_pipe() {
         let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
         let said = bench.run(&arguments);
         assert_eq!(said.code, 0, "{said:?}");
+        let of_mesh = |line: &str| matches!(line.get(..2), Some("v " | "f "));
+        assert!(said.out.lines().all(of_mesh), "reports go elsewhere: {said:?}");
         assert!(said.out.lines().filter(|line| line.starts_with("f ")).count() >= 2, "{said:?}");
     }
     assert_eq!(bench.files(), ["square.obj"]);

@@ -2,8 +2,7 @@
 //!
 //! `UPDATE=1` writes the pictures of the examples anew; look at them then.
 
-#[path = "../dice/mod.rs"]
-mod dice;
+mod colours;
 mod examples;
 mod meshes;
 mod mutants;

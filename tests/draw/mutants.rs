@@ -3,8 +3,8 @@
 use hedgerow::diagram::{NameId, Op, Ref, Rule, Side, Spoke};
 use hedgerow::draw::{draw_op, text_op};
 
-use super::dice::Dice;
 use super::{example_ops, ops_of};
+use support::dice::Dice;
 
 /// A name of the same kind, so that the diagram is still one the resolver could make.
 fn another(rule: &Rule, of: Ref, dice: &mut Dice) -> Ref {
@@ -126,10 +126,14 @@ fn odd_patterns_have_pictures() {
           }
         }
         op star(v: vertex) { before { vertex v: a *S b *T } after { vertex v: a *S b *T } }
+        op accents(é: halfedge) {
+          before { face ñ: u -é-> u }
+          after { face ñ: u -é-> u }
+        }
         op nothing(v: vertex) { before { } after { } }
     ";
     let ops = ops_of(text);
-    assert!(ops.len() >= 5, "only {} operations were read", ops.len());
+    assert!(ops.len() >= 8, "only {} operations were read", ops.len());
     for op in ops {
         let picture = draw_op(&op);
         assert!(picture.size().iter().all(|side| side.is_finite()), "{}", op.name);

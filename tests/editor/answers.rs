@@ -4,8 +4,8 @@
 use serde_json::{Value, json};
 
 use crate::client::{Client, document, position};
-use crate::pages::{self, Case};
 use crate::shown::{difference, edited, edits, range};
+use support::pages::{self, Case};
 
 #[test]
 fn every_answer_is_as_its_page_says() {

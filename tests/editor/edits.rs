@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::client::{Client, URI, document};
-use crate::dice::Dice;
+use support::dice::Dice;
 
 /// What people and cats type.
 const PIECES: &[&str] = &[

@@ -9,7 +9,7 @@ use lsp_server::{Message, Notification};
 use serde_json::json;
 
 use crate::client::{Client, URI, document, position};
-use crate::dice::Dice;
+use support::dice::Dice;
 
 const METHODS: [&str; 14] = [
     "hover",

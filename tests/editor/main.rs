@@ -1,10 +1,5 @@
 //! The language server: every answer, whole conversations, and what no editor should do.
 
-#[path = "../dice/mod.rs"]
-mod dice;
-#[path = "../pages/mod.rs"]
-mod pages;
-
 mod answers;
 mod client;
 mod commands;
@@ -13,6 +8,7 @@ mod edits;
 mod extension;
 mod latency;
 mod proofs;
+mod protocol;
 mod shown;
 mod sound;
 mod workspace;

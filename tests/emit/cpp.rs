@@ -12,10 +12,12 @@ use hedgerow::emit::{Style, cpp};
 use hedgerow::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 use tempfile::TempDir;
 
-use crate::columns;
-use crate::meshes::Dice;
-use crate::places::{Argument, Done, Tally, arguments, by_machine, compare, places, report};
-use crate::subjects::{Subject, emissions, folder};
+use support::emission::columns;
+use support::emission::places::{
+    Argument, Done, Tally, arguments, by_machine, compare, places, report,
+};
+use support::emission::subjects::{Subject, emissions, folder};
+use support::meshes::Dice;
 
 /// Whether there is a compiler. In CI there has to be one.
 fn has_compiler() -> bool {
@@ -159,6 +161,45 @@ fn done<'t>(words: &mut impl Iterator<Item = &'t str>) -> Done {
     }
 }
 
+/// The style of the class with accessors.
+pub fn accessors() -> Style {
+    let mut style = Style::default();
+    for text in [
+        "accessors",
+        "mesh=HalfEdgeMesh",
+        "member=yes",
+        "halfedge=half_edge",
+        "prev=prev",
+        "Vertex=V",
+        "Halfedge=H",
+        "Edge=E",
+        "Face=F",
+        "Vector=course::Vec",
+        "Vector2=course::Two",
+        "Vector4=course::Four",
+        "Matrix4=course::Matrix",
+        "erase_vertex=delete_vertex({of})",
+        "erase_halfedge=delete_halfedge({of})",
+        "erase_edge=delete_edge({of})",
+        "erase_face=delete_face({of})",
+    ] {
+        style.set(text).unwrap();
+    }
+    style
+}
+
+/// The declarations of the member functions that a text defines, which the class wants.
+pub fn declared(text: &str) -> String {
+    let signature = |line: &&str| {
+        line.contains(" HalfEdgeMesh::") && line.ends_with(") {") && !line.starts_with([' ', 'i'])
+    };
+    let declared = text.lines().filter(signature);
+    declared
+        .map(|line| line.replacen(" HalfEdgeMesh::", " ", 1))
+        .map(|line| line.replace(") {", ");\n").replace("HalfEdgeMesh::", ""))
+        .collect()
+}
+
 /// Compiles the ops in a style and holds the driver against the machine.
 fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
     let emissions = emissions();
@@ -168,14 +209,7 @@ fn run(title: &str, style: &Style, header: &str, tolerance: f64, most: usize) {
     // Refusals that hang by the last bit of a length fall the other way for short reals.
     subjects.retain(|subject| tolerance < 1e-8 || !hangs_by_a_bit(subject));
     let bench = TempDir::new().unwrap();
-    let signature = |line: &&str| {
-        line.contains(" HalfEdgeMesh::") && line.ends_with(") {") && !line.starts_with([' ', 'i'])
-    };
-    let declared = text.lines().filter(signature);
-    let declared: String = declared
-        .map(|line| line.replacen(" HalfEdgeMesh::", " ", 1))
-        .map(|line| line.replace(") {", ");\n").replace("HalfEdgeMesh::", ""))
-        .collect();
+    let declared = declared(&text);
     let write = |name: &str, text: &str| fs::write(bench.path().join(name), text).unwrap();
     write("declared.h", &declared);
     write("mesh.h", &fs::read_to_string(folder("tests/emit").join(header)).unwrap());
@@ -249,27 +283,5 @@ fn cpp_with_accessors_does_what_the_machine_does() {
     if !has_compiler() {
         return;
     }
-    let mut style = Style::default();
-    for text in [
-        "accessors",
-        "mesh=HalfEdgeMesh",
-        "member=yes",
-        "halfedge=half_edge",
-        "prev=prev",
-        "Vertex=V",
-        "Halfedge=H",
-        "Edge=E",
-        "Face=F",
-        "Vector=course::Vec",
-        "Vector2=course::Two",
-        "Vector4=course::Four",
-        "Matrix4=course::Matrix",
-        "erase_vertex=delete_vertex({of})",
-        "erase_halfedge=delete_halfedge({of})",
-        "erase_edge=delete_edge({of})",
-        "erase_face=delete_face({of})",
-    ] {
-        style.set(text).unwrap();
-    }
-    run("C++, accessors", &style, "accessors.h", 1e-4, 8);
+    run("C++, accessors", &accessors(), "accessors.h", 1e-4, 8);
 }

@@ -7,8 +7,8 @@ use hedgerow::analysis::{Analysis, Nowhere};
 use hedgerow::emit::{Selection, Style, cpp, rust};
 use hedgerow::source::Sources;
 
-use crate::examples::examples;
-use crate::subjects::folder;
+use support::emission::subjects::folder;
+use support::reference::examples::examples;
 
 /// The examples, the library, and what other tests try.
 fn paths() -> Vec<PathBuf> {
@@ -16,11 +16,11 @@ fn paths() -> Vec<PathBuf> {
     let library = fs::read_dir(folder("src/library/std")).unwrap();
     paths.extend(library.map(|entry| entry.unwrap().path()));
     let others = [
-        "tests/aliases/ops.hedge",
-        "tests/battery/more.hedge",
-        "tests/battery/odd.hedge",
+        "tests/proof/aliases/ops.hedge",
+        "tests/proof/battery/more.hedge",
+        "tests/proof/battery/odd.hedge",
         "tests/emit/guards.hedge",
-        "tests/families/more.hedge",
+        "tests/proof/families/more.hedge",
     ];
     paths.extend(others.map(folder));
     paths.sort();

@@ -1,31 +1,32 @@
-//! Emitted Rust, compiled with the tests.
+//! Emitted Rust, compiled with `rustc` into a program that holds it against the machine.
 
+use std::env;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use hedgerow::diagram::Type;
 use hedgerow::emit::rust;
-use hedgerow::mesh::identical;
+use support::emission::subjects::{Emission, Subject, emissions};
+use tempfile::TempDir;
 
-use crate::emitted;
-use crate::meshes::Dice;
-use crate::places::{Tally, arguments, by_machine, compare, places, report};
-use crate::subjects::{Emission, Subject, emissions, folder};
-
-/// The text of `emitted.rs`: all operations, those of a program in a module of their own, and a
-/// function that calls one by its name.
+/// A program of all operations, those of an emission in a module of their own, and a function
+/// that calls one by its name.
 fn text(emissions: &[Emission]) -> String {
-    let mut text = String::from("// Written by the test `rust_is_as_committed` with UPDATE=1.\n");
+    let mut text = String::new();
     for emission in emissions {
         let code = rust(&emission.selection()).unwrap();
-        writeln!(text, "\nmod {} {{\n{code}}}", emission.name).unwrap();
+        // The program knows these crates by way of the tests' own.
+        let code = code.replace("use glam::", "use support::glam::");
+        let code = code.replace("use hedgerow::", "use support::hedgerow::");
+        writeln!(text, "mod {} {{\n{code}}}", emission.name).unwrap();
     }
     text.push_str(
-        "\nuse crate::places::Argument::{self, *};\n\
-         use glam::DVec3;\n\
-         use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};\n\n\
-         /// Calls an operation: whether it applied, and its result.\n\
-         pub fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) {\n    \
+        "use support::emission::{hold_rust, places::Argument::{self, *}};\n\
+         use support::glam::DVec3;\n\
+         use support::hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};\n\
+         fn call(name: &str, mesh: &mut Mesh, a: &[Argument]) -> (bool, Option<u32>) {\n    \
          match (name, a) {\n",
     );
     for emission in emissions {
@@ -33,7 +34,8 @@ fn text(emissions: &[Emission]) -> String {
             text.push_str(&arm(&emission.name, subject));
         }
     }
-    text + "        _ => panic!(\"{name} is not there\"),\n    }\n}\n"
+    text + "        _ => panic!(\"{name} is not there\"),\n    }\n}\n\
+            fn main() {\n    hold_rust(call);\n}\n"
 }
 
 fn arm(module: &str, subject: &Subject) -> String {
@@ -62,47 +64,36 @@ fn arm(module: &str, subject: &Subject) -> String {
     format!("        (\"{name}\", &[{patterns}]) => {call},\n")
 }
 
-#[test]
-fn rust_is_as_committed() {
-    let text = text(&emissions());
-    let path = folder("tests/emit/emitted.rs");
-    if std::env::var_os("UPDATE").is_some_and(|value| value == "1") {
-        fs::write(path, text).unwrap();
-    } else {
-        let committed = fs::read_to_string(path).unwrap();
-        assert!(committed == text, "emitted.rs is another: UPDATE=1 writes it anew");
-    }
+/// The library of the tests' own crate, as it was built for this test: the newest beside it.
+fn built(folder: &Path) -> PathBuf {
+    let files = fs::read_dir(folder).expect("the test lies in a folder");
+    let files = files.map(|file| file.expect("a readable entry").path()).filter(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("libsupport-") && name.ends_with(".rlib")
+    });
+    let written = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified()).ok();
+    files.max_by_key(written).expect("the tests are linked with it")
 }
 
 #[test]
 fn rust_does_what_the_machine_does() {
-    let emissions = emissions();
-    let subjects = emissions.iter().flat_map(|emission| &emission.subjects);
-    let subjects: Vec<_> = subjects.collect();
-    let mut tallies = vec![Tally::default(); subjects.len()];
-    let mut dice = Dice(7);
-    for place in places() {
-        for (&subject, tally) in subjects.iter().zip(&mut tallies) {
-            if place.level < subject.plan.level {
-                continue;
-            }
-            for arguments in arguments(subject, &place.mesh, 40, &mut dice) {
-                let machine = by_machine(subject, &place, &arguments);
-                let mut mesh = place.mesh.clone();
-                let (applied, result) = emitted::call(&subject.name, &mut mesh, &arguments);
-                assert!(
-                    applied || identical(&mesh, &place.mesh),
-                    "{} is refused at {arguments:?}, and leaves a trace",
-                    subject.name
-                );
-                let emitted = applied.then_some((mesh, result));
-                compare(subject, &arguments, tally, 1e-12, [&machine, &emitted]);
-                if let (Some((_, expected)), Some((_, result))) = (&machine, &emitted) {
-                    assert_eq!(expected, result, "{}", subject.name);
-                }
-            }
-        }
-    }
-    let tallies: Vec<_> = subjects.into_iter().zip(tallies).collect();
-    report("Rust", &tallies);
+    let bench = TempDir::new().unwrap();
+    fs::write(bench.path().join("main.rs"), text(&emissions())).unwrap();
+    let test = env::current_exe().unwrap();
+    let folder = test.parent().unwrap();
+    let cargo = env::var_os("CARGO").map(PathBuf::from);
+    let compiler = cargo.map(|cargo| cargo.with_file_name("rustc")).filter(|path| path.exists());
+    let output = Command::new(compiler.unwrap_or("rustc".into()))
+        .args(["--edition=2024", "-Dwarnings", "-Aunused_variables", "-Adead_code", "main.rs"])
+        .arg("-L")
+        .arg(format!("dependency={}", folder.display()))
+        .arg("--extern")
+        .arg(format!("support={}", built(folder).display()))
+        .current_dir(bench.path())
+        .output()
+        .expect("rustc runs");
+    assert!(output.status.success(), "rustc says\n{}", String::from_utf8_lossy(&output.stderr));
+    let output = Command::new(bench.path().join("main")).output().expect("it runs");
+    print!("{}", String::from_utf8_lossy(&output.stdout));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }

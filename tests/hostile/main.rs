@@ -1,9 +1,6 @@
 //! What nobody writes on purpose, or only to do harm: broken programs taken all the way, items
 //! beyond all measure, files that are none, streams that carry something else.
 
-#[path = "../dice/mod.rs"]
-mod dice;
-
 mod limits;
 #[cfg(unix)]
 mod paths;

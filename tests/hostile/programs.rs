@@ -14,16 +14,18 @@ use hedgerow::format::format;
 use hedgerow::library;
 use hedgerow::mesh::{shape, validate};
 use hedgerow::rewrite::Watch;
-use hedgerow::run::{self, prepare, test};
+use hedgerow::run::{self, Conditions, prepare, test};
 use hedgerow::source::{FileId, Sources};
 use hedgerow::syntax::{TokenKind, parse};
 
-use crate::dice::Dice;
+use support::dice::Dice;
 
 /// How many programs are tried when nobody says otherwise.
 const ROUNDS: usize = 200;
 /// How long a script may run.
 const PATIENCE: Duration = Duration::from_millis(100);
+/// What tests run under.
+const CONDITIONS: Conditions = Conditions { seed: 0, memory: 1 << 30 };
 
 fn setting(name: &str, otherwise: usize) -> usize {
     std::env::var(name).map_or(otherwise, |value| value.parse().expect("a number"))
@@ -188,7 +190,7 @@ fn take_through(text: &str, count: &mut Count) {
     let own = |at: &usize| program.tests[*at].script.span.file == file;
     for number in (0..program.tests.len()).filter(own) {
         let load: &mut run::Load = &mut |_, _| Err("nothing is loaded here".to_owned());
-        let _ = test(program, number, &analysis.plans, 0, load, &mut Hasty::new());
+        let _ = test(program, number, &analysis.plans, CONDITIONS, load, &mut Hasty::new());
         count.ran += 1;
     }
 }

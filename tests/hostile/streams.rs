@@ -4,7 +4,7 @@ use hedgerow::analysis::Nowhere;
 use hedgerow::lsp::serve_on;
 use serde_json::{Value, json};
 
-use crate::dice::Dice;
+use support::dice::Dice;
 
 /// A body with its header.
 fn framed(body: &str) -> String {

@@ -1,6 +1,7 @@
-// The extension in a browser, where no program can be started: the language server is behind a
-// WebSocket, one message of the protocol in each of its messages.
+// The extension in a browser, where no program can be started: the language server comes along as
+// WebAssembly; or it is behind a WebSocket, one message of the protocol in each of its messages.
 
+const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/browser");
 const { start, options, settings } = require("./extension");
 
@@ -30,9 +31,20 @@ class Socket {
   }
 }
 
-const address = () => settings().get("bridge");
-const client = () => new LanguageClient("hedgerow", "hedgerow", options(), new Socket(address()));
-const answers = async () => Boolean(address());
+/** The server that comes along, in a worker. */
+function bundled(context) {
+  const place = (name) => vscode.Uri.joinPath(context.extensionUri, "dist", name).toString(true);
+  const worker = new Worker(place("server-browser.js"));
+  worker.postMessage({ module: place("hedgerow.wasm") });
+  return worker;
+}
 
-exports.activate = (context) => start(context, { client, answers, commands: {} });
+exports.activate = (context) => {
+  const client = () => {
+    const address = settings().get("bridge");
+    const server = address ? new Socket(address) : bundled(context);
+    return new LanguageClient("hedgerow", "hedgerow", options(), server);
+  };
+  return start(context, { client, answers: async () => true, commands: {} });
+};
 exports.deactivate = require("./extension").stop;

@@ -1,45 +1,66 @@
 // The extension where programs can be started.
 
 const vscode = require("vscode");
-const { LanguageClient } = require("vscode-languageclient/node");
+const {
+  LanguageClient, PortMessageReader, PortMessageWriter,
+} = require("vscode-languageclient/node");
 const { execFile } = require("child_process");
+const path = require("path");
+const { Worker } = require("worker_threads");
 const { start, options, settings } = require("./extension");
 
-function client() {
-  const command = settings().get("path") || "hedgerow";
-  return new LanguageClient("hedgerow", "hedgerow", { command, args: ["lsp"] }, options({
-    "hedgerow.runTest": (uri, name) => runTest(vscode.Uri.parse(uri).fsPath, name),
-    "hedgerow.runScript": (uri, name) => runScript(vscode.Uri.parse(uri).fsPath, name),
-  }));
-}
-
-/** Whether the program answers; if not, says what to do. */
-function answers() {
-  const command = settings().get("path") || "hedgerow";
+/** Whether the program answers. */
+function isInstalled(command) {
   return new Promise((resolve) => {
-    execFile(command, ["--version"], { timeout: 10000 }, (error) => {
-      if (!error) return resolve(true);
-      const why = error.code === "ENOENT"
-        ? `There is no program "${command}".`
-        : `The program "${command}" does not start: ${error.message}`;
-      const choices = ["Open Setting", "Try Again"];
-      const install = "Colours and snippets work without it. For everything else, install it "
-        + "(cargo install --path . in a copy of hedgerow), or set hedgerow.path.";
-      vscode.window.showErrorMessage(`${why} ${install}`, ...choices).then((choice) => {
-        if (choice === "Open Setting") {
-          vscode.commands.executeCommand("workbench.action.openSettings", "hedgerow.path");
-        } else if (choice === "Try Again") {
-          vscode.commands.executeCommand("hedgerow.restart");
-        }
-      });
-      resolve(false);
-    });
+    execFile(command, ["--version"], { timeout: 10000 }, (error) => resolve(!error));
   });
 }
 
+/** The server that comes along, in a thread of its own. */
+function bundled(context) {
+  const place = (name) => context.asAbsolutePath(path.join("dist", name));
+  return async () => {
+    const worker = new Worker(place("server-node.js"));
+    worker.postMessage({ module: place("hedgerow.wasm") });
+    return { reader: new PortMessageReader(worker), writer: new PortMessageWriter(worker) };
+  };
+}
+
+let program;
+
+/** The program of the setting, or of `PATH`; if neither answers, what comes along. */
+async function answers() {
+  const wanted = settings().get("path");
+  const command = wanted || "hedgerow";
+  program = await isInstalled(command) ? command : undefined;
+  if (!program && wanted && wanted !== "hedgerow") {
+    const choice = await vscode.window.showWarningMessage(
+      `The program "${wanted}" of hedgerow.path does not start. The server of the extension is used.`,
+      "Open Setting",
+    );
+    if (choice) vscode.commands.executeCommand("workbench.action.openSettings", "hedgerow.path");
+  }
+  return true;
+}
+
+const client = (context) => () => {
+  const server = program ? { command: program, args: ["lsp"] } : bundled(context);
+  return new LanguageClient("hedgerow", "hedgerow", server, options({
+    "hedgerow.runTest": (uri, name) => runTest(vscode.Uri.parse(uri).fsPath, name),
+    "hedgerow.runScript": (uri, name) => runScript(vscode.Uri.parse(uri).fsPath, name),
+  }));
+};
+
 /** Runs hedgerow in a terminal, as a task, so that the arguments need no quoting. */
-function run(title, args) {
-  const command = settings().get("path") || "hedgerow";
+async function run(title, args) {
+  if (!program) {
+    vscode.window.showInformationMessage(
+      "Scripts and tests run in the program hedgerow: install it (cargo install --path . in a copy "
+      + "of hedgerow), or set hedgerow.path.",
+    );
+    return;
+  }
+  const command = program;
   const task = new vscode.Task(
     { type: "hedgerow" }, vscode.TaskScope.Workspace, title, "hedgerow",
     new vscode.ProcessExecution(command, args), [],
@@ -56,8 +77,8 @@ async function file() {
 }
 
 async function check() {
-  const path = await file();
-  if (path) await run("check", ["check", path]);
+  const program = await file();
+  if (program) await run("check", ["check", program]);
 }
 
 const runTest = (path, name) => run("test", name ? ["test", path, `--filter=${name}`] : ["test", path]);
@@ -92,5 +113,7 @@ async function runScriptHere() {
   if (name) await runScript(path, name);
 }
 
-exports.activate = (context) => start(context, { client, answers, commands: { check, testHere, runScriptHere } });
+exports.activate = (context) => start(context, {
+  client: client(context), answers, commands: { check, testHere, runScriptHere },
+});
 exports.deactivate = require("./extension").stop;

@@ -3,9 +3,8 @@
 use crate::analysis::words::meaning;
 use crate::diagram::Kind;
 
-/// What a completion is.
+/// The kind of a completion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
 pub enum Choice {
     Keyword,
     Type,
@@ -23,11 +22,11 @@ pub enum Choice {
 pub struct Completion {
     /// The word.
     pub word: String,
-    /// What it is.
+    /// Its kind.
     pub choice: Choice,
-    /// What else is worth seeing beside it; may be empty.
+    /// A detail that is worth seeing beside it; may be empty.
     pub detail: String,
-    /// What to write, with places to fill as `$1`, `${2:name}`; the word itself if `None`.
+    /// The text to write, with places to fill as `$1`, `${2:name}`; the word itself if `None`.
     pub snippet: Option<String>,
     /// The smaller, the likelier.
     pub rank: u8,

@@ -1,11 +1,11 @@
-//! What a drawing goes on with.
+//! Completions in a drawing.
 
 use super::choice::{Choice, Completion};
 use super::words::{DRAWINGS, LISTS, keywords};
 use crate::analysis::action::statement_span;
+use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
-use crate::analysis::place::{Wanted, op_near, rule_near};
 use crate::analysis::side::{Sketch, subject};
 use crate::analysis::snapshot::Snapshot;
 use crate::diagram::Kind;
@@ -35,8 +35,8 @@ pub(super) fn named(symbol: &Symbol, kind: Kind, rank: u8) -> Completion {
     }
 }
 
-/// What a drawing goes on with: names of the kind that fits, those still unaccounted for
-/// first, and statements where one may begin.
+/// Completions in a drawing: names of the kind that fits, those still unaccounted for first, and
+/// statements where one may begin.
 pub(super) fn of_side(
     snapshot: &Snapshot,
     offset: usize,
@@ -107,7 +107,7 @@ fn open_statements(snapshot: &Snapshot, rule: &Rule, after: &Sketch) -> Vec<Comp
     open.collect()
 }
 
-/// How likely a name comes next: 0 if the statement accounts for it and nothing does yet.
+/// The rank of a name as a completion: 0 if the statement accounts for it and nothing does yet.
 fn rank(
     snapshot: &Snapshot,
     (id, symbol, kind): (SymbolId, &Symbol, Kind),

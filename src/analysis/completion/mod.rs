@@ -1,4 +1,4 @@
-//! What may come next at a cursor, the likeliest first.
+//! Completions at a cursor, the likeliest first.
 
 mod choice;
 

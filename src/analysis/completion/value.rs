@@ -1,17 +1,17 @@
-//! What a value goes on with.
+//! Completions in values.
 
 use super::choice::{Choice, Completion};
 use super::drawing::named;
 use super::words::{ACTIONS, keywords};
+use crate::analysis::cursor_context::{Start, item_near, rule_near};
 use crate::analysis::names::{Names, Symbol, SymbolId, SymbolKind};
-use crate::analysis::place::{Start, item_near, rule_near};
 use crate::analysis::snapshot::Snapshot;
 use crate::analysis::types::type_of;
 use crate::diagram::{Kind, Type};
 use crate::resolve::{fields, function_words, sequence_words, signatures};
 use crate::syntax::tree::Item;
 
-/// What a value goes on with; a statement, where one may begin.
+/// Completions in a value; a statement, where one may begin.
 pub(super) fn values(snapshot: &Snapshot, offset: usize, start: Start) -> Vec<Completion> {
     let mut found = Vec::new();
     if start == Start::Statement {
@@ -82,7 +82,7 @@ fn variable(snapshot: &Snapshot, id: SymbolId, symbol: &Symbol) -> Completion {
     }
 }
 
-/// What may stand behind the dot of a chain.
+/// The completions behind the dot of a chain.
 pub(super) fn of_chain(snapshot: &Snapshot, offset: usize, chain: &[String]) -> Vec<Completion> {
     let Some(ty) = chain_type(snapshot, offset, chain) else {
         return Vec::new();

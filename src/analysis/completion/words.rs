@@ -2,7 +2,7 @@
 
 use super::choice::{Choice, Completion};
 
-/// What begins an item.
+/// The beginnings of items.
 pub(super) const TOP: &[(&str, &str)] = &[
     ("op", "op ${1:name}(${2:e}: ${3:edge}) {\n  before {\n    $0\n  }\n  after {\n  }\n}"),
     ("script", "script ${1:name}(${2}) {\n  $0\n}"),
@@ -12,7 +12,7 @@ pub(super) const TOP: &[(&str, &str)] = &[
     ("test", "test \"${1:what holds}\" {\n  $0\n}"),
 ];
 
-/// What begins a part of an op.
+/// The beginnings of the parts of an op.
 pub(super) const PARTS: &[(&str, &str)] = &[
     ("before", "before {\n  $0\n}"),
     ("after", "after {\n  $0\n}"),
@@ -23,7 +23,7 @@ pub(super) const PARTS: &[(&str, &str)] = &[
     ("steps", "steps {\n  $0\n}"),
 ];
 
-/// What begins a statement of a drawing.
+/// The beginnings of the statements of a drawing.
 pub(super) const DRAWINGS: &[(&str, &str)] = &[
     ("face", "face ${1:f}: ${2:v0} -${3:a}-> ${4:v1} -${5:b}-> ${6:v2} -${7:c}-> ${2:v0}"),
     ("hole", "hole ${1:f}: ${2:v0} -${3:a}-> ${4:v1} =${5:P}=> ${2:v0}"),
@@ -32,11 +32,11 @@ pub(super) const DRAWINGS: &[(&str, &str)] = &[
     ("vertex", "vertex ${1:v}: ${2:a} *${3:S}"),
 ];
 
-/// What begins a list of names in `after`.
+/// The beginnings of the lists of names in `after`.
 pub(super) const LISTS: &[(&str, &str)] =
     &[("new", "new $0"), ("erase", "erase $0"), ("keep", "keep $0")];
 
-/// What begins a statement of a script.
+/// The beginnings of the statements of a script.
 pub(super) const ACTIONS: &[(&str, &str)] = &[
     ("let", "let ${1:x} = $0"),
     ("var", "var ${1:x} = $0"),

@@ -66,7 +66,7 @@ fn mention(name: NameId) -> Ref {
     Ref::plain(name, Span::default())
 }
 
-/// Whether a name stands on a side.
+/// True if a name stands on a side.
 fn stands(side: &Side, name: NameId) -> bool {
     let is = |mention: &Ref| mention.name == name;
     let in_loops = side.loops.iter().any(|orbit| {
@@ -76,7 +76,7 @@ fn stands(side: &Side, name: NameId) -> bool {
     in_loops || side.edges.iter().any(|edge| is(&edge.edge))
 }
 
-/// What the steps call what they return, or a letter for it.
+/// The name that the steps give to what they return, or a letter for it.
 fn word_of_result(op: &ResolvedOp) -> Option<String> {
     let letter = match op.result? {
         Type::Vertex => "v",
@@ -107,7 +107,7 @@ fn returned(steps: &Steps, block: &Block) -> Option<String> {
     })
 }
 
-/// What has a name.
+/// A mesh element that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Thing {
     /// An element; a new one may have the number of one that is gone.
@@ -235,7 +235,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Where the vertices lie, if all is flat and no two lie at one place.
+    /// The positions of the vertices, if all is flat and no two lie at one place.
     fn places(&self) -> [Vec<Option<[f64; 2]>>; 2] {
         let Trial { before, after, .. } = self.trial;
         let is_flat = |mesh: &Mesh| mesh.vertices().all(|v| mesh.position(v).z == 0.0);
@@ -260,7 +260,7 @@ impl Writer<'_> {
         [side(before, Moment::Before), side(after, Moment::After)]
     }
 
-    /// Where new vertices are put, and others moved to.
+    /// The positions of new vertices, and others moved to.
     fn positions(&self, before: &Side) -> Vec<Assignment> {
         let Trial { before: was, after, .. } = self.trial;
         let set = self.known.iter().enumerate().filter_map(|(at, thing)| {

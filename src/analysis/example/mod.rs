@@ -1,4 +1,4 @@
-//! What an op in steps does, shown by example: it is done to a small mesh.
+//! Examples of ops in steps: what the steps do to a small mesh.
 //!
 //! Such an op draws nothing itself. So it is tried on small meshes, at one place after the
 //! other, until it is not refused and changes something; the faces around the place, before
@@ -28,7 +28,7 @@ pub struct NoExample {
     op: String,
     /// At how many places it was tried.
     tries: usize,
-    /// What hindered it most often.
+    /// The most frequent reason against an example.
     because: Option<String>,
 }
 
@@ -92,7 +92,7 @@ pub fn example(program: &Program, op: usize, plans: &Plans) -> Result<diagram::O
 struct Found {
     inside: Option<(Worth, Trial, Patch)>,
     at_boundary: Option<(Worth, Trial, Patch)>,
-    /// Whether none inside can be better.
+    /// True if none inside can be better.
     is_perfect: bool,
 }
 

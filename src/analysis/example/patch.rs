@@ -15,31 +15,31 @@ use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, Vertex
 
 /// More halfedges than this can nobody look at.
 const MOST: usize = 128;
-/// How many faces and holes a small mesh has at most.
+/// The greatest number of faces and holes of a small mesh.
 const SMALL: usize = 9;
 
-/// What is drawn.
+/// A part of a mesh that is drawn.
 pub(super) struct Patch {
     /// The faces and holes on each side, those at the place first.
     pub(super) loops: [Vec<FaceId>; 2],
     /// Of the holes that are drawn in part, the halfedges that are not.
     pub(super) hidden: BTreeSet<HalfedgeId>,
     holes: usize,
-    /// Whether the place is no hole itself, nor a halfedge of one.
+    /// True if the place is no hole itself, nor a halfedge of one.
     is_of_face: bool,
-    /// Whether a hole lies beside the place, not only at a corner of it.
+    /// True if a hole lies beside the place, not only at a corner of it.
     is_beside_hole: bool,
-    /// Whether the outline runs through no vertex twice, and is all there is of the outside.
+    /// True if the outline runs through no vertex twice, and is all there is of the outside.
     is_plain: bool,
-    /// Whether no two vertices lie at one place.
+    /// True if no two vertices lie at one place.
     pub(super) is_spread: bool,
-    /// How many faces and holes lie at the place.
+    /// The number of faces and holes that lie at the place.
     at_place: usize,
-    /// How many there are.
+    /// The number of them.
     all: usize,
 }
 
-/// How well a patch shows what it should; the greatest is best.
+/// The worth of a patch as an example; the greatest is best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Worth {
     is_plain: bool,
@@ -52,7 +52,7 @@ pub(super) struct Worth {
 }
 
 impl Patch {
-    /// What is drawn of a trial; none if that is too much.
+    /// The drawing of a trial; none if that is too much.
     pub(super) fn of(trial: &Trial) -> Option<Self> {
         let (before, after) = (&trial.before, &trial.after);
         let place: Vec<Element> = trial.place.iter().flatten().copied().collect();
@@ -115,17 +115,17 @@ impl Patch {
         (patch.size(before).max(patch.size_after(after)) <= MOST).then_some(patch)
     }
 
-    /// Whether a hole is drawn.
+    /// True if a hole is drawn.
     pub(super) fn has_hole(&self) -> bool {
         self.holes > 0
     }
 
-    /// Whether nothing shows better what is done inside of a mesh.
+    /// True if nothing shows better what is done inside of a mesh.
     pub(super) fn is_perfect(&self) -> bool {
         self.is_plain && self.is_spread && !self.has_hole()
     }
 
-    /// How well it shows what is done. Inside of a mesh the first of several will do; at a
+    /// The worth of the patch as an example. Inside of a mesh the first of several will do; at a
     /// boundary much around the place should be seen, and little elsewhere.
     pub(super) fn worth(&self) -> Worth {
         Worth {
@@ -167,7 +167,7 @@ impl Patch {
         self.hidden = hidden.collect();
     }
 
-    /// Whether the edges along which nothing is drawn are one loop that passes no vertex twice.
+    /// True if the edges along which nothing is drawn are one loop that passes no vertex twice.
     fn has_plain_outline(&self, mesh: &Mesh) -> bool {
         let is_drawn = |h: HalfedgeId| self.loops[0].contains(&mesh.face(h));
         let halfedges = self.loops[0].iter().flat_map(|&f| mesh.face_halfedges(f));
@@ -196,7 +196,7 @@ impl Patch {
     }
 }
 
-/// Whether no two vertices lie at one place.
+/// True if no two vertices lie at one place.
 fn is_spread(mesh: &Mesh) -> bool {
     let mut places: Vec<_> = mesh.vertices().map(|v| mesh.position(v)).collect();
     let key = |at: &DVec3| at.to_array();

@@ -15,17 +15,17 @@ use crate::resolve::Program;
 use crate::rewrite::{Plans, Watch};
 use crate::run::{Application, Applied, Argument};
 
-/// How often an op is tried on one mesh.
+/// The number of times an op is tried on one mesh.
 const TRIES: usize = 48;
-/// How many looks one try may last, and how many all of them.
+/// The number of looks that one try may last, and that of all of them.
 const PATIENCE: u32 = 64;
 const WHOLE_PATIENCE: u32 = 1024;
-/// How many elements nearby are tried for a parameter behind the first.
+/// The number of elements nearby that are tried for a parameter behind the first.
 const NEARBY: usize = 12;
 
 /// An op that was done somewhere, and changed something.
 pub(super) struct Trial {
-    /// What the mesh is called.
+    /// The name of the mesh.
     pub(super) on: &'static str,
     /// For each parameter its element, if it is one.
     pub(super) place: Vec<Option<Element>>,
@@ -41,7 +41,7 @@ pub(super) struct Trials<'p> {
     params: &'p [Param],
     tries: usize,
     left: u32,
-    /// What hindered it, and how often.
+    /// The reasons for refusals, and how often each came up.
     hindrances: BTreeMap<String, usize>,
 }
 
@@ -57,12 +57,12 @@ impl<'p> Trials<'p> {
         })
     }
 
-    /// How often it was tried.
+    /// The number of times it was tried.
     pub(super) fn tries(&self) -> usize {
         self.tries
     }
 
-    /// What hindered it most often.
+    /// The most frequent reason for a refusal.
     pub(super) fn hindrance(&self) -> Option<String> {
         let most = self.hindrances.iter();
         // Of several the first in the order of the alphabet.

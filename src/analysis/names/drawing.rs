@@ -1,7 +1,7 @@
 //! The names of an op: parameters, the result, and what its rules draw or its steps do.
 
 use super::symbol::{List, Role, SideName, SymbolKind};
-use super::walk::Walk;
+use super::walk::SymbolCollector;
 use crate::diagram::Kind;
 use crate::syntax::tree::{Arrow, Condition, Ident, Name, Op, Param, Rule, Side, Spoke, Statement};
 
@@ -11,7 +11,7 @@ fn element_kind(ty: &str) -> Option<Kind> {
     kinds.into_iter().find(|kind| kind.word() == ty)
 }
 
-impl Walk {
+impl SymbolCollector {
     pub(super) fn op(&mut self, op: &Op) {
         self.enter();
         for param in &op.params {

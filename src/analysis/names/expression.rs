@@ -1,13 +1,13 @@
 //! The names of expressions, and the indices of families.
 
 use super::symbol::{Role, SymbolId, SymbolKind};
-use super::walk::Walk;
+use super::walk::SymbolCollector;
 use crate::resolve::is_function;
 use crate::syntax::Part;
 use crate::syntax::tree::{Expr, ExprKind, Ident, Name};
 
-impl Walk {
-    /// Whether a name is that of an attribute.
+impl SymbolCollector {
+    /// True if a name is that of an attribute.
     pub(super) fn is_attribute(&self, id: SymbolId) -> bool {
         self.kind(id) == SymbolKind::Attribute
     }

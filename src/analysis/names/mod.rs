@@ -1,4 +1,4 @@
-//! Who is who in a text: every name, and every place that mentions it.
+//! Names in a text: every symbol, and every place that mentions it.
 //!
 //! The index is made of the tree alone, so it is there however broken the program is. A name
 //! of a drawing belongs to its rule; one that is a parameter or the result belongs to the op

@@ -1,10 +1,10 @@
 //! The names of scripts, functions, tests and steps.
 
 use super::symbol::{Role, SymbolKind};
-use super::walk::Walk;
+use super::walk::SymbolCollector;
 use crate::syntax::tree::{Action, ActionKind, Block, ExprKind, Param};
 
-impl Walk {
+impl SymbolCollector {
     /// Parameters, and the body that sees them.
     pub(super) fn routine(&mut self, params: &[Param], body: &Block) {
         self.enter();

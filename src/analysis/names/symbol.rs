@@ -1,6 +1,6 @@
 //! A name, its mentions, and how to find them.
 
-use super::walk::Walk;
+use super::walk::SymbolCollector;
 use crate::diagram::Kind;
 use crate::source::Span;
 use crate::syntax::tree;
@@ -9,7 +9,7 @@ use crate::syntax::tree;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SymbolId(pub usize);
 
-/// What a name stands for.
+/// The element or run that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SymbolKind {
     /// An op.
@@ -39,9 +39,9 @@ pub enum SymbolKind {
 pub struct Symbol {
     /// The word.
     pub name: String,
-    /// What it stands for.
+    /// Its kind.
     pub kind: SymbolKind,
-    /// Where it is declared; of a name of a drawing where it is first drawn or made.
+    /// The place of its declaration; of a name of a drawing where it is first drawn or made.
     pub definition: Option<Span>,
     /// The type it is declared with, as written.
     pub ty: Option<String>,
@@ -73,7 +73,7 @@ pub enum List {
     Alias,
 }
 
-/// What a mention does with a name.
+/// The role of a mention of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// It declares it.
@@ -97,7 +97,7 @@ pub struct Mention {
     pub span: Span,
     /// The name.
     pub symbol: SymbolId,
-    /// What the mention does with it.
+    /// Its role.
     pub role: Role,
 }
 
@@ -113,7 +113,7 @@ pub struct Names {
 impl Names {
     /// Finds the names of a tree.
     pub fn of(tree: &tree::File) -> Self {
-        let mut walk = Walk::default();
+        let mut walk = SymbolCollector::default();
         walk.file(tree);
         let mut names = walk.into_names();
         names.mentions.sort_by_key(|mention| mention.span);

@@ -9,15 +9,15 @@ use crate::syntax::tree::{self, Ident, Item};
 
 /// The walk: what is found so far, and what is in scope.
 #[derive(Default)]
-pub(super) struct Walk {
+pub(super) struct SymbolCollector {
     found: Names,
-    /// What is declared around the place of the walk, the innermost last.
+    /// The declarations around the place of the walk, the innermost last.
     scopes: Vec<HashMap<String, SymbolId>>,
     pub(super) item: Option<usize>,
     pub(super) rule: Option<usize>,
 }
 
-impl Walk {
+impl SymbolCollector {
     pub(super) fn into_names(self) -> Names {
         self.found
     }
@@ -53,7 +53,7 @@ impl Walk {
         }
     }
 
-    /// What a name stands for.
+    /// The element or run that a name stands for.
     pub(super) fn kind(&self, id: SymbolId) -> SymbolKind {
         self.found.symbols[id.0].kind
     }

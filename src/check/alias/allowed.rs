@@ -1,8 +1,9 @@
-//! What an `alias` lets be one, proved.
+//! Names that an `alias` lets be one, proved.
 
 use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
 use super::verdict::{Failed, laws};
+use crate::check::ends_agree::neighbours_are_twins;
 use crate::check::facts::{Change, Facts};
 use crate::check::fold::add_obligation;
 use crate::check::guard::{Obligation, Statement, obligations};
@@ -14,7 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, NameId, Op, Rule};
 use crate::source::Span;
 
-/// How many sets of names are looked at.
+/// The greatest number of sets of names that are looked at.
 const MOST: usize = 400;
 
 /// For how many of them a mesh is looked for that breaks.
@@ -79,6 +80,21 @@ pub(in crate::check) fn allowed(op: &Op, rule: &Rule) -> Result<Aliased, Broken>
         true => Ok(aliased),
         false => Err(problems.into()),
     }
+}
+
+/// The names that are one, by an `alias`, in the meshes that match a rule which no mesh matches
+/// with all names distinct; of several such sets the smallest.
+pub(in crate::check) fn drawable_where_one(rule: &Rule) -> Option<Vec<Vec<NameId>>> {
+    if rule.has_families() {
+        return None;
+    }
+    let sets = sets(rule, &wanted(rule)).ok()?;
+    let proved = |quotient: Quotient| {
+        let quotient = quotient.finished();
+        laws(&quotient).is_ok() && neighbours_are_twins(&Drawing::new(&quotient.rule)).is_empty()
+    };
+    let mut sets = sets.into_iter().filter(|(names, _)| !names.is_empty());
+    sets.find_map(|(names, quotients)| quotients.into_iter().any(proved).then_some(names))
 }
 
 fn told(problem: Problem, outcome: Outcome) -> Broken {
@@ -221,13 +237,13 @@ fn impossible_alias(names: &str, why: Option<&String>, span: Span) -> Problem {
 }
 
 impl Aliased {
-    /// How many cases were looked at beyond those where all names are distinct.
+    /// The number of cases that were looked at beyond those where all names are distinct.
     pub fn cases(&self) -> usize {
         self.cases
     }
 
-    /// What a level asks also where names are one. A statement is left to test if it is in one
-    /// of these cases: each is a condition of the level, so asking it once more refuses nothing
+    /// The obligations of a level also where names are one. A statement is left to test if it is in
+    /// one of these cases: each is a condition of the level, so asking it once more refuses nothing
     /// else.
     pub fn obligations(&self, mut found: Vec<Obligation>, level: Level) -> Vec<Obligation> {
         for quotient in &self.quotients {

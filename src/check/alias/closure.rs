@@ -1,4 +1,4 @@
-//! What follows where names are one.
+//! Consequences of names being one.
 //!
 //! Pointers are functions: of one halfedge there is one twin, one origin, one edge, one face.
 //! So what the statements say of either name is said of both, until nothing new follows. Some
@@ -34,7 +34,7 @@ enum Consequence {
     Never(Contradiction),
 }
 
-/// How many ways of one set of names are looked at.
+/// The greatest number of ways of one set of names that are looked at.
 const MOST: usize = 64;
 
 /// A quotient with two more names made one, and all that follows: each way in which it can be.
@@ -288,7 +288,8 @@ fn of_stars(quotient: &Quotient) -> Option<Consequence> {
     None
 }
 
-/// Where spokes close into a ring they are the whole star: any other is one of them.
+/// The consequence of rings: where spokes close into a ring they are the whole star: any other is
+/// one of them.
 fn of_rings(quotient: &Quotient) -> Option<Consequence> {
     let rule = &quotient.rule;
     let drawing = Drawing::new(rule);

@@ -16,6 +16,6 @@ mod overlap;
 mod quotient;
 mod verdict;
 
-pub(super) use allowed::allowed;
+pub(super) use allowed::{allowed, drawable_where_one};
 pub(super) use quotient::Quotient;
 pub use verdict::{Identification, Verdict, identifications};

@@ -19,11 +19,11 @@ pub(super) struct Overlap {
     pub pieces: Vec<Name>,
     /// For each path its pieces and halfedges, in order.
     pub runs: Vec<(NameId, Vec<LoopItem>)>,
-    /// What is one: halfedges, and vertices where both statements have a border.
+    /// The names that are one: halfedges, and vertices where both statements have a border.
     pub same: Vec<[NameId; 2]>,
 }
 
-/// How many ways are looked at.
+/// The greatest number of ways that are looked at.
 const MOST: usize = 200;
 
 /// All ways in which two loops can be one; `None` if nothing says where one begins in the
@@ -99,15 +99,15 @@ impl Part {
     }
 }
 
-/// How far both loops have been read, and what has been found.
+/// The state of reading both loops, and what has been found.
 #[derive(Clone, Default)]
 struct State {
     at: [usize; 2],
-    /// Whether the path that is read has begun.
+    /// True if the path that is read has begun.
     inside: [bool; 2],
     items: Vec<LoopItem>,
     pieces: usize,
-    /// What the path that is read consists of so far.
+    /// The items so far of the path that is read.
     open: [Vec<LoopItem>; 2],
     /// The beginning of the path in which reading began: it is its end.
     tail: Vec<LoopItem>,
@@ -133,7 +133,7 @@ impl Search<'_> {
         self.rule.kind(part.item.item.name) == Kind::Path
     }
 
-    /// Where the next item of both leaves, if a statement has a border here.
+    /// The vertex from which the next item of both leaves, if a statement has a border here.
     fn from(&mut self) -> Option<Ref> {
         let border = |side: usize| {
             let part = self.part(side)?;

@@ -13,7 +13,7 @@ pub(in crate::check) struct Quotient {
     stands_for: Vec<NameId>,
     /// For each path that is cut, or holds a halfedge with a name, its pieces.
     runs: Vec<Option<Vec<LoopItem>>>,
-    /// What the rule would say twice, and not alike.
+    /// The statements that the rule would say twice, and not alike.
     pub clashes: Vec<String>,
 }
 
@@ -38,7 +38,7 @@ impl Quotient {
         self.stands_for[name.index()]
     }
 
-    /// What a path of the rule it comes from consists of; `None` if it is a path still.
+    /// The items of a path of the rule it comes from; `None` if it is a path still.
     pub fn run(&self, path: NameId) -> Option<&[LoopItem]> {
         self.runs[path.index()].as_deref()
     }
@@ -334,7 +334,7 @@ fn keep_first<T>(all: &mut Vec<T>, alike: impl Fn(&T, &T) -> bool) {
     *all = kept;
 }
 
-/// Whether a cycle is another one, perhaps begun elsewhere.
+/// True if a cycle is another one, perhaps begun elsewhere.
 fn is_turned<T: PartialEq>(one: &[T], other: &[T]) -> bool {
     let count = one.len();
     count == other.len()

@@ -1,4 +1,4 @@
-//! What would come of names being one.
+//! Outcomes of names being one.
 
 use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
@@ -14,11 +14,11 @@ pub struct Identification {
     /// The names, set by set; all others are distinct. Edges are left out: two are one where
     /// their halfedges are.
     pub names: Vec<Vec<NameId>>,
-    /// What comes of it.
+    /// The outcome.
     pub verdict: Verdict,
 }
 
-/// What comes of names being one.
+/// The outcome of names being one.
 #[derive(Clone, Debug)]
 pub enum Verdict {
     /// The rewrite is proved there as well.
@@ -36,10 +36,10 @@ pub enum Verdict {
     Unproved(String),
 }
 
-/// How many sets of names are looked at, beyond what follows from each pair.
+/// The greatest number of sets of names that are looked at, beyond what follows from each pair.
 const MOST_SETS: usize = 48;
 
-/// What comes of names of a rule being one: for each pair of one kind with all that follows from
+/// The outcomes of names of a rule being one: for each pair of one kind with all that follows from
 /// it, then for what pairs come to together. A rule with families has none: its names stand for
 /// other elements on every cycle.
 pub fn identifications(op: &Op, rule: &Rule) -> Vec<Identification> {

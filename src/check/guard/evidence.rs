@@ -1,4 +1,4 @@
-//! What a `require` proves.
+//! Evidence: the conditions that a `require` proves.
 
 use super::sketch::Sketch;
 use crate::diagram::{
@@ -22,7 +22,7 @@ fn required<'a>(sketch: &'a Sketch) -> Vec<&'a Expr> {
     all
 }
 
-/// Whether a function of drawn elements, in any order, is required.
+/// True if a function of drawn elements, in any order, is required.
 fn requires(sketch: &Sketch, function: Builtin, of: &[NameId], holds: bool) -> bool {
     let is_call = |expr: &Expr| match &expr.kind {
         ExprKind::Call(called, arguments) => {
@@ -66,8 +66,8 @@ pub(super) fn one_hole(sketch: &Sketch, vertex: NameId, from: &[NameId]) -> Opti
     (none_drawn && is_collapse(sketch, from)).then_some(LINK)
 }
 
-/// Whether the two vertices are the ends of an edge that goes, with each triangle at it, so
-/// that of each the other two edges become one, and the link condition of it is required.
+/// True if the two vertices are the ends of an edge that goes, with each triangle at it, so that of
+/// each the other two edges become one, and the link condition of it is required.
 fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
     let drawing = sketch.drawing;
     let [v, w] = from else { return false };
@@ -89,7 +89,7 @@ fn is_collapse(sketch: &Sketch, from: &[NameId]) -> bool {
     })
 }
 
-/// Whether the two other edges of a triangle become one.
+/// True if the two other edges of a triangle become one.
 fn vanishes(drawing: &Drawing, triangle: &Loop, half: NameId) -> bool {
     let items = triangle.items.iter().map(|item| item.item.name);
     let others: Vec<_> = items.filter(|&item| item != half).collect();

@@ -1,8 +1,8 @@
-//! What a level asks of one orbit of `after`, and how it is known.
+//! Obligations of a level for each orbit of `after`, and how it is known.
 
 use crate::diagram::{NameId, Rule};
 
-/// What must hold of an orbit of `after`.
+/// The condition of an orbit of `after`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Statement {
     /// A loop has three sides or more.
@@ -63,7 +63,7 @@ pub enum Statement {
 /// A statement and, if it is proved, why it holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Obligation {
-    /// What must hold.
+    /// The condition.
     pub statement: Statement,
     /// Why it does; without a reason it is left to test.
     pub because: Option<&'static str>,
@@ -74,7 +74,7 @@ impl Obligation {
         Self { statement, because }
     }
 
-    /// Whether it is left to test.
+    /// True if it is left to test.
     pub fn is_test(&self) -> bool {
         self.because.is_none()
     }
@@ -114,7 +114,7 @@ impl Statement {
         statement
     }
 
-    /// Whether it is tested at every index, though its names are those of one.
+    /// True if it is tested at every index, though its names are those of one.
     pub fn is_repeated(&self, rule: &Rule) -> bool {
         match self {
             Self::CornerOnce { face, vertex } => rule.is_member(*face) || rule.is_member(*vertex),
@@ -122,7 +122,7 @@ impl Statement {
         }
     }
 
-    /// What must hold, as a table prints it: without backticks.
+    /// The condition, as a table prints it: without backticks.
     pub fn claim(&self, rule: &Rule) -> String {
         let word = |name: NameId| &rule.name(name).text;
         match self {
@@ -208,7 +208,7 @@ impl Statement {
         }
     }
 
-    /// What the time of the test grows with; nothing if it is constant.
+    /// The quantities that the time of the test grows with; nothing if it is constant.
     pub fn grows_with(&self, rule: &Rule) -> Option<String> {
         let degree = |vertex: &NameId| Some(format!("the degree of {}", rule.quoted(*vertex)));
         match self {

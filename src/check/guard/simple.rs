@@ -1,4 +1,4 @@
-//! What `simple` asks beyond `surface`: edges and faces that are told by their vertices.
+//! Obligations of `simple` beyond `surface`: edges and faces that are told by their vertices.
 
 use super::evidence;
 use super::obligation::{Obligation, Statement};
@@ -38,15 +38,13 @@ pub(super) fn obligations(sketch: &Sketch) -> Vec<Obligation> {
     obligations
 }
 
-/// Whether a vertex has pieces of stars that were apart, or a piece beside a star that it
-/// had.
+/// True if a vertex has pieces of stars that were apart, or a piece beside a star that it had.
 fn gathers(sketch: &Sketch, vertex: NameId, from: &[NameId]) -> bool {
     let foreign = from.iter().any(|&source| source != vertex);
     foreign && (sketch.drawing.survives(vertex) || from.len() > 1)
 }
 
-/// Whether the edge of a halfedge is new, or has moved an end; of two drawn twins, one is
-/// asked.
+/// True if the edge of a halfedge is new, or has moved an end; of two drawn twins, one is asked.
 fn is_changed(sketch: &Sketch, half: NameId) -> bool {
     let drawing = sketch.drawing;
     let moved = |half: NameId| drawing.origin_before(half) != drawing.origin_after(half);
@@ -73,7 +71,7 @@ fn single_edge(sketch: &Sketch, halfedge: NameId, by_edges: &[NameId]) -> Option
     Some(Obligation::new(Statement::SingleEdge { halfedge, ends }, because))
 }
 
-/// Whether a loop is new or has not the corners that it had.
+/// True if a loop is new or has not the corners that it had.
 fn has_other_corners(sketch: &Sketch, orbit: &Loop) -> bool {
     let Some(before) = sketch.drawing.before.loop_of_face(orbit.face.name) else {
         return true;
@@ -107,9 +105,9 @@ fn corners_own(sketch: &Sketch, orbit: &Loop) -> Obligation {
     Obligation::new(statement, because)
 }
 
-/// Whether a triangle has something else than its own corners across one of its edges. A
-/// triangle with the same corners would have the same edges, since edges are single, and
-/// so would lie across each of them.
+/// True if a triangle has something else than its own corners across one of its edges. A triangle
+/// with the same corners would have the same edges, since edges are single, and so would lie across
+/// each of them.
 fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
     let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
     if items.len() != 3 || items.iter().any(|&item| sketch.is_path(item)) {
@@ -125,8 +123,8 @@ fn is_triangle_apart(sketch: &Sketch, orbit: &Loop) -> bool {
     })
 }
 
-/// Whether all other loops around a vertex, which are all drawn, have a corner that this one
-/// has not, or the other way round.
+/// True if all other loops around a vertex, which are all drawn, have a corner that this one has
+/// not, or the other way round.
 fn others_differ(sketch: &Sketch, orbit: &Loop, vertex: NameId) -> bool {
     let has_more = |this: &Loop, than: &Loop| {
         let mut corners = this.items.iter().map(|item| item.from.name);

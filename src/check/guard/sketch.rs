@@ -1,4 +1,4 @@
-//! What a drawing says about the orbits of `after`, given that the mesh is a surface before.
+//! A sketch of the orbits of `after`, given that the mesh is a surface before.
 //!
 //! A loop of it then has three sides, and meets a vertex once; a vertex has two spokes and
 //! one corner in a hole at most.
@@ -34,7 +34,7 @@ impl<'a> Sketch<'a> {
         self.drawing.rule.kind(item) == Kind::Path
     }
 
-    /// Whether an item has a halfedge for sure.
+    /// True if an item has a halfedge for sure.
     pub fn is_surely_there(&self, item: NameId) -> bool {
         !self.is_path(item) || !self.drawing.may_be_empty(item)
     }
@@ -52,7 +52,7 @@ impl<'a> Sketch<'a> {
         &self.drawing.rule.after.loops
     }
 
-    /// Whether a loop statement draws a corner at the vertex.
+    /// True if a loop statement draws a corner at the vertex.
     pub fn draws(orbit: &Loop, vertex: NameId) -> bool {
         orbit.items.iter().any(|item| item.from.name == vertex)
     }
@@ -82,13 +82,13 @@ impl<'a> Sketch<'a> {
         from
     }
 
-    /// Whether a vertex may have spokes that are not drawn.
+    /// True if a vertex may have spokes that are not drawn.
     fn has_arcs(&self, vertex: NameId) -> bool {
         let corner = self.corners.iter().find(|corner| corner.vertex == vertex);
         corner.is_none_or(|corner| corner.chains.iter().any(|chain| !chain.closed))
     }
 
-    /// Whether some of its undrawn spokes may stay with it.
+    /// True if some of its undrawn spokes may stay with it.
     fn keeps_arcs(&self, vertex: NameId) -> bool {
         let view = &self.drawing.before;
         let stays = |spoke: &Spoke| match spoke {
@@ -119,7 +119,7 @@ impl<'a> Sketch<'a> {
         from
     }
 
-    /// Whether a vertex of `after` may lie on a path, apart from its ends.
+    /// True if a vertex of `after` may lie on a path, apart from its ends.
     ///
     /// Only an undrawn corner does, and so one that it has from a vertex of `before`; and
     /// not from one that the loop of the path draws, since a loop meets a vertex once.
@@ -140,8 +140,8 @@ impl<'a> Sketch<'a> {
         holes(&self.drawing.rule.before.loops, vertex)
     }
 
-    /// Whether two loops cannot both be holes: an edge of `before` lies between them, and
-    /// they stay what they are.
+    /// True if two loops cannot both be holes: an edge of `before` lies between them, and they stay
+    /// what they are.
     pub fn never_both_holes(&self, left: NameId, right: NameId) -> bool {
         let drawing = self.drawing;
         let same_kind = |face: NameId| {
@@ -203,7 +203,7 @@ impl<'a> Sketch<'a> {
         out.len() + firsts + twins
     }
 
-    /// Whether a vertex may have lost a spoke.
+    /// True if a vertex may have lost a spoke.
     pub fn loses_a_spoke(&self, vertex: NameId) -> bool {
         let drawing = self.drawing;
         let rule = drawing.rule;
@@ -224,7 +224,7 @@ impl<'a> Sketch<'a> {
         items.into_iter().any(leaves) || fans.any(fan_leaves)
     }
 
-    /// Whether all neighbors of a vertex of `after` are named.
+    /// True if all neighbors of a vertex of `after` are named.
     pub fn neighbors_are_named(&self, vertex: NameId) -> bool {
         let drawing = self.drawing;
         let ends =
@@ -236,7 +236,7 @@ impl<'a> Sketch<'a> {
             && out.all(|half| drawing.target_after(half).is_some())
     }
 
-    /// How many edges of `after` that are drawn, or have a drawn halfedge, join two vertices.
+    /// The number of edges of `after` that are drawn, or have a drawn halfedge, join two vertices.
     pub fn drawn_edges_between(&self, v: NameId, w: NameId) -> usize {
         let drawing = self.drawing;
         let ends = |half: NameId| (drawing.origin_after(half), drawing.target_after(half));

@@ -1,4 +1,4 @@
-//! What `surface` asks: loops of three sides, vertices of two spokes with one hole at most,
+//! Obligations of `surface`: loops of three sides, vertices of two spokes with one hole at most,
 //! loops that meet a vertex once.
 
 use super::evidence;
@@ -101,7 +101,8 @@ fn one_hole_along(sketch: &Sketch, orbit: &Loop, path: NameId) -> Option<Obligat
     Some(Obligation::new(Statement::OneHoleAlong(path), None))
 }
 
-/// Where the pieces of a loop come from different loops, they may meet.
+/// The obligation to meet once: where the pieces of a loop come from different loops, they may
+/// meet.
 fn meets_once(sketch: &Sketch, orbit: &Loop) -> Vec<Obligation> {
     let face = orbit.face.name;
     let corners: Vec<_> = orbit.items.iter().map(|item| item.from.name).collect();

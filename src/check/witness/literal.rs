@@ -10,7 +10,7 @@ use super::place::Place;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Ref, Spoke};
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 
-/// What comes of a rewrite.
+/// The result of a rewrite.
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
     /// The mesh after.

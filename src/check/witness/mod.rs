@@ -3,11 +3,13 @@
 //! The drawing of `before` is laid down as a [`sketch`], its [`outside`] is closed in one of
 //! the ways it can run, and the result is a [`place`]: a valid mesh with the match in it. There
 //! the rewrite is carried out, [`literal`]ly, and what `validate` says of the outcome is put
-//! into [`words`]. The [`search`] goes from small to large.
+//! into [`words`]. The [`search`] goes from small to large; every [`completion`] of the drawing that
+//! is smaller than what it finds is looked at, too.
 //!
-//! What is found is never part of a proof: it shows to a person, and to the tests, that a law
+//! A counterexample is never part of a proof: it shows to a person, and to the tests, that a law
 //! was not broken for nothing.
 
+mod completion;
 mod drawn;
 mod layout;
 mod literal;
@@ -22,7 +24,7 @@ use super::arrangement::Arc;
 use super::problem::Problem;
 use super::proved::Broken;
 use crate::diagram::{Drawing, Kind, NameId, Op, Rule};
-use crate::mesh::{EdgeId, Element, FaceId, HalfedgeId, Invalid, Mesh, VertexId};
+use crate::mesh::{EdgeId, Element, FaceId, HalfedgeId, Invalid, Level, Mesh, VertexId};
 use search::{Found, Shown, search, search_where_one};
 use words::Words;
 
@@ -37,25 +39,29 @@ pub struct Counterexample {
     pub code: &'static str,
     /// A valid mesh.
     pub before: Mesh,
-    /// What the rewrite, carried out literally, makes of it.
+    /// The mesh after, as the rewrite, carried out literally, makes of it.
     pub after: Mesh,
-    /// What each name stands for: one element, the halfedges of a path, the spokes of a fan.
+    /// The elements of each name: one element, the halfedges of a path, the spokes of a fan.
     pub names: Vec<(String, Vec<Element>)>,
     /// Why `after` is no mesh.
     pub invalid: Invalid,
     /// The same with the names of the drawing.
     pub verdict: String,
+    /// The level among whose meshes, those that the rule breaks, `before` has the fewest
+    /// halfedges; `None` where there are too many to look at. Where names may be one by an `alias`,
+    /// the meshes are meant where just the names are one that are here.
+    pub smallest_of: Option<Level>,
 }
 
 impl Counterexample {
-    /// Whether the mesh before is what a list of polygons says, so that files of polygons can
-    /// hold it.
+    /// True if the mesh before is what a list of polygons says, so that files of polygons can hold
+    /// it.
     pub fn is_polygons(&self) -> bool {
         self.before.is_polygons()
     }
 }
 
-/// What became of a rejected rule, carried out literally.
+/// The outcome of a rejected rule, carried out literally.
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// It breaks a mesh.
@@ -69,7 +75,8 @@ pub enum Outcome {
 }
 
 /// Codes of what has nothing to do with the mesh: there is nothing to carry out.
-const BESIDE_THE_MESH: [&str; 6] = [
+const BESIDE_THE_MESH: [&str; 7] = [
+    "alias-always",
     "alias-impossible",
     "alias-incomplete",
     "unknown-name",
@@ -114,7 +121,11 @@ pub(super) fn find(op: &Op, rule: &Rule, broken: &mut Broken) -> Outcome {
     let outcome = match broken.outcome.take() {
         Some(outcome) => outcome,
         None => {
-            let found = search(&drawing, broken.arcs.as_deref());
+            let mut found = search(&drawing, broken.arcs.as_deref());
+            if let (Found::Breaks(shown), false) = (&mut found, rule.aliases.is_empty()) {
+                // Where names are one, a smaller mesh may break.
+                shown.smallest_of = None;
+            }
             outcome(&op.name, &drawing, found, diagnostic.code)
         }
     };
@@ -138,14 +149,18 @@ fn outcome(op: &str, drawing: &Drawing, found: Found, code: &'static str) -> Out
     }
 }
 
-/// What a person is told of the outcome.
+/// The note for a person about the outcome.
 fn note(outcome: &Outcome) -> Option<String> {
     match outcome {
-        Outcome::Breaks(example) => Some(format!(
-            "carried out literally on a small mesh ({}): {}",
-            words::size(&example.before),
-            example.verdict
-        )),
+        Outcome::Breaks(example) => {
+            let mesh = match example.smallest_of {
+                Some(Level::Map) => "the smallest mesh that breaks".into(),
+                Some(level) => format!("the smallest `{level}` mesh that breaks"),
+                None => "a small mesh".into(),
+            };
+            let size = words::size(&example.before);
+            Some(format!("carried out literally on {mesh} ({size}): {}", example.verdict))
+        }
         Outcome::Valid(tried) => {
             let meshes = match tried {
                 1 => "the one small mesh".into(),
@@ -161,7 +176,7 @@ fn note(outcome: &Outcome) -> Option<String> {
 }
 
 fn counterexample(op: &str, drawing: &Drawing, shown: Shown, code: &'static str) -> Counterexample {
-    let Shown { place, carried, invalid } = shown;
+    let Shown { place, carried, invalid, smallest_of } = shown;
     let words = Words { drawing, place: &place, carried: &carried };
     let verdict = words.verdict(&invalid);
     let rule = drawing.rule;
@@ -192,5 +207,6 @@ fn counterexample(op: &str, drawing: &Drawing, shown: Shown, code: &'static str)
         names,
         invalid,
         verdict,
+        smallest_of,
     }
 }

@@ -22,7 +22,7 @@ pub(super) struct Join {
     pub leaves: usize,
 }
 
-/// How many further spokes lie in the arcs.
+/// The number of further spokes in the arcs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Further {
     /// None.
@@ -36,7 +36,7 @@ pub(super) enum Further {
 /// The ways in which the arcs of a vertex can run, without further spokes.
 pub(super) type Ways = Vec<Vec<Join>>;
 
-/// How many ways of one vertex are looked at.
+/// The greatest number of ways of one vertex that are looked at.
 const MOST_WAYS: usize = 24;
 
 /// For each vertex with arcs the ways in which they can run; `None` if the spokes of a vertex

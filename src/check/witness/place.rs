@@ -6,6 +6,9 @@ use super::sketch::{HalfedgeRole, Sketch, VertexRole};
 use crate::diagram::{Drawing, Kind, LoopItem, LoopKind, NameId, Rule, Spoke};
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Level, Mesh, VertexId, validate, validate_level};
 
+/// Of how many loops every choice of faces and holes is looked at.
+const MOST_FLAGS: usize = 6;
+
 /// A valid mesh, and where the drawing of `before` lies in it.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
@@ -15,12 +18,14 @@ pub(super) struct Place {
     pub elements: Vec<Option<u32>>,
     /// For each name the halfedges of the path, or the spokes of the fan.
     pub runs: Vec<Vec<HalfedgeId>>,
-    /// Where the halfedges come from, by their ids.
+    /// The origins of the halfedges, by their ids.
     pub halfedges: Vec<HalfedgeRole>,
-    /// Where the vertices come from, by their ids.
+    /// The origins of the vertices, by their ids.
     pub vertices: Vec<VertexRole>,
     /// The loops outside of the drawing.
     pub outside: Vec<FaceId>,
+    /// Those that the drawing calls `loop`: either faces or holes.
+    pub either: Vec<FaceId>,
 }
 
 impl Place {
@@ -37,6 +42,7 @@ impl Place {
             halfedges: sketch.halves.iter().map(|half| half.role).collect(),
             vertices: sketch.vertices.clone(),
             outside: Vec::new(),
+            either: Vec::new(),
         };
         for name in 0..count {
             let element = sketch.half_of[name].or(sketch.vertex_of[name]);
@@ -148,6 +154,9 @@ impl Place {
             if let Some(half) = own {
                 let id = self.face_of(HalfedgeId(half as u32));
                 self.mesh.set_hole(id, orbit.kind == LoopKind::Hole);
+                if orbit.kind == LoopKind::Any {
+                    self.either.push(id);
+                }
                 self.elements[face.index()] = Some(id.0);
             }
         }
@@ -170,18 +179,44 @@ impl Place {
         face
     }
 
-    /// Holes outside of the drawing may as well be faces: if only then the mesh is a surface,
+    /// The highest level that the mesh has, where its loops may be faces or holes.
+    pub fn level(&self) -> Level {
+        let levels = [Level::Simple, Level::Surface];
+        levels.into_iter().find(|&level| self.can_have(level)).unwrap_or(Level::Map)
+    }
+
+    /// True if the mesh has a level, where its loops may be faces or holes.
+    pub fn can_have(&self, level: Level) -> bool {
+        self.at_level(level).is_some()
+    }
+
+    /// The mesh of a level: with as few faces outside of the drawing in place of holes, and as few
+    /// holes in it in place of faces, as it needs.
+    fn at_level(&self, level: Level) -> Option<Mesh> {
+        let loops: Vec<_> = self.outside.iter().chain(&self.either).collect();
+        let mut ways: Vec<u64> = match loops.len() {
+            0..=MOST_FLAGS => (0..1 << loops.len()).collect(),
+            // All faces is what a surface needs least of.
+            _ => vec![0, (1 << self.outside.len().min(63)) - 1],
+        };
+        ways.sort_by_key(|way| way.count_ones());
+        ways.into_iter().find_map(|way| {
+            let mut mesh = self.mesh.clone();
+            for (at, &&face) in loops.iter().enumerate() {
+                let is_outside = at < self.outside.len();
+                let turned = at < 63 && way >> at & 1 == 1;
+                mesh.set_hole(face, is_outside != turned);
+            }
+            validate_level(&mesh, level).is_ok().then_some(mesh)
+        })
+    }
+
+    /// Holes outside of the drawing may as well be faces: where only then the mesh is a surface,
     /// they are.
     fn outside_may_be_faces(&mut self) {
-        if validate_level(&self.mesh, Level::Surface).is_ok() {
-            return;
-        }
-        let mut closed = self.mesh.clone();
-        for &face in &self.outside {
-            closed.set_hole(face, false);
-        }
-        if validate_level(&closed, Level::Surface).is_ok() {
-            self.mesh = closed;
+        let levels = [Level::Simple, Level::Surface];
+        if let Some(mesh) = levels.into_iter().find_map(|level| self.at_level(level)) {
+            self.mesh = mesh;
         }
     }
 
@@ -233,7 +268,7 @@ impl Place {
         Some(())
     }
 
-    /// Whether only empty paths would be left of a loop, which the matcher refuses.
+    /// True if only empty paths would be left of a loop, which the matcher refuses.
     fn is_refused(&self, drawing: &Drawing) -> bool {
         let rule = drawing.rule;
         let empty = |name: NameId| {

@@ -1,20 +1,26 @@
 //! A small mesh on which a rewrite breaks.
 //!
-//! Places are tried from small to large: the fewest halfedges on every path, then more; the
-//! arcs without further spokes, then with a few; all ways in which the arcs can run. A failing
-//! case of law 7 brings its arcs along; they are tried first.
+//! First one place is looked for, from small to large: the fewest halfedges on every path, then
+//! more; the arcs without further spokes, then with a few; all ways in which the arcs can run. A
+//! failing case of law 7 brings its arcs along; they are tried first.
+//!
+//! Then all smaller meshes are looked at, if these are not too many, so that the one that is shown
+//! has the fewest halfedges. They are of the level that the first has: people draw polygon meshes,
+//! and files hold them.
 
 use super::super::alias::Quotient;
 use super::super::arrangement::{Arc, Lies};
 use super::super::port::Port;
+use super::completion::{Completions, End};
 use super::literal::{Carried, carry_out};
 use super::outside::{Further, Join, joins_of, ways};
 use super::place::Place;
-use super::sketch::{HalfedgeRole, Shape, Sketch, VertexRole};
+use super::sketch::{Shape, Sketch, VertexRole};
 use crate::diagram::{Drawing, Kind, NameId, Spoke};
-use crate::mesh::{Invalid, validate};
+use crate::mesh::{Invalid, Level, validate};
+use std::ops::ControlFlow;
 
-/// What a search found.
+/// The result of a search.
 pub(super) enum Found {
     /// A place where the rewrite breaks the mesh.
     Breaks(Box<Shown>),
@@ -34,16 +40,20 @@ pub(super) struct Shown {
     pub carried: Carried,
     /// Why the result is no mesh.
     pub invalid: Invalid,
+    /// The level among whose meshes it is known to have the fewest halfedges, if it is known.
+    pub smallest_of: Option<Level>,
 }
 
-/// How many meshes are built at most.
+/// The greatest number of meshes that are built.
 const MOST_BUILT: usize = 600;
-/// How many halfedges and spokes are added at most to the fewest that there can be.
+/// The greatest number of halfedges and spokes that are added to the fewest that there can be.
 const MOST_ADDED: usize = 4;
-/// How many combinations of arcs are tried in one shape.
+/// The greatest number of links that are tried in smaller meshes.
+const MOST_STEPS: usize = 6_000;
+/// The greatest number of combinations of arcs that are tried in one shape.
 const MOST_COMBINATIONS: usize = 96;
 
-/// How many shapes are looked at, the smallest first.
+/// The greatest number of shapes that are looked at, the smallest first.
 const MOST_SHAPES: usize = 10_000;
 
 /// Looks for a place where a rewrite breaks the mesh.
@@ -68,8 +78,35 @@ impl<'a> Search<'a> {
     }
 
     fn run(mut self, drawing: &Drawing, arcs: Option<&[Arc]>) -> Found {
-        let shown = self.arcs(arcs).or_else(|| self.anywhere());
+        let first = self.arcs(arcs).or_else(|| self.anywhere());
+        let shown = self.smallest(first);
         self.found(drawing, shown)
+    }
+
+    /// The smallest of all, if one is smaller than the first, or none was found.
+    fn smallest(&mut self, first: Option<Shown>) -> Option<Shown> {
+        let level = first.as_ref().map_or(Level::Map, |shown| shown.place.level());
+        let fewest = self.drawing.rule.names_of(Kind::Halfedge).count();
+        let most = first.as_ref().map(|shown| shown.place.mesh.halfedge_count());
+        let ambiguous = self.has_fans_side_by_side();
+        let drawing = self.drawing;
+        let mut visit = |sketch: Sketch| self.attempt_closed(sketch, level);
+        let mut completions =
+            Completions { drawing, ambiguous, level, steps: MOST_STEPS, visit: &mut visit };
+        let mut smallest_of = Some(level);
+        for size in (2..most.unwrap_or(2 * fewest + 2 * MOST_ADDED)).step_by(2) {
+            match completions.of_size(size) {
+                ControlFlow::Continue(()) => {}
+                ControlFlow::Break(End::Found(shown)) => {
+                    return Some(Shown { smallest_of, ..*shown });
+                }
+                ControlFlow::Break(End::TooMany) => {
+                    smallest_of = None;
+                    break;
+                }
+            }
+        }
+        Some(Shown { smallest_of, ..first? })
     }
 
     fn found(self, drawing: &Drawing, shown: Option<Shown>) -> Found {
@@ -96,9 +133,10 @@ impl Shown {
 }
 
 struct Search<'a> {
-    /// What is laid down.
+    /// The drawing that is laid down.
     drawing: &'a Drawing<'a>,
-    /// What is carried out: the same, or where names are one, the rule in which they are two.
+    /// The drawing that is carried out: the same, or where names are one, the rule in which they
+    /// are two.
     carried_out: &'a Drawing<'a>,
     quotient: Option<&'a Quotient>,
     built: usize,
@@ -109,7 +147,7 @@ struct Search<'a> {
 type Sized = (usize, Shape);
 
 impl Search<'_> {
-    /// Whether all names of `after` are known, so that the rewrite can be carried out.
+    /// True if all names of `after` are known, so that the rewrite can be carried out.
     fn is_runnable(&self) -> bool {
         let known = |index: usize| {
             let name = NameId(index as u32);
@@ -161,13 +199,13 @@ impl Search<'_> {
         glued
     }
 
-    /// Every way; and if no place is found, those where what is drawn apart is one.
+    /// Every way in which the arcs can run.
     fn anywhere(&mut self) -> Option<Shown> {
         let shapes = self.shapes(&|path| {
             let may_be_empty = self.drawing.may_be_empty(path);
             usize::from(!may_be_empty)
         });
-        let broken = self.sizes(&shapes, &combinations).or_else(|| {
+        self.sizes(&shapes, &combinations).or_else(|| {
             let late = |(added, shape): &Sized| {
                 let shape = shape.clone();
                 (*added, Shape { late: true, ..shape })
@@ -175,13 +213,7 @@ impl Search<'_> {
             let late: Vec<_> = shapes.iter().map(late).collect();
             let ambiguous = self.has_fans_side_by_side();
             ambiguous.then(|| self.sizes(&late, &combinations))?
-        });
-        if broken.is_some() || self.valid > 0 {
-            return broken;
-        }
-        let joined = shapes.iter().flat_map(|shape| self.joined(shape));
-        let joined: Vec<Sized> = joined.take(MOST_SHAPES).collect();
-        self.sizes(&joined, &combinations)
+        })
     }
 
     fn has_fans_side_by_side(&self) -> bool {
@@ -216,48 +248,6 @@ impl Search<'_> {
         shapes
     }
 
-    /// The shape with two halfedges made twins, or an outer one put on a path.
-    fn joined(&self, (added, shape): &Sized) -> Vec<Sized> {
-        let Some(sketch) = Sketch::lay(self.drawing, shape) else {
-            return Vec::new();
-        };
-        let fresh = |half: usize| {
-            let twin = sketch.halves[half].twin;
-            twin.is_some_and(|twin| sketch.halves[twin].role == HalfedgeRole::TwinOf(half))
-        };
-        let open: Vec<_> = (0..sketch.halves.len()).filter(|&half| fresh(half)).collect();
-        let pair_up = |pairs: &[[usize; 2]]| {
-            let mut shape = shape.clone();
-            shape.glued = pairs.to_vec();
-            (*added, shape)
-        };
-        let mut pairs = Vec::new();
-        for (at, &left) in open.iter().enumerate() {
-            pairs.extend(open[at + 1..].iter().map(|&right| [left, right]));
-        }
-        let mut joined: Vec<_> = pairs.iter().map(|&pair| pair_up(&[pair])).collect();
-        let two_pairs = pairs.iter().enumerate().flat_map(|(at, one)| {
-            let apart = |two: &&[usize; 2]| one.iter().all(|half| !two.contains(half));
-            let others = pairs[at + 1..].iter().filter(apart);
-            others.map(|&two| pair_up(&[*one, two]))
-        });
-        joined.extend(two_pairs.take(MOST_SHAPES));
-        let rule = self.drawing.rule;
-        for outer in rule.names_of(Kind::Halfedge) {
-            if !self.drawing.is_outer(outer) {
-                continue;
-            }
-            for path in rule.names_of(Kind::Path) {
-                for place in 0..sketch.runs[path.index()].len() {
-                    let mut shape = shape.clone();
-                    shape.on_path.push((outer, path, place));
-                    joined.push((*added, shape));
-                }
-            }
-        }
-        joined
-    }
-
     /// Tries shapes with further spokes, from few to many.
     fn sizes(
         &mut self,
@@ -287,14 +277,21 @@ impl Search<'_> {
     fn attempt(&mut self, mut sketch: Sketch, joins: &[Join], further: Further) -> Option<Shown> {
         self.built += 1;
         sketch.close(joins, further);
+        self.attempt_closed(sketch, Level::Map)
+    }
+
+    fn attempt_closed(&mut self, sketch: Sketch, level: Level) -> Option<Shown> {
         let mut place = Place::of(self.drawing, sketch)?;
+        if level > Level::Map && !place.can_have(level) {
+            return None;
+        }
         if let Some(quotient) = self.quotient {
             place = place.with_each_name(self.carried_out.rule, quotient);
         }
         let carried = carry_out(self.carried_out, &place)?;
         self.valid += 1;
         let invalid = validate(&carried.mesh).err()?;
-        Some(Shown { place, carried, invalid })
+        Some(Shown { place, carried, invalid, smallest_of: None })
     }
 }
 

@@ -9,7 +9,7 @@
 
 use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
 
-/// What a drawing leaves open about its own halfedges.
+/// The choices that a drawing leaves open about its own halfedges.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shape {
     /// For each name the number of halfedges, if it is a path.
@@ -22,7 +22,7 @@ pub(super) struct Shape {
     pub late: bool,
 }
 
-/// Where a halfedge comes from.
+/// The origin of a halfedge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum HalfedgeRole {
     /// It has a name.
@@ -35,7 +35,7 @@ pub(super) enum HalfedgeRole {
     Further(usize),
 }
 
-/// Where a vertex comes from.
+/// The origin of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum VertexRole {
     /// It has a name.
@@ -49,13 +49,13 @@ pub(super) enum VertexRole {
 /// A halfedge of a sketch.
 #[derive(Clone, Debug)]
 pub(super) struct Half {
-    /// Where it comes from.
+    /// Its origin.
     pub role: HalfedgeRole,
     /// The number of the vertex it starts at.
     pub origin: usize,
-    /// What follows it.
+    /// The next.
     pub next: Option<usize>,
-    /// What precedes it.
+    /// The one before.
     pub prev: Option<usize>,
     /// Its twin.
     pub twin: Option<usize>,
@@ -83,6 +83,21 @@ pub(super) struct Sketch {
 impl Sketch {
     /// Lays down a drawing; `None` if it contradicts itself in this shape.
     pub fn lay(drawing: &Drawing, shape: &Shape) -> Option<Self> {
+        let mut sketch = Self::open(drawing, shape)?;
+        for &[left, right] in &shape.glued {
+            sketch.pair(left, right)?;
+        }
+        for half in 0..sketch.halves.len() {
+            if sketch.halves[half].twin.is_none() {
+                sketch.fresh_twin(half);
+            }
+        }
+        sketch.compact();
+        Some(sketch)
+    }
+
+    /// Lays down a drawing, and adds no twins to those that are drawn.
+    pub fn open(drawing: &Drawing, shape: &Shape) -> Option<Self> {
         let count = drawing.rule.names.len();
         let mut sketch = Self {
             halves: Vec::new(),
@@ -101,11 +116,6 @@ impl Sketch {
         }
         sketch.edges(drawing)?;
         sketch.spokes(drawing)?;
-        for &[left, right] in &shape.glued {
-            sketch.pair(left, right)?;
-        }
-        sketch.fresh_twins();
-        sketch.compact();
         Some(sketch)
     }
 
@@ -139,7 +149,7 @@ impl Sketch {
         self.halves[next].prev = Some(half);
     }
 
-    /// Where a halfedge ends, if that is known.
+    /// The end of a halfedge, if that is known.
     fn target(&self, half: usize) -> Option<usize> {
         let half = &self.halves[half];
         let behind = half.next.or(half.twin)?;
@@ -224,7 +234,7 @@ impl Sketch {
     }
 
     /// Makes twins of two halfedges, unless they have other twins or other ends.
-    fn pair(&mut self, left: usize, right: usize) -> Option<()> {
+    pub fn pair(&mut self, left: usize, right: usize) -> Option<()> {
         let free = |half: usize| self.halves[half].twin.is_none();
         if left == right || !free(left) || !free(right) {
             return None;
@@ -234,13 +244,18 @@ impl Sketch {
                 self.unify(end, self.halves[other].origin)?;
             }
         }
-        self.halves[left].twin = Some(right);
-        self.halves[right].twin = Some(left);
+        self.make_twins(left, right);
         Some(())
     }
 
+    /// Makes twins of two halfedges.
+    pub fn make_twins(&mut self, left: usize, right: usize) {
+        self.halves[left].twin = Some(right);
+        self.halves[right].twin = Some(left);
+    }
+
     /// Makes two vertices one, unless both have names. The other one is left without spokes.
-    fn unify(&mut self, left: usize, right: usize) -> Option<()> {
+    pub fn unify(&mut self, left: usize, right: usize) -> Option<()> {
         if left == right {
             return Some(());
         }
@@ -257,7 +272,7 @@ impl Sketch {
     }
 
     /// Removes the vertices without a name that nothing starts at.
-    fn compact(&mut self) {
+    pub fn compact(&mut self) {
         let mut numbers = vec![None; self.vertices.len()];
         let mut kept = Vec::new();
         for (old, &role) in self.vertices.iter().enumerate() {
@@ -270,6 +285,9 @@ impl Sketch {
         self.vertices = kept;
         for half in &mut self.halves {
             half.origin = numbers[half.origin].expect("a halfedge starts at it");
+            if let HalfedgeRole::Further(at) = &mut half.role {
+                *at = half.origin;
+            }
         }
         for vertex in self.vertex_of.iter_mut().flatten() {
             *vertex = numbers[*vertex].expect("it has a name");
@@ -322,19 +340,14 @@ impl Sketch {
         Some(())
     }
 
-    fn fresh_twins(&mut self) {
-        for half in 0..self.halves.len() {
-            if self.halves[half].twin.is_some() {
-                continue;
-            }
-            let origin = match self.target(half) {
-                Some(origin) => origin,
-                None => self.add_vertex(VertexRole::Loose),
-            };
-            let twin = self.add(HalfedgeRole::TwinOf(half), origin);
-            self.halves[half].twin = Some(twin);
-            self.halves[twin].twin = Some(half);
-        }
+    /// Adds the twin of a halfedge.
+    pub fn fresh_twin(&mut self, half: usize) {
+        let origin = match self.target(half) {
+            Some(origin) => origin,
+            None => self.add_vertex(VertexRole::Loose),
+        };
+        let twin = self.add(HalfedgeRole::TwinOf(half), origin);
+        self.make_twins(half, twin);
     }
 }
 

@@ -82,7 +82,7 @@ impl Triangle {
     }
 }
 
-/// Where the halfedge starts that some pointers lead to.
+/// The position of the start of the halfedge that some pointers lead to.
 fn position(asm: &mut Assembler, place: u32, path: &[HalfedgeField], halfedge: Reg) -> Reg {
     let (vertex, to) = (asm.reg(), asm.vec());
     let path = [path, &[HalfedgeField::Vertex]].concat();
@@ -91,7 +91,7 @@ fn position(asm: &mut Assembler, place: u32, path: &[HalfedgeField], halfedge: R
     to
 }
 
-/// What pointers lead to from a halfedge.
+/// The element that pointers lead to from a halfedge.
 fn follow(asm: &mut Assembler, place: u32, path: &[HalfedgeField], [to, from]: [Reg; 2]) {
     asm.emit(Inst::Copy { to, from });
     for &field in path {

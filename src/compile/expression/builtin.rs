@@ -8,7 +8,7 @@ use crate::rewrite::{
     Assembler, ElementField, HalfedgeField, Inst, Lanes, Math, Matrix, Question, Reg,
 };
 
-/// What a call makes: of a first argument of what type, a value of what type, where.
+/// The value that a call makes: of a first argument of what type, a value of what type, where.
 #[derive(Clone, Copy)]
 pub(super) struct Made {
     pub(super) of: Type,
@@ -35,7 +35,7 @@ pub(super) fn call(asm: &mut Assembler, place: u32, builtin: Builtin, args: &[Re
     }
 }
 
-/// What is computed of vectors and matrices of any width; false for the rest.
+/// The computations with vectors and matrices of any width; false for the rest.
 fn of_any_width(asm: &mut Assembler, builtin: Builtin, args: &[Reg], made: Made) -> bool {
     let Made { of, result, to } = made;
     let Some(&left) = args.first() else {
@@ -101,7 +101,7 @@ fn unknown(asm: &mut Assembler, place: u32) {
     asm.trap_at(place, Inst::Fail { text });
 }
 
-/// What takes more than one instruction; false for the rest.
+/// The functions that take more than one instruction; false for the rest.
 fn with_steps(asm: &mut Assembler, place: u32, builtin: Builtin, from: Reg, to: Reg) -> bool {
     match builtin {
         Builtin::BoundaryHalfedge => {

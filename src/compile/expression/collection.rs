@@ -14,9 +14,9 @@ use crate::rewrite::{
 };
 use crate::source::Span;
 
-/// What is lowered for the element in the register; jumping to the label goes on with
-/// the next one.
-pub type Turn<'a> = dyn FnMut(&mut Assembler, &mut dyn Scope, Reg, Label) + 'a;
+/// The body that is lowered for the element in the register; jumping to the label goes on with the
+/// next one.
+pub type LoopBody<'a> = dyn FnMut(&mut Assembler, &mut dyn Scope, Reg, Label) + 'a;
 
 /// The elements of the whole mesh that a collection stands for; `None` for one around an
 /// element.
@@ -37,7 +37,7 @@ pub fn each(
     scope: &mut dyn Scope,
     collection: &Collection,
     span: Span,
-    turn: &mut Turn,
+    turn: &mut LoopBody,
 ) {
     match elements(collection) {
         Some(of) => each_of_mesh(asm, scope, of, span, turn),
@@ -50,7 +50,7 @@ fn each_of_mesh(
     scope: &mut dyn Scope,
     of: Elements,
     span: Span,
-    turn: &mut Turn,
+    turn: &mut LoopBody,
 ) {
     let (head, next, done) = (asm.label(), asm.label(), asm.label());
     let (zero, one) = (asm.constant_int(0), asm.constant_int(1));
@@ -67,7 +67,7 @@ fn each_of_mesh(
     asm.bind(done);
 }
 
-/// What is made of each halfedge that the walk meets.
+/// The value for each halfedge that the walk meets.
 #[derive(Clone, Copy)]
 enum Wanted {
     Itself,
@@ -82,7 +82,7 @@ fn each_around(
     scope: &mut dyn Scope,
     collection: &Collection,
     span: Span,
-    turn: &mut Turn,
+    turn: &mut LoopBody,
 ) {
     let place = scope.place(span);
     let buffer = asm.buffer();

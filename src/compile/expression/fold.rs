@@ -61,7 +61,7 @@ pub(super) fn fold(asm: &mut Assembler, scope: &mut dyn Scope, fold: &Fold, of: 
     sum.end(asm, place, fold.function);
 }
 
-/// How many elements of a sort there are, the mesh knows without looking at them.
+/// The number of elements of a sort, which the mesh knows without looking at them.
 fn known_count(fold: &Fold, to: Reg) -> Option<Inst> {
     let all = fold.filter.is_none() && fold.body.kind == ExprKind::Bool(true);
     let counts = fold.function == FoldFunction::Count && all;
@@ -86,8 +86,8 @@ fn settle(asm: &mut Assembler, to: Reg, answer: bool, done: Label) {
     asm.emit(Inst::Jump { to: done });
 }
 
-/// What has been made of the values so far: in `to`, of type `ty`; in `seen` how many there
-/// were, where that matters; and in `best` the value of the element in `to`, if it is one.
+/// The value that has been made of the values so far: in `to`, of type `ty`; in `seen` how many
+/// there were, where that matters; and in `best` the value of the element in `to`, if it is one.
 #[derive(Clone, Copy)]
 struct Sum {
     ty: Type,

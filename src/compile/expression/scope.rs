@@ -1,11 +1,11 @@
-//! What the lowering of an expression asks of its surroundings.
+//! Scope: the questions that the lowering of an expression asks of its surroundings.
 
 use crate::diagram::{NameId, Type};
 use crate::mesh::ElementKind;
 use crate::rewrite::Reg;
 use crate::source::Span;
 
-/// Where an expression finds what it names.
+/// The scope in which an expression finds what it names.
 pub trait Scope {
     /// The register of a drawn element.
     fn element(&self, name: NameId) -> Reg;
@@ -17,7 +17,7 @@ pub trait Scope {
     fn place(&mut self, span: Span) -> u32;
 }
 
-/// How many registers a value takes.
+/// The number of registers of a value.
 pub fn width(ty: Type) -> u16 {
     match ty {
         Type::Vec2 => 2,

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::super::action::Action;
+use super::super::language::{Level, Spelled, spell};
 use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
-use super::super::spell::{Level, Spelled, spell};
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Attribute, Parameter, Term};
 use super::super::{NotEmitted, Selection, build};
@@ -41,7 +41,7 @@ pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitte
         refusal: "",
         is_outside: false,
         is_noted: false,
-        sheet: None,
+        preview: None,
     };
     let outside = called.iter().map(|(home, item)| printer.called(home, item));
     let outside: Vec<_> = outside.collect();
@@ -77,14 +77,14 @@ pub(super) struct Printer<'s> {
     pub headers: BTreeSet<&'static str>,
     /// The attributes that elements have to have: "vertex: double weight".
     pub fields: BTreeSet<String>,
-    /// What leaves the attempt.
+    /// The statement that leaves the attempt.
     pub refusal: &'static str,
-    /// Whether the names of the mesh class are not in sight.
+    /// True if the names of the mesh class are not in sight.
     pub is_outside: bool,
-    /// Whether what is written is noted in a journal.
+    /// True if what is written is noted in a journal.
     pub is_noted: bool,
-    /// The sheet that pointers are noted on instead.
-    pub sheet: Option<String>,
+    /// The preview that pointers are noted on instead.
+    pub preview: Option<String>,
 }
 
 impl Printer<'_> {
@@ -92,7 +92,7 @@ impl Printer<'_> {
     /// style needs there, or does not tell elements apart.
     fn is_blind(&self, outside: &[String]) -> Option<String> {
         if let Some([one, other]) = self.style.one_type()
-            && (self.used.contains(&"Journal") || self.used.contains(&"Sheet"))
+            && (self.used.contains(&"Journal") || self.used.contains(&"Preview"))
         {
             return Some(format!(
                 "`{one}` and `{other}` are one type, and overloads tell elements apart by theirs"
@@ -155,7 +155,7 @@ impl Printer<'_> {
         )
     }
 
-    /// What operations call, as text; it comes from a file.
+    /// The functions and operations that are called, as text; it comes from a file.
     fn called(&mut self, home: &str, item: &Item) -> String {
         let outer = std::mem::replace(&mut self.lines, Lines::new(2));
         let name = match item {
@@ -412,7 +412,7 @@ impl Printer<'_> {
         self.fixed(&fixed, used);
     }
 
-    /// Whether a parameter always is what it is by default.
+    /// True if a parameter always is what it is by default.
     fn is_fixed(&self, param: &Parameter) -> bool {
         self.style.fixes_defaults() && !self.is_noted && param.default.is_some()
     }
@@ -486,13 +486,13 @@ fn once(name: &str, text: &str) -> String {
     format!("\n#ifndef {guard}\n#define {guard}\n{text}\n#endif\n")
 }
 
-/// What the signature of an operation says.
+/// The signature of an operation.
 pub(super) struct Head<'h> {
     pub name: &'h str,
-    /// What the program calls it.
+    /// Its name in the program.
     pub declared: &'h str,
     pub params: &'h [Parameter],
     pub result: Option<Type>,
-    /// Whether no other operation is emitted.
+    /// True if no other operation is emitted.
     pub alone: bool,
 }

@@ -1,16 +1,16 @@
 //! Routines as C++17.
 
 mod function;
-mod headers;
+pub mod headers;
+mod matrix;
 mod pattern;
-mod sheet;
+mod preview;
 mod spelling;
 mod statement;
 mod steps;
 mod style;
 mod support;
 mod types;
-mod wide;
 
 pub use function::cpp;
 pub use pattern::StyleError;

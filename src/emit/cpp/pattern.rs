@@ -1,4 +1,4 @@
-//! What a style is made of: patterns with names, and which texts can be one.
+//! Patterns of a style: patterns with names, and which texts can be one.
 //!
 //! A pattern may speak of `{of}`, the element; `{pointer}`, the name of the pointer or attribute;
 //! and `{value}`.
@@ -7,7 +7,7 @@ use std::fmt;
 
 use super::super::reserved::is_keyword_of_cpp;
 
-/// What a pattern is.
+/// The form of a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// Code that speaks of all of these parts.
@@ -100,14 +100,14 @@ pub enum StyleError {
     NotCode {
         /// The pattern.
         name: String,
-        /// What is wrong with it.
+        /// The mistake.
         why: &'static str,
     },
     /// A name would not be one in C++.
     NotAName {
         /// The pattern.
         name: String,
-        /// What it was to be.
+        /// The value as it was given.
         value: String,
     },
     /// It is one of some words, and not this one.
@@ -165,7 +165,7 @@ fn quoted(words: &[&str]) -> String {
     words.join(" and ").replacen(" and ", ", ", words.len().saturating_sub(2))
 }
 
-/// Whether a text can be what the pattern is for.
+/// Checks that a text can be what the pattern is for.
 pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), StyleError> {
     let not_a_name = || StyleError::NotAName { name: name.into(), value: value.into() };
     let fits = match form {
@@ -182,7 +182,7 @@ pub(super) fn understand(name: &str, form: Form, value: &str) -> Result<(), Styl
     if fits { Ok(()) } else { Err(not_a_name()) }
 }
 
-/// Whether a text is one word that C++ leaves free.
+/// True if a text is one word that C++ leaves free.
 pub(super) fn is_word(text: &str) -> bool {
     let mut letters = text.chars();
     letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
@@ -262,57 +262,4 @@ pub(super) fn free_words(pattern: &str) -> Vec<(&str, bool)> {
         at = begin + length;
     }
     words
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_cannot_compile_is_no_pattern() {
-        let why = |name: &str, value: &str| {
-            let (_, form, ..) = PATTERNS.iter().find(|(known, ..)| *known == name).unwrap();
-            understand(name, *form, value).err().map(|error| error.to_string())
-        };
-        for (name, value) in [
-            ("read", "{of}.at(\"{pointer}\")"),
-            ("read", "{of}->{pointer}("),
-            ("read", "{of}->{pointer}; // x"),
-            ("read", "{of}->{pointer} + {value}"),
-            ("boundary", "{of}->{form}"),
-            ("new_vertex", "make({of})"),
-            ("Vertex", "class"),
-            ("Vertex", "3d"),
-            ("mesh", ""),
-            ("member", "maybe"),
-            ("include", "a\"b"),
-        ] {
-            assert!(why(name, value).is_some(), "{name}={value}");
-        }
-        for (name, value) in [
-            ("read", "(*{of}).get_{pointer}()"),
-            ("write", "set({of}->{pointer}, T{{value}})"),
-            ("new_vertex", "add<Vertex>()"),
-            ("prev", ""),
-            ("real", "float"),
-            ("Vertex", "a::b::Vertex"),
-            ("include", "halfedge.h geometry/halfedge.h"),
-        ] {
-            assert_eq!(why(name, value), None, "{name}={value}");
-        }
-        assert_eq!(
-            why("write", "{of}->{pointer} = {value} + {what}").as_deref(),
-            Some("the pattern of `write` knows `{of}`, `{pointer}` and `{value}`, and no `{what}`")
-        );
-    }
-
-    #[test]
-    fn a_pattern_takes_words_from_where_it_stands() {
-        assert_eq!(free_words("{of}->{pointer}()"), []);
-        assert_eq!(free_words("mesh.next[{of}]"), [("mesh", false)]);
-        assert_eq!(free_words("is_hole({of}) && !ns::is({of})"), [("is_hole", true)]);
-        assert_eq!(free_words("this->next({of})"), [("this", false)]);
-        assert_eq!(free_words("get_{pointer}({of})"), [("get_", true)]);
-        assert_eq!(free_words("{pointer}({of})"), [("pointer", true)]);
-    }
 }

@@ -1,9 +1,9 @@
 //! Terms as C++.
 
+use super::super::language::{Language, Level, Spelled, number, short_number, spell};
+use super::super::matrix::is_wide;
 use super::super::names::invoked;
-use super::super::spell::{Language, Level, Spelled, number, short_number, spell};
-use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
-use super::super::wide::is_wide;
+use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
 use super::function::Printer;
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -219,10 +219,10 @@ impl Language for Printer<'_> {
         Spelled::whole(self.support(name, args))
     }
 
-    fn some(&mut self, turns: &Turns, condition: &Term) -> Spelled {
+    fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled {
         let condition = self.text(condition);
-        let condition = format!("[&](std::size_t {}) {{ return {condition}; }}", turns.index);
-        Spelled::whole(self.support("some", vec![turns.size.clone(), condition]))
+        let condition = format!("[&](std::size_t {}) {{ return {condition}; }}", indices.index);
+        Spelled::whole(self.support("some", vec![indices.size.clone(), condition]))
     }
 
     fn fold(&mut self, fold: &Fold) -> Spelled {
@@ -274,7 +274,7 @@ impl Language for Printer<'_> {
 }
 
 impl Printer<'_> {
-    /// What lies around an element, as a list.
+    /// The elements around an element, as a list.
     pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
         let element = self.text(element);
         let name = match around {

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::super::lines::{Lines, comment};
-use super::super::routine::{Statement, Step, Walk};
-use super::super::term::{Term, Turns};
+use super::super::routine::{HalfedgeWalk, Statement, Step};
+use super::super::term::{IndexLoop, Term};
 use super::function::Printer;
 use crate::diagram::{Kind, Pointer, Type};
 
@@ -16,8 +16,8 @@ impl Printer<'_> {
     }
 
     fn statement(&mut self, statement: &Statement) {
-        if let Some(sheet) = self.sheet.clone()
-            && self.note(&sheet, statement)
+        if let Some(preview) = self.preview.clone()
+            && self.note(&preview, statement)
         {
             return;
         }
@@ -78,11 +78,11 @@ impl Printer<'_> {
                 self.headers.insert("cstddef");
                 self.lines.line(&format!("std::size_t {name} = {list}.size();"));
             }
-            Statement::Gather { ty, name, turns, item } => {
+            Statement::Gather { ty, name, indices, item } => {
                 let item = self.text(item);
-                self.gather(&self.ty(*ty), name, turns, &item);
+                self.gather(&self.ty(*ty), name, indices, &item);
             }
-            Statement::Turn { turns, body } => self.held(&turn(turns), body),
+            Statement::IndexLoop { indices, body } => self.held(&turn(indices), body),
             Statement::Change { name, value } => {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {value};"));
@@ -93,7 +93,7 @@ impl Printer<'_> {
                 self.held(&format!("if ({condition})"), body);
             }
             Statement::Walk { walk, body } => self.walk(walk, body),
-            Statement::Foresee { sheet, body } => self.foresee(sheet, body),
+            Statement::Foresee { preview, body } => self.foresee(preview, body),
             Statement::Each { item, list, body } => {
                 let ty = self.ty(Type::Face);
                 self.held(&format!("for ({ty} {item} : {list})"), body);
@@ -104,10 +104,10 @@ impl Printer<'_> {
                 let line = format!("{ty} {name} = {call};");
                 self.lines.line(&line);
             }
-            Statement::NewEach { kind, name, turns } => {
+            Statement::NewEach { kind, name, indices } => {
                 let ty = self.style.name(type_name(*kind)).to_string();
                 let call = self.allocated(*kind);
-                self.gather(&ty, name, turns, &call);
+                self.gather(&ty, name, indices, &call);
             }
             Statement::Set { pointer, of, value } => {
                 let (of, value) = (self.spelled_whole(of), self.text(value));
@@ -158,10 +158,10 @@ impl Printer<'_> {
     }
 
     /// A list of what stands for each index.
-    pub(super) fn gather(&mut self, ty: &str, name: &str, turns: &Turns, item: &str) {
+    pub(super) fn gather(&mut self, ty: &str, name: &str, indices: &IndexLoop, item: &str) {
         self.headers.insert("vector");
         self.lines.line(&format!("std::vector<{ty}> {name};"));
-        let (head, push) = (turn(turns), format!("{name}.push_back({item});"));
+        let (head, push) = (turn(indices), format!("{name}.push_back({item});"));
         match head.len() + push.len() < 92 {
             true => self.lines.line(&format!("{head} {push}")),
             false => {
@@ -183,7 +183,7 @@ impl Printer<'_> {
             refusal: self.refusal,
             is_outside: self.is_outside,
             is_noted: self.is_noted,
-            sheet: self.sheet.clone(),
+            preview: self.preview.clone(),
         };
         inner.block(body);
         let text = std::mem::take(&mut inner.lines).finish();
@@ -236,7 +236,7 @@ impl Printer<'_> {
         self.refusal = outer;
     }
 
-    fn walk(&mut self, walk: &Walk, body: &[Statement]) {
+    fn walk(&mut self, walk: &HalfedgeWalk, body: &[Statement]) {
         let ty = self.ty(Type::Halfedge);
         let h = &walk.halfedge;
         let head = if walk.around {
@@ -268,8 +268,8 @@ impl Printer<'_> {
 }
 
 /// The head of a loop over the indices.
-fn turn(turns: &Turns) -> String {
-    let Turns { index, size } = turns;
+fn turn(indices: &IndexLoop) -> String {
+    let IndexLoop { index, size } = indices;
     format!("for (std::size_t {index} = 0; {index} < {size}; ++{index})")
 }
 

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use super::super::action::{Action, Call, Called, Form, Held, Place, Whole};
+use super::super::action::{Action, Call, Called, Form, Held, Target, Whole};
+use super::super::language::{Level, spell};
 use super::super::names::invoked;
 use super::super::routine::Statement;
-use super::super::spell::{Level, spell};
 use super::super::term::{Attribute, Parameter, Term};
 use super::function::{Head, Printer};
 use super::types::types;
 use crate::diagram;
 
-/// How long a line may become.
+/// The greatest length of a line.
 const WIDTH: usize = 92;
 
 impl Printer<'_> {
@@ -224,8 +224,8 @@ impl Printer<'_> {
             .line(&format!("journal.undone_by([{capture}, was = {was}] {{ {back} = was; }});"));
     }
 
-    fn put(&mut self, place: &Place, value: &str) {
-        let Place { name, ty, form } = place;
+    fn put(&mut self, place: &Target, value: &str) {
+        let Target { name, ty, form } = place;
         self.lines.line(&match form {
             Form::Known => format!("{name} = {value};"),
             Form::Fixed | Form::Changing => format!("{} {name} = {value};", self.ty(*ty)),

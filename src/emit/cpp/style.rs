@@ -1,4 +1,5 @@
-//! How C++ reads, writes, allocates and erases: what differs from one mesh class to the next.
+//! Style of C++: its reads, writes, allocations and erasures, which differ from one mesh class to
+//! the next.
 //!
 //! Everything is a pattern with a name. A pattern may speak of `{of}`, the element; `{pointer}`,
 //! the name of the pointer or attribute; and `{value}`.
@@ -6,11 +7,11 @@
 use super::pattern::{Form, PATTERNS, StyleError, free_words, is_word, understand};
 use crate::diagram::{Kind, Pointer};
 
-/// How C++ spells what a mesh class has its own ways for.
+/// The parts of C++ that a mesh class has its own ways for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Style {
     patterns: Vec<String>,
-    /// What operations are called, each with its name in the program.
+    /// The names of operations, each with its name in the program.
     functions: Vec<(String, String)>,
 }
 
@@ -77,7 +78,7 @@ impl Style {
         Ok(())
     }
 
-    /// Whether all patterns can compile together.
+    /// Checks that all patterns can compile together.
     ///
     /// # Errors
     /// [`StyleError`] for patterns that contradict each other.
@@ -140,29 +141,29 @@ impl Style {
         kept
     }
 
-    /// What a target calls an operation, if it says so.
+    /// The name that a target calls an operation, if it says so.
     pub fn function(&self, op: &str) -> Option<&str> {
         let found = self.functions.iter().find(|(known, _)| known == op);
         found.map(|(_, name)| name.as_str())
     }
 
-    /// Whether a target names operations, so that others are not its own.
+    /// True if a target names operations, so that others are not its own.
     pub fn names_functions(&self) -> bool {
         !self.functions.is_empty()
     }
 
-    /// Whether an operation without a result gives back the element that it was given.
+    /// True if an operation without a result gives back the element that it was given.
     pub(in crate::emit) fn gives_back(&self) -> bool {
         self.pattern("result") == "given"
     }
 
-    /// Whether parameters with a default are no parameters.
+    /// True if parameters with a default are no parameters.
     pub(in crate::emit) fn fixes_defaults(&self) -> bool {
         self.pattern("defaults") == "fixed"
     }
 
-    /// What stands before everything, so that the mesh class is known: the first of the files
-    /// that there is.
+    /// The line before everything that makes the mesh class known: the first of the files that
+    /// there is.
     pub(in crate::emit) fn include(&self) -> String {
         let files: Vec<_> = self.pattern("include").split_whitespace().collect();
         let Some((last, others)) = files.split_last() else {
@@ -204,12 +205,12 @@ impl Style {
         }
     }
 
-    /// Whether operations are members of the mesh class.
+    /// True if operations are members of the mesh class.
     pub(in crate::emit) fn is_member(&self) -> bool {
         self.pattern("member") == "yes"
     }
 
-    /// Whether halfedges store `prev`.
+    /// True if halfedges store `prev`.
     pub(in crate::emit) fn has_prev(&self) -> bool {
         !self.pattern("prev").is_empty()
     }
@@ -254,7 +255,7 @@ impl Style {
         }
     }
 
-    /// Whether a type is one of the mesh class.
+    /// True if a type is one of the mesh class.
     pub(in crate::emit) fn is_nested(&self, ty: &str) -> bool {
         let is_element = ["Vertex", "Halfedge", "Edge", "Face"].contains(&ty);
         is_element && self.pattern("nested") == "yes"
@@ -294,12 +295,12 @@ impl Style {
         self.call(self.erasure(kind.word(), of))
     }
 
-    /// What allocates an element of a kind, as the mesh class calls it.
+    /// The call that allocates an element of a kind, as the mesh class calls it.
     pub(in crate::emit) fn allocation(&self, kind: &str) -> String {
         self.pattern(&format!("new_{kind}")).to_string()
     }
 
-    /// What erases an element of a kind, as the mesh class calls it.
+    /// The call that erases an element of a kind, as the mesh class calls it.
     pub(in crate::emit) fn erasure(&self, kind: &str, of: &str) -> String {
         fill(self.pattern(&format!("erase_{kind}")), of, "", "")
     }
@@ -358,40 +359,4 @@ fn fill(pattern: &str, of: &str, pointer: &str, value: &str) -> String {
         }
     }
     text + rest
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn patterns_are_filled_in_one_go() {
-        assert_eq!(
-            fill("{of}.{pointer}({value}) {x}", "{value}", "next", "a"),
-            "{value}.next(a) {x}"
-        );
-    }
-
-    #[test]
-    fn a_style_is_changed_bit_by_bit() {
-        let mut style = Style::default();
-        assert_eq!(style.read("h", Pointer::Next).as_deref(), Some("h->next"));
-        assert_eq!(style.read("h", Pointer::Prev), None);
-        style.set("accessors").unwrap();
-        style.set("halfedge=half_edge").unwrap();
-        let read = style.read("v", Pointer::VertexHalfedge);
-        assert_eq!(read.as_deref(), Some("v->half_edge()"));
-        let write = style.write("a", Pointer::Twin, "b");
-        assert_eq!(write.as_deref(), Some("a->twin() = b"));
-    }
-
-    #[test]
-    fn what_no_style_has_is_an_error() {
-        let mut style = Style::default();
-        for text in
-            ["pascal", "nexxt=n", "write={of}->{pointer}", "next=->x", "member=maybe", "mesh="]
-        {
-            assert!(style.set(text).is_err(), "{text}");
-        }
-    }
 }

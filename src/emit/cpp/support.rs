@@ -14,7 +14,7 @@ use super::style::Style;
 const TEXTS: &str = concat!(
     include_str!("functions.txt"),
     include_str!("values.txt"),
-    include_str!("sheet.txt"),
+    include_str!("preview.txt"),
     include_str!("journal.txt")
 );
 
@@ -30,14 +30,14 @@ fn text(name: &str) -> Option<&'static str> {
     found.map(|(_, text)| text.trim_end())
 }
 
-/// Whether there is a function of that name.
+/// True if there is a function of that name.
 pub(in crate::emit) fn is_written_out(name: &str) -> bool {
     static NAMES: LazyLock<BTreeSet<&str>> =
         LazyLock::new(|| functions().map(|(known, _)| known.trim_end_matches(".n")).collect());
     NAMES.contains(name)
 }
 
-/// Whether a function follows pointers, or calls one that does.
+/// True if a function follows pointers, or calls one that does.
 pub(super) fn looks_at_mesh(name: &str) -> bool {
     let mut opened = text(name).unwrap_or("").split('[').skip(1);
     opened.any(|rest| rest.split(']').next().is_some_and(|inside| inside.contains('.')))
@@ -65,7 +65,7 @@ fn need(name: &'static str, order: &mut Vec<&'static str>) {
     order.push(name);
 }
 
-/// What a call of a function begins with; `dot.n` is called as `dot<4>(…)`.
+/// The beginning of a call of a function; `dot.n` is called as `dot<4>(…)`.
 fn call_of(name: &str) -> String {
     match name.strip_suffix(".n") {
         Some(name) => format!("{name}<"),
@@ -73,8 +73,8 @@ fn call_of(name: &str) -> String {
     }
 }
 
-/// Whether a text calls a function: its name as a whole word, with a bracket behind it, and not
-/// as an accessor of something.
+/// True if a text calls a function: its name as a whole word, with a bracket behind it, and not as
+/// an accessor of something.
 fn calls(text: &str, name: &str) -> bool {
     let call = call_of(name);
     text.match_indices(&call).any(|(at, _)| {
@@ -150,19 +150,4 @@ fn qualified(name: &str, text: &str) -> String {
         }
     }
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn functions_stand_behind_what_they_call() {
-        let order = needed(&["link_condition", "vertex_normal"]);
-        let at = |name: &str| order.iter().position(|known| *known == name);
-        assert!(at("spokes") < at("neighbors") && at("neighbors") < at("link_condition"));
-        assert!(at("holds") < at("link_condition") && at("holds").is_some());
-        assert!(at("cross") < at("vector_area") && at("normalize") < at("vertex_normal"));
-        assert_eq!(at("mean"), None);
-    }
 }

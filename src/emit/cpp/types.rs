@@ -30,7 +30,7 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
                 types(body, see);
             }
             Statement::When { body, .. }
-            | Statement::Turn { body, .. }
+            | Statement::IndexLoop { body, .. }
             | Statement::Foresee { body, .. } => types(body, see),
             Statement::Refuse { when, .. } => variables(when, see),
             Statement::Action(action) => {

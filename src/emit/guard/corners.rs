@@ -1,6 +1,6 @@
 //! Tests that compare the corners of faces.
 
-use super::super::routine::{Statement, Step, Walk};
+use super::super::routine::{HalfedgeWalk, Statement, Step};
 use super::super::term::{Function, Term};
 use super::{Tests, Untold, has_repetition};
 use crate::diagram::{Loop, LoopKind, NameId, Pointer, Type};
@@ -138,7 +138,7 @@ impl Tests<'_, '_> {
         Ok(())
     }
 
-    /// Whether two faces around a vertex have the same corners.
+    /// The test that two faces around a vertex have the same corners.
     pub(super) fn same_corners_around(&mut self, vertex: NameId) -> Result<Term, Untold> {
         let same = self.tally("same", Type::Bool, Term::Bool(false));
         let mut drawn = Vec::new();
@@ -157,7 +157,7 @@ impl Tests<'_, '_> {
         Ok(Term::name(same))
     }
 
-    /// Whether another face around a vertex has the corners of a face.
+    /// The test that another face around a vertex has the corners of a face.
     pub(super) fn same_corners_as(&mut self, face: NameId, vertex: NameId) -> Result<Term, Untold> {
         let same = self.tally("same", Type::Bool, Term::Bool(false));
         let mut own = None;
@@ -277,7 +277,7 @@ impl Tests<'_, '_> {
         let body = vec![
             Statement::List { ty: Type::Vertex, name: undrawn.corners.clone(), items: Vec::new() },
             Statement::Walk {
-                walk: Walk {
+                walk: HalfedgeWalk {
                     halfedge,
                     step: Step::Next,
                     from: first.clone(),
@@ -290,7 +290,7 @@ impl Tests<'_, '_> {
         Ok((undrawn, body))
     }
 
-    /// Whether the face of a halfedge is no hole and not drawn.
+    /// The test that the face of a halfedge is no hole and not drawn.
     fn is_undrawn_face(&self, h: Term) -> Term {
         let face = h.follow(Pointer::Face);
         let drawn = self.drawing.rule.before.loops.iter();

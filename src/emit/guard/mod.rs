@@ -4,19 +4,19 @@
 //! made of what is drawn and of pieces of orbits of `before`; so it can be looked at by walking
 //! those pieces ([`result`]) and reading each pointer as it will be. Here each statement becomes
 //! such a walk and a test. Where that cannot be told before the operation runs, the tests look at
-//! a [`sheet`] instead.
+//! a [`preview`] instead.
 
 mod corners;
+mod preview;
 mod result;
-mod sheet;
 
 use super::build::Conventions;
 use super::names::Names;
-use super::routine::{Statement, Walk};
+use super::routine::{HalfedgeWalk, Statement};
 use super::term::{Function, Term};
 use crate::check::guard::{Obligation, Statement as Asked};
 use crate::diagram::{Binary, Builtin, Drawing, Loop, LoopKind, NameId, Type};
-use result::{Outcome, Told};
+use result::{FutureElement, Outcome};
 
 /// The tests of a guard, in order.
 pub(super) fn tests(
@@ -35,10 +35,10 @@ pub(super) fn tests(
         *names = tried;
         return body;
     }
-    sheet::tests(drawing, guard, names, conventions)
+    preview::tests(drawing, guard, names, conventions)
 }
 
-/// What walks over pieces of the mesh as it is cannot tell of the result.
+/// The failure of walks over pieces of the mesh as it is cannot tell of the result.
 struct Untold;
 
 fn by_walks(
@@ -136,7 +136,7 @@ impl Tests<'_, '_> {
         Ok(vec![Statement::Walk { walk, body: vec![Statement::only_where(condition, body)] }])
     }
 
-    /// What the walk over the spokes of a vertex of `after` does with each that is not drawn.
+    /// The statements for each spoke of a vertex of `after` that is not drawn.
     fn spokes(
         &mut self,
         vertex: NameId,
@@ -275,7 +275,7 @@ impl Tests<'_, '_> {
             Ok(vec![
                 Statement::Tally { ty: Type::Int, name: holes.clone(), value: Term::Int(0) },
                 Statement::Walk {
-                    walk: Walk {
+                    walk: HalfedgeWalk {
                         halfedge: spoke.clone(),
                         step: super::routine::Step::Clockwise,
                         from: h.clone(),
@@ -326,15 +326,15 @@ impl Tests<'_, '_> {
         self.any_twice(vertex, ("neighbors", Type::Vertex), drawn, told, tell)
     }
 
-    /// Whether two spokes of a vertex have the same: those that are drawn, as told of drawn
+    /// The test that two spokes of a vertex have the same: those that are drawn, as told of drawn
     /// spokes, and as told of the others. What is there already is listed, what is new counted.
     fn any_twice(
         &mut self,
         vertex: NameId,
         (wanted, ty): (&str, Type),
         drawn: Vec<NameId>,
-        told: Vec<Told>,
-        tell: impl Fn(&Self, Term) -> Told,
+        told: Vec<FutureElement>,
+        tell: impl Fn(&Self, Term) -> FutureElement,
     ) -> Result<Term, Untold> {
         let (new, old): (Vec<_>, Vec<_>) =
             drawn.into_iter().partition(|&name| self.result.is_new(name));
@@ -399,7 +399,7 @@ impl Tests<'_, '_> {
 }
 
 /// Lists what a halfedge will have, or counts it if it is new.
-fn note(told: Told, list: &str, counts: &[(NameId, String)]) -> Vec<Statement> {
+fn note(told: FutureElement, list: &str, counts: &[(NameId, String)]) -> Vec<Statement> {
     let push = Statement::Push { list: list.to_string(), item: told.other.clone() };
     let mut body = match told.is_known() {
         Some(condition) => vec![Statement::only_where(condition, vec![push])],

@@ -8,13 +8,13 @@
 use std::cell::Cell;
 
 use super::super::names::Names;
-use super::super::routine::{Statement, Step, Walk};
+use super::super::routine::{HalfedgeWalk, Statement, Step};
 use super::super::term::{Function, Term};
 use super::super::walks::{along_path, along_spokes};
 use super::Untold;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Spoke, Type};
 
-/// What can be told of the result.
+/// The result of an operation, as far as it can be told.
 pub(super) struct Outcome<'d> {
     drawing: &'d Drawing<'d>,
     /// The runs of spokes and the paths whose orbit parts.
@@ -57,10 +57,10 @@ pub(super) enum Piece {
 
 impl Piece {
     /// A walk over it; over a star it meets the drawn spokes too.
-    pub fn walk(&self, drawing: &Drawing, names: &Names, halfedge: String) -> Walk {
+    pub fn walk(&self, drawing: &Drawing, names: &Names, halfedge: String) -> HalfedgeWalk {
         let whole = |vertex: NameId, halfedge: String| {
             let first = names.term(vertex).follow(Pointer::VertexHalfedge);
-            Walk {
+            HalfedgeWalk {
                 halfedge,
                 step: Step::Clockwise,
                 from: first.clone(),
@@ -79,14 +79,14 @@ impl Piece {
 }
 
 /// The vertex or face that a halfedge will have.
-pub(super) struct Told {
+pub(super) struct FutureElement {
     /// The new ones that it may be, and when it is. No two hold at once.
     pub new: Vec<(Term, NameId)>,
-    /// What it is where none of them holds.
+    /// The value where none of them holds.
     pub other: Term,
 }
 
-impl Told {
+impl FutureElement {
     /// It is another where a condition holds.
     fn unless(&mut self, condition: Term, is_new: bool, to: (NameId, Term)) {
         for (when, _) in &mut self.new {
@@ -100,13 +100,13 @@ impl Told {
         }
     }
 
-    /// Whether it is none of the new ones.
+    /// The condition that it is none of the new ones.
     pub fn is_known(&self) -> Option<Term> {
         let conditions = self.new.iter().map(|(when, _)| when.clone().not());
         conditions.reduce(Term::and)
     }
 
-    /// Whether it is an element, `term` if it is there already.
+    /// The condition that it is an element, `term` if it is there already.
     pub fn is(self, element: NameId, term: Option<Term>) -> Term {
         match term {
             Some(term) => {
@@ -173,7 +173,7 @@ impl<'d> Outcome<'d> {
         body
     }
 
-    /// Whether a halfedge is one of those that move, `at` being its vertex or face.
+    /// The condition that a halfedge is one of those that move, `at` being its vertex or face.
     fn moved(&self, names: &Names, one: &Move, half: &Term, at: &Term) -> Term {
         let list = self.parted.iter().find(|parted| Some(parted.which) == one.run);
         match list {
@@ -214,7 +214,7 @@ impl<'d> Outcome<'d> {
             .collect()
     }
 
-    /// Where each run of undrawn spokes of a vertex of `before` goes, by its place in the
+    /// The places to which runs of undrawn spokes of a vertex of `before` goes, by its place in the
     /// statement; `None` if it has no statement: all of them stay.
     fn runs(&self, vertex: NameId) -> Option<Vec<(usize, NameId)>> {
         let star = self.drawing.before.star(vertex)?;
@@ -272,10 +272,10 @@ impl<'d> Outcome<'d> {
         moves
     }
 
-    /// What a halfedge will have instead of what it has: as moves tell.
-    fn told(&self, names: &Names, half: &Term, at: Pointer, moves: Vec<Move>) -> Told {
+    /// The value that a halfedge will have instead of what it has: as moves tell.
+    fn told(&self, names: &Names, half: &Term, at: Pointer, moves: Vec<Move>) -> FutureElement {
         let has = half.clone().follow(at);
-        let mut told = Told { new: Vec::new(), other: has.clone() };
+        let mut told = FutureElement { new: Vec::new(), other: has.clone() };
         for one in moves.into_iter().filter(|one| one.from != one.to) {
             let moved = self.moved(names, &one, half, &has);
             told.unless(moved, self.is_new(one.to), (one.to, names.term(one.to)));
@@ -283,8 +283,8 @@ impl<'d> Outcome<'d> {
         told
     }
 
-    /// Where a halfedge that no loop of `after` draws will start.
-    pub fn origin(&self, names: &Names, half: Term) -> Told {
+    /// The start of a halfedge that no loop of `after` draws will start.
+    pub fn origin(&self, names: &Names, half: Term) -> FutureElement {
         self.told(names, &half, Pointer::Vertex, self.moves())
     }
 
@@ -297,8 +297,8 @@ impl<'d> Outcome<'d> {
         }
     }
 
-    /// Where an undrawn spoke will end: where its twin starts. The twin can be drawn.
-    pub fn end(&self, names: &Names, spoke: Term) -> Told {
+    /// The end of an undrawn spoke: where its twin starts. The twin can be drawn.
+    pub fn end(&self, names: &Names, spoke: Term) -> FutureElement {
         let drawing = self.drawing;
         let twin = spoke.follow(Pointer::Twin);
         let mut told = self.origin(names, twin.clone());
@@ -344,11 +344,11 @@ impl<'d> Outcome<'d> {
     }
 
     /// The face of a halfedge that is not drawn in a loop.
-    pub fn face(&self, names: &Names, half: Term) -> Told {
+    pub fn face(&self, names: &Names, half: Term) -> FutureElement {
         self.told(names, &half, Pointer::Face, self.homes())
     }
 
-    /// Whether a halfedge that is not drawn in a loop will lie in a hole.
+    /// The condition that a halfedge that is not drawn in a loop will lie in a hole.
     pub fn hole(&self, names: &Names, half: Term) -> Term {
         let drawing = self.drawing;
         let face = half.clone().follow(Pointer::Face);
@@ -377,8 +377,8 @@ impl<'d> Outcome<'d> {
         term
     }
 
-    /// Whether no spoke moves, and no drawn edge of `before` joins two vertices that stay: then
-    /// an edge between them is one that is not drawn.
+    /// True if no spoke moves, and no drawn edge of `before` joins two vertices that stay: then an
+    /// edge between them is one that is not drawn.
     pub fn is_only_undrawn(&self, v: NameId, w: NameId) -> bool {
         let drawing = self.drawing;
         let stay = drawing.survives(v) && drawing.survives(w);

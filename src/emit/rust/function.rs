@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use super::super::language::spell;
 use super::super::lines::{Lines, comment};
 use super::super::routine::{Routine, Statement};
-use super::super::spell::spell;
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Parameter, Term};
 use super::super::{NotEmitted, Selection, build};
@@ -33,7 +33,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
         applied: "true",
         gives_option: false,
         is_asked: false,
-        sheet: None,
+        preview: None,
     };
     let shown = ops.iter().map(|op| (op, true));
     for (item, is_selected) in shown.chain(called.iter().map(|(_, item)| (item, false))) {
@@ -77,7 +77,7 @@ pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
     Ok(format!("{maps}{vectors}use hedgerow::mesh::{{{}}};\n{body}", used.join(", ")))
 }
 
-/// Whether a text has a word.
+/// True if a text has a word.
 pub(super) fn names(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|part| part == word)
 }
@@ -85,16 +85,16 @@ pub(super) fn names(text: &str, word: &str) -> bool {
 pub(super) struct Printer {
     pub lines: Lines,
     pub used: BTreeSet<&'static str>,
-    /// What leaves the attempt.
+    /// The statement that leaves the attempt.
     pub refusal: &'static str,
-    /// What an operation without a result gives when it has been applied.
+    /// The result of an operation without a result gives when it has been applied.
     pub applied: &'static str,
-    /// Whether a function gives its value only if nothing refuses.
+    /// True if a function gives its value only if nothing refuses.
     pub gives_option: bool,
-    /// Whether the attributes have been asked for by whoever calls.
+    /// True if the attributes have been asked for by whoever calls.
     pub is_asked: bool,
-    /// The sheet that pointers are noted on instead.
-    pub sheet: Option<String>,
+    /// The preview that pointers are noted on instead.
+    pub preview: Option<String>,
 }
 
 /// A type.

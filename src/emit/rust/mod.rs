@@ -2,12 +2,12 @@
 
 mod callee;
 mod function;
-mod sheet;
+mod matrix;
+mod preview;
 mod spelling;
 mod statement;
 mod steps;
 mod support;
-mod wide;
 
 pub use function::rust;
 pub(super) use support::written_out;

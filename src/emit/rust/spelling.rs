@@ -1,8 +1,8 @@
 //! Terms as Rust.
 
+use super::super::language::{Language, Level, Spelled, field, number, spell};
 use super::super::names::invoked;
-use super::super::spell::{Language, Level, Spelled, field, number, spell};
-use super::super::term::{Around, Attribute, Fold, Function, Term, Turns};
+use super::super::term::{Around, Attribute, Fold, Function, IndexLoop, Term};
 use super::function::{Printer, names, ty};
 use crate::diagram::{Binary, Builtin, FoldFunction, Pointer, Type};
 
@@ -212,9 +212,9 @@ impl Language for Printer {
         }
     }
 
-    fn some(&mut self, turns: &Turns, condition: &Term) -> Spelled {
+    fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled {
         let condition = self.text(condition);
-        let Turns { index, size } = turns;
+        let IndexLoop { index, size } = indices;
         Spelled::whole(format!("(0..{size}).any(|{index}| {condition})"))
     }
 
@@ -271,7 +271,7 @@ impl Printer {
         self.support(name, &args)
     }
 
-    /// What lies around an element, one after the other.
+    /// The elements around an element, one after the other.
     pub(super) fn all_around(&mut self, around: Around, element: &Term) -> String {
         let element = self.text(element);
         let half = format!("mesh.edge_halfedge({element})");

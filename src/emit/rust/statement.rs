@@ -1,9 +1,9 @@
 //! Statements as Rust.
 
+use super::super::language::field;
 use super::super::lines::comment;
-use super::super::routine::{Statement, Step, Walk};
-use super::super::spell::field;
-use super::super::term::{Term, Turns};
+use super::super::routine::{HalfedgeWalk, Statement, Step};
+use super::super::term::{IndexLoop, Term};
 use super::function::{Printer, ty};
 use super::steps::{always, bare};
 use crate::diagram::{Kind, Type};
@@ -32,8 +32,8 @@ impl Printer {
     }
 
     fn statement(&mut self, statement: &Statement, has_result: bool) {
-        if let Some(sheet) = self.sheet.clone()
-            && self.note(&sheet, statement)
+        if let Some(preview) = self.preview.clone()
+            && self.note(&preview, statement)
         {
             return;
         }
@@ -113,21 +113,21 @@ impl Printer {
             Statement::Size { name, list } => {
                 self.lines.line(&format!("let {name} = {list}.len();"));
             }
-            Statement::Gather { ty: of, name, turns: Turns { index, size }, item } => {
+            Statement::Gather { ty: of, name, indices: IndexLoop { index, size }, item } => {
                 let item = self.text(item);
                 let ty = ty(*of);
                 self.lines.line(&format!(
                     "let {name}: Vec<{ty}> = (0..{size}).map(|{index}| {item}).collect();"
                 ));
             }
-            Statement::NewEach { kind, name, turns: Turns { size, .. } } => {
+            Statement::NewEach { kind, name, indices: IndexLoop { size, .. } } => {
                 let kind = word(*kind);
                 self.lines.line(&format!(
                     "let {name}: Vec<_> = (0..{size}).map(|_| mesh.add_{kind}()).collect();"
                 ));
             }
-            Statement::Turn { turns, body } => {
-                let Turns { index, size } = turns;
+            Statement::IndexLoop { indices, body } => {
+                let IndexLoop { index, size } = indices;
                 self.lines.open(&format!("for {index} in 0..{size} {{"));
                 self.block(body, has_result);
                 self.lines.close("}");
@@ -144,7 +144,7 @@ impl Printer {
                 self.lines.close("}");
             }
             Statement::Walk { walk, body } => self.walk(walk, body, has_result),
-            Statement::Foresee { sheet, body } => self.foresee(sheet, body, has_result),
+            Statement::Foresee { preview, body } => self.foresee(preview, body, has_result),
             Statement::Each { item, list, body } => {
                 self.lines.open(&format!("for &{item} in &{list} {{"));
                 self.block(body, has_result);
@@ -193,7 +193,7 @@ impl Printer {
         }
     }
 
-    fn walk(&mut self, walk: &Walk, body: &[Statement], has_result: bool) {
+    fn walk(&mut self, walk: &HalfedgeWalk, body: &[Statement], has_result: bool) {
         let h = &walk.halfedge;
         let from = self.text(&walk.from);
         if walk.around {

@@ -1,9 +1,9 @@
 //! Operations in steps as Rust, and what only steps and functions do.
 
-use super::super::action::{Action, Call, Called, Form, Held, Place, Whole};
+use super::super::action::{Action, Call, Called, Form, Held, Target, Whole};
+use super::super::language::{Level, spell};
 use super::super::names::invoked;
 use super::super::routine::Statement;
-use super::super::spell::{Level, spell};
 use super::super::term::{Parameter, Term};
 use super::function::{Printer, ty};
 use crate::diagram::{self, Type};
@@ -174,7 +174,7 @@ impl Printer {
         self.lines.close("}");
     }
 
-    fn must(&mut self, call: &Call, place: Option<&Place>) {
+    fn must(&mut self, call: &Call, place: Option<&Target>) {
         let text = self.called(call);
         match (call.of, place) {
             (Called::Plain, _) => {
@@ -190,8 +190,8 @@ impl Printer {
         }
     }
 
-    fn put(&mut self, place: &Place, value: &str) {
-        let Place { name, ty: of, form } = place;
+    fn put(&mut self, place: &Target, value: &str) {
+        let Target { name, ty: of, form } = place;
         // A plain number could be of several types.
         let of = match of {
             Type::Int | Type::Real if value.parse::<f64>().is_ok() => format!(": {}", ty(*of)),
@@ -269,7 +269,7 @@ pub(super) fn bare(value: &str) -> &str {
     }
 }
 
-/// What is always refused.
+/// True if the condition always holds.
 pub(super) fn always(when: &Term) -> bool {
     *when == Term::Bool(true)
 }

@@ -1,10 +1,10 @@
-//! What emitted code needs besides the mesh, written out where it is used.
+//! Functions that emitted code needs besides the mesh, written out where it is used.
 
 use std::collections::BTreeSet;
 
 /// Each behind a line with its name.
 const TEXTS: &str =
-    concat!(include_str!("functions.txt"), include_str!("values.txt"), include_str!("sheet.txt"));
+    concat!(include_str!("functions.txt"), include_str!("values.txt"), include_str!("preview.txt"));
 
 /// The names and texts of all functions, in order.
 fn functions() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -32,7 +32,7 @@ pub(super) fn needed(mut used: BTreeSet<&'static str>) -> Vec<(&'static str, &'s
     }
 }
 
-/// Whether a text calls a function.
+/// True if a text calls a function.
 fn calls(text: &str, name: &str) -> bool {
     text.match_indices(&format!("{name}(")).any(|(at, _)| {
         let before = text[..at].chars().next_back();

@@ -3,19 +3,19 @@
 use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
-use super::super::action::{Action, Form, Held, Place};
+use super::super::action::{Action, Form, Held, Target};
 use super::super::build::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
-use super::deeds::{AllDeeds, each, values};
+use super::effects::{AllDeeds, each, values};
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::resolve::{Block, Body, Program, Statement, StatementKind};
 use crate::source::{Sources, Span};
 
-/// What the statements stand in.
+/// The block that the statements stand in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ending {
     /// An operation.
@@ -26,16 +26,16 @@ pub(super) enum Ending {
     Nothing,
 }
 
-/// What is known of the program.
+/// The facts about the program.
 #[derive(Clone, Copy)]
 pub(super) struct Surroundings<'s> {
     pub program: &'s Program,
     pub sources: &'s Sources,
     pub deeds: &'s AllDeeds,
-    /// What the operations are called in code.
+    /// The names of the operations in code.
     pub op_names: &'s [String],
     pub conventions: Conventions<'s>,
-    /// What the functions are called in code.
+    /// The names of the functions in code.
     pub function_names: &'s [String],
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Writer<'s> {
     bound: BTreeSet<u32>,
     changing: BTreeSet<u32>,
     read: BTreeSet<u32>,
-    /// What is put off in an `update`.
+    /// The assignments that an `update` puts off.
     held: Vec<(Access, Held)>,
     /// The operations that are called.
     pub ops: BTreeSet<usize>,
@@ -124,7 +124,7 @@ impl<'s> Writer<'s> {
         self.term(value)
     }
 
-    /// Whether a `return` gives something.
+    /// True if a `return` gives something.
     fn gives_back(&self) -> bool {
         let mut gives = false;
         each(&self.body.block, &mut |statement| {
@@ -264,8 +264,8 @@ impl<'s> Writer<'s> {
         Parameter::new(name, known.map_or(Type::Int, |variable| variable.ty))
     }
 
-    /// Where the value of a variable goes; none for one that nobody reads.
-    fn place(&mut self, variable: u32) -> Option<Place> {
+    /// The target of the value of a variable; none for one that nobody reads.
+    fn place(&mut self, variable: u32) -> Option<Target> {
         if !self.read.contains(&variable) {
             return None;
         }
@@ -273,14 +273,14 @@ impl<'s> Writer<'s> {
             let known = self.body.variables.get(variable as usize)?;
             let (name, ty) = (self.names.local(variable).to_string(), known.ty);
             let form = Form::Known;
-            return Some(Place { name, ty, form });
+            return Some(Target { name, ty, form });
         }
         let Parameter { name, ty, .. } = self.bind(variable);
         let form = match self.changing.contains(&variable) {
             true => Form::Changing,
             false => Form::Fixed,
         };
-        Some(Place { name, ty, form })
+        Some(Target { name, ty, form })
     }
 
     fn set(
@@ -299,7 +299,7 @@ impl<'s> Writer<'s> {
         let value = self.term(value)?;
         match self.place(variable) {
             None => {}
-            Some(Place { name, form: Form::Known, .. }) => {
+            Some(Target { name, form: Form::Known, .. }) => {
                 out.push(routine::Statement::Change { name, value })
             }
             Some(place) => {
@@ -415,7 +415,7 @@ impl<'s> Writer<'s> {
                     let call = self.function(function, args, out)?;
                     let name = self.names.fresh("result");
                     let given = Term::name(&name);
-                    let place = Some(Place { name, ty: value.ty, form: Form::Fixed });
+                    let place = Some(Target { name, ty: value.ty, form: Form::Fixed });
                     out.push(routine::Statement::Action(Action::Must { call, place }));
                     given
                 }

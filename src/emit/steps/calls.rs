@@ -93,7 +93,7 @@ impl Writer<'_> {
     }
 }
 
-/// Whether a value does not look at the mesh.
+/// True if a value does not look at the mesh.
 fn is_plain(term: &Term) -> bool {
     match term {
         Term::Name(_) | Term::Bool(_) | Term::Int(_) | Term::Real(_) => true,

@@ -1,4 +1,4 @@
-//! What is emitted for some operations: they, and before them what they call.
+//! Items that are emitted for some operations: they, and before them what they call.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ use super::super::selection::Selection;
 use super::super::term::Parameter;
 use super::super::value::callees;
 use super::body::{Ending, Surroundings, Writer};
-use super::deeds::AllDeeds;
+use super::effects::AllDeeds;
 use super::keep::kept;
 use crate::diagram::{Callee, Param};
 use crate::resolve::Body;
@@ -34,13 +34,13 @@ pub(in crate::emit) enum Item {
 /// All that is emitted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::emit) struct Items {
-    /// What is called, each behind what it calls itself, and with the name of its file.
+    /// The items that are called, each behind what it calls itself, and with the name of its file.
     pub called: Vec<(String, Item)>,
     /// The operations that were selected.
     pub ops: Vec<Item>,
 }
 
-/// What is emitted for the operations of a selection.
+/// The items for the operations of a selection.
 pub(in crate::emit) fn items(
     selection: &Selection<'_>,
     conventions: Conventions<'_>,
@@ -77,7 +77,7 @@ pub(in crate::emit) fn items(
     Ok(Items { called: builder.called, ops })
 }
 
-/// What the operations and the functions are called: operations of the selection come first.
+/// The names of the operations and the functions: operations of the selection come first.
 fn called(selection: &Selection<'_>, count: usize, kept: &[String]) -> (Vec<String>, Vec<String>) {
     let mut taken = BTreeSet::new();
     // Files that do not see each other may use one name twice.

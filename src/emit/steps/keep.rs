@@ -73,7 +73,7 @@ fn target(statement: &Statement) -> Option<&Term> {
     }
 }
 
-/// Whether it is the same before and after other pointers were set.
+/// True if it is the same before and after other pointers were set.
 fn is_settled(element: &Term) -> bool {
     matches!(element, Term::Name(_) | Term::Member { .. })
 }

@@ -20,9 +20,9 @@
 //! name P halfedge 3 4
 //! ```
 //!
-//! What has no line does not live, whoever points at it. Numbers are printed with the fewest
-//! digits that read back as the same number, so a table makes the round trip exactly; scratch
-//! columns, whose names no program can say, are left out.
+//! An element that has no line does not live, whoever points at it. Numbers are printed with the
+//! fewest digits that read back as the same number, so a table makes the round trip exactly;
+//! scratch columns, whose names no program can say, are left out.
 
 use super::connectivity::Mesh;
 use super::id::Element;
@@ -39,10 +39,10 @@ pub use write::write_dump;
 /// Tables and names, as in a file.
 #[derive(Clone, Debug, Default)]
 pub struct Dump {
-    /// What is said at the top.
+    /// The remarks at the top.
     pub remarks: Vec<String>,
     /// Each table with its name.
     pub meshes: Vec<(String, Mesh)>,
-    /// What each name stands for: elements of one kind.
+    /// The elements of each name: elements of one kind.
     pub names: Vec<(String, Vec<Element>)>,
 }

@@ -33,7 +33,7 @@ impl Mesh {
     }
 }
 
-/// What is left of a face. Corners have the numbers of the sides that start there.
+/// The rest of a face. Corners have the numbers of the sides that start there.
 struct Polygon<'m> {
     mesh: &'m Mesh,
     vertices: Vec<VertexId>,
@@ -189,98 +189,4 @@ fn smallest_sine([p, q, r]: [DVec3; 3]) -> f64 {
 fn turn(places: [DVec2; 3]) -> f64 {
     let [a, b, c] = places.map(|at| Coord { x: at.x, y: at.y });
     orient2d(a, b, c)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::Polygons;
-
-    /// A face with corners in the plane.
-    fn face(corners: &[DVec2]) -> Mesh {
-        let places: Vec<_> = corners.iter().map(|at| at.extend(0.0)).collect();
-        let polygon: Vec<u32> = (0..corners.len() as u32).collect();
-        let polygons: Polygons = std::iter::once(polygon).collect();
-        Mesh::from_polygons(&places, &polygons).unwrap()
-    }
-
-    /// The triangles that are cut off, and the one that is left.
-    fn triangles(mesh: &Mesh, order: &[HalfedgeId]) -> Vec<[DVec2; 3]> {
-        let mut left: Vec<_> = mesh.face_halfedges(FaceId(0)).collect();
-        let place = |h: &HalfedgeId| mesh.position(mesh.vertex(*h)).truncate();
-        let mut triangles = Vec::new();
-        for ear in order {
-            let at = left.iter().position(|h| h == ear).expect("a corner goes once");
-            let count = left.len();
-            triangles.push([at + count - 1, at, at + 1].map(|at| place(&left[at % count])));
-            left.remove(at);
-        }
-        assert_eq!(left.len(), 3);
-        triangles.push([0, 1, 2].map(|at| place(&left[at])));
-        triangles
-    }
-
-    /// None is turned over, and together they are as large as the face: so none overlap.
-    fn expect_no_overlap(corners: &[DVec2]) {
-        let mesh = face(corners);
-        let triangles = triangles(&mesh, &mesh.ears(FaceId(0)));
-        assert_eq!(triangles.len(), corners.len() - 2);
-        assert!(triangles.iter().all(|&triangle| turn(triangle) >= 0.0));
-        let total: f64 = triangles.iter().map(|&triangle| turn(triangle) / 2.0).sum();
-        let area = mesh.area(FaceId(0));
-        assert!((total - area).abs() < 1e-9 * area, "{total} instead of {area}");
-    }
-
-    fn around(count: usize, radius: impl Fn(usize) -> f64) -> Vec<DVec2> {
-        let angle = |at: usize| std::f64::consts::TAU * at as f64 / count as f64;
-        (0..count).map(|at| radius(at) * DVec2::from_angle(angle(at))).collect()
-    }
-
-    #[test]
-    fn concave_faces_are_cut_without_overlaps() {
-        expect_no_overlap(&around(2000, |_| 1.0));
-        expect_no_overlap(&around(2000, |at| if at % 2 == 0 { 1.0 } else { 0.2 }));
-        expect_no_overlap(&around(1500, |at| 1.0 + ((at * at * 7919) % 101) as f64 / 40.0));
-        // A comb, and a wall that winds in and back out again.
-        let comb = (0..500).flat_map(|at| {
-            let x = f64::from(at);
-            [DVec2::new(1001.0 - 2.0 * x, 1.0), DVec2::new(1000.0 - 2.0 * x, 900.0)]
-        });
-        let foot = [DVec2::new(0.0, 0.0), DVec2::new(1002.0, 0.0)];
-        expect_no_overlap(&foot.into_iter().chain(comb).collect::<Vec<_>>());
-        let spiral = |wall: f64| {
-            (0..600).map(move |at| {
-                let angle = f64::from(at) / 20.0;
-                (1.0 + angle + wall) * DVec2::from_angle(angle)
-            })
-        };
-        let inwards: Vec<_> = spiral(0.0).collect();
-        expect_no_overlap(&spiral(1.5).chain(inwards.into_iter().rev()).collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn corners_on_one_line_are_cut_too() {
-        let side =
-            |from: DVec2, to: DVec2| (0..300).map(move |at| from.lerp(to, f64::from(at) / 300.0));
-        let corners = [(0.0, 0.0), (300.0, 0.0), (300.0, 300.0), (0.0, 300.0)];
-        let corners = corners.map(|(x, y)| DVec2::new(x, y));
-        let square = (0..4).flat_map(|at| side(corners[at], corners[(at + 1) % 4]));
-        expect_no_overlap(&square.collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn the_best_shape_comes_first() {
-        // A square with a corner cut off: the two right angles beside the cut go last.
-        let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (1.0, 4.0), (0.0, 3.0)];
-        let mesh = face(&corners.map(|(x, y)| DVec2::new(x, y)));
-        let order = mesh.ears(FaceId(0));
-        assert_eq!(mesh.vertex(order[0]), VertexId(1));
-    }
-
-    #[test]
-    fn a_triangle_has_nothing_to_cut() {
-        let mesh = face(&around(3, |_| 1.0));
-        assert!(mesh.ears(FaceId(0)).is_empty());
-        assert!(mesh.patch(FaceId(0)).is_empty());
-    }
 }

@@ -9,7 +9,6 @@
 
 use glam::DVec3;
 
-use super::smallest_sine;
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{FaceId, HalfedgeId};
 
@@ -31,11 +30,11 @@ impl Mesh {
     }
 }
 
-/// What is wrong with some triangles, the worst first. Angles and areas that differ by less than
+/// The faults of some triangles, the worst first. Angles and areas that differ by less than
 /// rounding are equal.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 struct Fault {
-    /// How many of their sides join vertices that are joined already.
+    /// The number of their sides that join vertices that are joined already.
     joined: u32,
     /// Grows with the largest angle by which two of them bend.
     bend: i64,
@@ -62,6 +61,8 @@ struct Ways<'m> {
     mesh: &'m Mesh,
     sides: &'m [HalfedgeId],
     places: Vec<DVec3>,
+    /// The distances of corners from each other.
+    distances: Vec<f64>,
     /// An area that is nothing, but for rounding.
     grain: f64,
     /// By first and last corner; of two neighbours nothing.
@@ -82,11 +83,18 @@ impl<'m> Ways<'m> {
             mesh,
             sides,
             places,
+            distances: vec![0.0; count * count],
             grain: around * around * 1e-12,
             faults: vec![Fault::NONE; count * count],
             thirds: vec![0; count * count],
             normals: vec![None; count * count],
         };
+        for first in 0..count {
+            for last in 0..count {
+                ways.distances[first * count + last] =
+                    ways.places[first].distance(ways.places[last]);
+            }
+        }
         for first in 0..count - 1 {
             ways.normals[first * count + first + 1] = ways.across(first);
         }
@@ -115,21 +123,32 @@ impl<'m> Ways<'m> {
         };
         let outside = is_whole.then(|| self.across(last)).flatten();
         let mut best: Option<(Fault, usize, DVec3)> = None;
+        let [a, c] = [first, last].map(|at| self.places[at]);
+        let chord = self.distances[first * count + last];
         for third in first + 1..last {
-            let [a, b, c] = [first, third, last].map(|at| self.places[at]);
-            let twice = (b - a).cross(c - a);
-            let normal = twice.normalize_or_zero();
             let beside = [first * count + third, third * count + last];
+            let beyond = self.faults[beside[0]].and(self.faults[beside[1]]);
+            // A triangle more makes nothing better.
+            let is_worse = |(least, ..): &(Fault, usize, DVec3)| {
+                (beyond.joined + joined, beyond.bend) > (least.joined, least.bend)
+            };
+            if best.as_ref().is_some_and(is_worse) {
+                continue;
+            }
+            let twice = (self.places[third] - a).cross(c - a);
+            let length = twice.length();
+            let normal = if length > 0.0 { twice / length } else { DVec3::ZERO };
+            let [left, right] = beside.map(|at| self.distances[at]);
             let mut fault = Fault {
                 joined,
                 bend: i64::MIN,
-                area: (twice.length() / 2.0 / self.grain).round() as i64,
-                shape: -smallest_sine([a, b, c]),
+                area: rounded(length / 2.0 / self.grain),
+                shape: -smallest_sine(length, [chord, left, right]),
             };
             for other in beside.map(|at| self.normals[at]).into_iter().chain([outside]).flatten() {
                 fault.bend = fault.bend.max(bend(normal, other));
             }
-            let fault = beside.iter().fold(fault, |fault, &at| fault.and(self.faults[at]));
+            let fault = fault.and(beyond);
             if best.as_ref().is_none_or(|(least, ..)| fault < *least) {
                 best = Some((fault, third, normal));
             }
@@ -162,81 +181,23 @@ impl<'m> Ways<'m> {
     }
 }
 
-/// Grows with the angle between two normals: 0 for a right one.
+/// Grows with the angle between two normals: from 0 for none to two millions.
 fn bend(one: DVec3, other: DVec3) -> i64 {
     match one == DVec3::ZERO || other == DVec3::ZERO {
         // What has no direction bends as much as can be.
-        true => 1_000_000,
-        false => (-1e6 * one.dot(other)).round() as i64,
+        true => 2_000_000,
+        false => rounded(1e6 - 1e6 * one.dot(other)),
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::Polygons;
+/// The sine of the smallest angle of a triangle of so much double area and such sides.
+fn smallest_sine(double_area: f64, [a, b, c]: [f64; 3]) -> f64 {
+    let sides = (a * b).max((b * c).max(c * a));
+    if sides > 0.0 { double_area / sides } else { 0.0 }
+}
 
-    /// Boxes whose corners are moved a little: the lid is cut along the diagonal that bends less.
-    #[test]
-    fn a_folded_lid_is_cut_where_it_bends_less() {
-        let polygons: Polygons = [
-            vec![0, 1, 2, 3],
-            vec![7, 6, 5, 4],
-            vec![4, 5, 1, 0],
-            vec![5, 6, 2, 1],
-            vec![6, 7, 3, 2],
-            vec![7, 4, 0, 3],
-        ]
-        .into_iter()
-        .collect();
-        let mut chosen = [0, 0];
-        for turn in 0..40_u32 {
-            let moved = |at: u32| f64::from((turn * 31 + at * at * 17 + at * 5) % 23) / 40.0;
-            let corner = |at: u32| {
-                let (x, y) = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)][at as usize % 4];
-                let z = if at < 4 { 2.0 } else { 0.0 };
-                DVec3::new(x + moved(at), y - moved(at + 1), z + 2.0 * moved(at + 2))
-            };
-            let places: Vec<_> = (0..8).map(corner).collect();
-            let mesh = Mesh::from_polygons(&places, &polygons).unwrap();
-            let normal = |corners: [usize; 3]| {
-                let [a, b, c] = corners.map(|at| places[at]);
-                (b - a).cross(c - a).normalize()
-            };
-            // The normals of the two triangles, and which walls each has beside it: wall k
-            // stands at the side from k to k + 1.
-            let worst = |first: usize| {
-                let [a, b, c, d] = [0, 1, 2, 3].map(|at| (first + at) % 4);
-                let (one, two) = (normal([a, b, c]), normal([a, c, d]));
-                let wall = |side: usize| mesh.normal(FaceId(2 + side as u32));
-                let walls = [(one, wall(a)), (one, wall(b)), (two, wall(c)), (two, wall(d))];
-                let least = walls.into_iter().chain([(one, two)]);
-                least.map(|(n, m)| n.dot(m)).fold(f64::INFINITY, f64::min)
-            };
-            let cut = usize::from(worst(1) > worst(0));
-            // Cut along the diagonal from `cut`, one of the other two corners goes.
-            let order = mesh.patch(FaceId(0));
-            assert_eq!(order.len(), 1);
-            assert_eq!(mesh.vertex(order[0]).index() % 2, 1 - cut, "lid {turn}");
-            chosen[cut] += 1;
-        }
-        assert!(chosen[0] > 3 && chosen[1] > 3, "{chosen:?}");
-    }
-
-    #[test]
-    fn a_flat_face_is_cut_into_good_shapes() {
-        let place = |at: u32| {
-            let angle = f64::from(at) * std::f64::consts::TAU / 6.0;
-            DVec3::new(angle.cos(), angle.sin(), 0.0)
-        };
-        let places: Vec<_> = (0..6).map(place).collect();
-        let polygons: Polygons = std::iter::once((0..6).collect::<Vec<u32>>()).collect();
-        let mesh = Mesh::from_polygons(&places, &polygons).unwrap();
-        let order = mesh.patch(FaceId(0));
-        assert_eq!(order.len(), 3);
-        let mut corners: Vec<_> = order.iter().map(|&h| mesh.vertex(h)).collect();
-        corners.sort_unstable();
-        corners.dedup();
-        assert_eq!(corners.len(), 3, "each corner goes once");
-    }
+/// The whole number nearest to one from 0 on.
+#[inline]
+fn rounded(number: f64) -> i64 {
+    (number + 0.5) as i64
 }

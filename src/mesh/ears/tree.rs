@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use super::turn;
 
-/// How many points a box holds that is not parted further.
+/// The greatest number of points in a box that is not parted further.
 const LEAF: usize = 8;
 
 /// Points in the plane, by number.
@@ -30,7 +30,7 @@ struct Bounds {
     range: [u32; 2],
     /// The first of its two parts, which stand side by side.
     parts: Option<u32>,
-    /// What it is a part of; itself, if it is the whole.
+    /// The box it is a part of; itself, if it is the whole.
     whole: u32,
 }
 
@@ -130,7 +130,7 @@ impl Tree {
 }
 
 impl Bounds {
-    /// Whether some place in the box may lie in a triangle.
+    /// True if some place in the box may lie in a triangle.
     fn may_meet(&self, triangle: [DVec2; 3]) -> bool {
         let [a, b, c] = triangle;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -149,7 +149,7 @@ impl Bounds {
     }
 }
 
-/// Whether a place lies in a triangle or on its border.
+/// True if a place lies in a triangle or on its border.
 fn holds(triangle: [DVec2; 3], place: DVec2) -> bool {
     let [a, b, c] = triangle;
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));

@@ -23,7 +23,7 @@ use crate::mesh::attribute::{AttributeType, ColumnId, Value};
 use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{ElementKind, FaceId, HalfedgeId, VertexId};
 
-/// What a corner can have besides its vertex.
+/// The attributes of a corner besides its vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OfCorner {
     Texture,
@@ -153,7 +153,7 @@ impl MeshFile {
         unheld.map(|(id, column)| (id.kind, column.name(), column.attribute_type())).collect()
     }
 
-    /// What the file that was read said and the mesh does not, in words: a line each.
+    /// The parts of the file that was read which are not in the mesh, in words: a line each.
     pub fn losses(&self) -> Vec<String> {
         let mut told = Vec::new();
         let words = &self.kept.passed_over;
@@ -165,15 +165,13 @@ impl MeshFile {
                 shown.join(", ")
             ));
         }
-        told.extend(self.kept.notes.iter().map(|(what, count, line)| match line {
-            Some(line) => format!("{count} {what}, first in line {line}"),
-            None => format!("{count} {what}"),
-        }));
+        told.extend(self.kept.notes.iter().map(ToString::to_string));
         told
     }
 
-    /// How many faces are written without texture coordinates (`vt`), and how many without
-    /// normals (`vn`), although the file had some: corners of theirs are not those of the file.
+    /// The number of faces that are written without texture coordinates (`vt`), and how many
+    /// without normals (`vn`), although the file had some: corners of theirs are not those of the
+    /// file.
     pub fn bare_faces(&self) -> [usize; 2] {
         OfCorner::ALL.map(|what| {
             let kept = self.kept_corners(what);
@@ -193,7 +191,7 @@ impl MeshFile {
         })
     }
 
-    /// Whether the file that was read has groups, objects, materials or smoothing groups that a
+    /// True if the file that was read has groups, objects, materials or smoothing groups that a
     /// file of a format has no place for.
     pub fn loses_groups(&self, format: FileFormat) -> bool {
         let has_more = |place: usize| self.kept.states.iter().any(|(_, s)| s.0[place] != MISSING);
@@ -263,7 +261,7 @@ fn value(ty: AttributeType, [x, y, z]: [f64; 3]) -> Value {
     }
 }
 
-/// What the corners have, as it is written: rows, and where they are used.
+/// The values of corners, as they are written: rows, and where they are used.
 pub(super) enum Corners<'o> {
     /// As the file had it.
     Kept { obj: &'o MeshFile, what: OfCorner },
@@ -313,7 +311,7 @@ impl<'o> Corners<'o> {
         }
     }
 
-    /// Whether all corners of a face have a row: only then the face is written with them.
+    /// True if all corners of a face have a row: only then the face is written with them.
     pub(super) fn cover(&self, mesh: &Mesh, f: FaceId) -> bool {
         mesh.face_halfedges(f).all(|h| self.row(h).is_some())
     }

@@ -1,10 +1,10 @@
-//! What a reader finds in a file, and how it becomes a mesh.
+//! Contents of a file, which become a mesh.
 
 use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::error::{Failure, FileFaults, FileReason, Strays};
+use super::error::{Damage, Failure, FileFaults, FileReason, Strays};
 use super::format::{Encoding, MshVersion};
 use super::kept::{Kept, MISSING};
 use super::mesh_file::MeshFile;
@@ -16,7 +16,7 @@ use crate::mesh::id::{EdgeId, ElementKind};
 use crate::mesh::polygons::Polygons;
 use crate::mesh::repair::{Repair, RepairReport, Repaired};
 
-/// What a reader finds in a file.
+/// The contents of a file.
 #[derive(Default)]
 pub(super) struct Contents {
     pub(super) positions: Vec<DVec3>,
@@ -27,6 +27,8 @@ pub(super) struct Contents {
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) kept: Kept,
     pub(super) strays: Strays,
+    /// The parts that could not be read.
+    pub(super) damage: Damage,
     /// The lines of vertices and faces; empty if the file has none.
     pub(super) vertex_lines: Vec<u32>,
     pub(super) face_lines: Vec<u32>,
@@ -48,7 +50,7 @@ impl FileColumn {
         Self { kind, name: name.to_owned(), default, reals }
     }
 
-    /// Whether it is the column of a kind and a name.
+    /// True if it is the column of a kind and a name.
     pub(super) fn is(&self, kind: ElementKind, name: &str) -> bool {
         self.kind == kind && self.name == name
     }
@@ -75,21 +77,27 @@ impl FileColumn {
     }
 }
 
-/// How many reals a value is made of; a bool or an int is written as one.
+/// The number of reals of a value; a bool or an int is written as one.
 pub(super) fn width(ty: AttributeType) -> usize {
-    match ty {
-        AttributeType::Bool | AttributeType::Int | AttributeType::Real => 1,
-        AttributeType::Vec2 => 2,
-        AttributeType::Vec3 => 3,
-        AttributeType::Vec4 => 4,
-        AttributeType::Mat3 => 9,
-        AttributeType::Mat4 => 16,
-    }
+    ty.width()
 }
 
 impl Contents {
     /// Makes the mesh; `repair` says what is mended.
     pub(super) fn build(mut self, repair: Option<Repair>) -> Result<MeshFile, Failure> {
+        let Damage { count: damaged_places, first: damage } = std::mem::take(&mut self.damage);
+        if let (None, Some((line, words))) = (repair, damage.clone()) {
+            return Err((line, FileReason::Damaged(words)));
+        }
+        let mut file = self.build_undamaged(repair)?;
+        if let Some(report) = &mut file.repaired {
+            report.damaged_places = damaged_places;
+        }
+        file.damage = damage;
+        Ok(file)
+    }
+
+    fn build_undamaged(mut self, repair: Option<Repair>) -> Result<MeshFile, Failure> {
         let positions = std::mem::take(&mut self.positions);
         let merge = repair.and_then(|repair| repair.merge);
         let is_sound = self.strays.count() == 0 && merge.is_none();
@@ -113,7 +121,8 @@ impl Contents {
             let faults = FileFaults::new(&faults, self.strays, lines);
             return Err((faults.line(), FileReason::Faults(faults)));
         };
-        self.kept.note_count("indices that lead nowhere", self.strays.count());
+        let strays = ["index that leads nowhere", "indices that lead nowhere"];
+        self.kept.note_count(strays, self.strays.count());
         let count = positions.len();
         let corners = self.polygons.corners().to_vec();
         let polygons = std::mem::take(&mut self.polygons);
@@ -164,7 +173,7 @@ impl Contents {
                     column.give(&mut mesh, ElementKind::Halfedge, places);
                     let what =
                         format!("vertex attribute `{}`, which the corners have now", column.name);
-                    self.kept.note_count(&what, 1);
+                    self.kept.note_count([&what; 2], 1);
                 }
                 ElementKind::Vertex => {
                     column.give(&mut mesh, column.kind, vertices.iter().copied());
@@ -219,7 +228,7 @@ impl Contents {
 }
 
 impl FileColumn {
-    /// Whether all corners that have come to a vertex had its value.
+    /// True if all corners that have come to a vertex had its value.
     fn is_alike(&self, places: &[u32], corners: &[u32], vertices: &[u32], mesh: &Mesh) -> bool {
         let same = |place: u32, vertex: u32| {
             let was = corners[place as usize];

@@ -29,6 +29,8 @@ pub enum FileReason {
     UnknownEnding(String),
     /// The file is not what its format wants, in words.
     Malformed(String),
+    /// The file ends early, or places of it cannot be read, in words. A repair passes over them.
+    Damaged(String),
     /// The polygons of the file are no mesh. A repair helps.
     Faults(FileFaults),
     /// More elements than can be numbered.
@@ -48,7 +50,7 @@ pub enum FileReason {
 /// A line, and what is wrong.
 pub(super) type Failure = (Option<u32>, FileReason);
 
-/// What a corner of a face names by an index.
+/// The row that a corner of a face names by an index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Indexed {
     Vertex,
@@ -78,7 +80,7 @@ pub struct FileFaults {
 /// The faults of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileFaultKind {
-    /// The kind, in words for many.
+    /// The kind, in words for one or for many.
     pub kind: &'static str,
     pub count: usize,
     /// The first ones: their lines, if the file has lines, and what is wrong.
@@ -109,26 +111,42 @@ impl Strays {
     }
 }
 
+/// Places of a file that cannot be read, and can be passed over.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Damage {
+    pub(super) count: usize,
+    /// The first one: its line, if the file has lines, and what is wrong.
+    pub(super) first: Option<(Option<u32>, String)>,
+}
+
+impl Damage {
+    /// Adds one, which is told in these words if it is the first.
+    pub(super) fn add(&mut self, line: Option<u32>, words: impl FnOnce() -> String) {
+        self.count += 1;
+        self.first.get_or_insert_with(|| (line, words()));
+    }
+}
+
 impl FileFaults {
     /// The faults of polygons of a file. The lines are empty if it has none.
     pub(super) fn new(faults: &Faults, strays: Strays, lines: [&[u32]; 2]) -> Self {
         let mut all = Self::default();
         if strays.count > 0 {
-            let kind = "indices that lead nowhere";
+            let kind = STRAYS[usize::from(strays.count != 1)];
             all.kinds.push(FileFaultKind { kind, count: strays.count, first: strays.first });
         }
         let told = faults.kinds.iter().filter(|kind| {
             strays.count == 0 || !matches!(kind.first[0], BuildError::NoSuchVertex { .. })
         });
         all.kinds.extend(told.map(|kind| FileFaultKind {
-            kind: name(&kind.first[0]),
+            kind: names(&kind.first[0])[usize::from(kind.count != 1)],
             count: kind.count,
             first: kind.first.iter().map(|fault| describe(fault, lines)).collect(),
         }));
         all
     }
 
-    /// How many there are.
+    /// The number of them.
     pub fn count(&self) -> usize {
         self.kinds.iter().map(|kind| kind.count).sum()
     }
@@ -167,17 +185,27 @@ impl fmt::Display for FileFaults {
     }
 }
 
-/// The kind of a fault, in words for many.
-fn name(fault: &BuildError) -> &'static str {
+const STRAYS: [&str; 2] = ["index that leads nowhere", "indices that lead nowhere"];
+
+/// The kind of a fault, in words for one and for many.
+fn names(fault: &BuildError) -> [&'static str; 2] {
     match fault {
-        BuildError::TooLarge { .. } => "too large",
-        BuildError::NotFinite { .. } => "vertices that lie nowhere",
-        BuildError::TooFewCorners { .. } => "faces with fewer than three corners",
-        BuildError::NoSuchVertex { .. } => "indices that lead nowhere",
-        BuildError::RepeatedCorner { .. } => "faces with a vertex twice",
-        BuildError::EdgeUsedThrice { .. } => "edges of three faces or more",
-        BuildError::SameDirection { .. } => "edges whose faces do not run alike",
-        BuildError::BowTie { .. } => "pinched vertices",
+        BuildError::TooLarge { .. } => ["too large"; 2],
+        BuildError::NotFinite { .. } => ["vertex that lies nowhere", "vertices that lie nowhere"],
+        BuildError::TooFewCorners { .. } => {
+            ["face with fewer than three corners", "faces with fewer than three corners"]
+        }
+        BuildError::NoSuchVertex { .. } => STRAYS,
+        BuildError::RepeatedCorner { .. } => {
+            ["face with a vertex twice", "faces with a vertex twice"]
+        }
+        BuildError::EdgeUsedThrice { .. } => {
+            ["edge of three faces or more", "edges of three faces or more"]
+        }
+        BuildError::SameDirection { .. } => {
+            ["edge whose faces do not run alike", "edges whose faces do not run alike"]
+        }
+        BuildError::BowTie { .. } => ["pinched vertex", "pinched vertices"],
     }
 }
 
@@ -278,7 +306,9 @@ impl fmt::Display for FileReason {
                 "no mesh is read from or written to `.{end}`: name it {}",
                 FileFormat::listed()
             ),
-            Self::Malformed(words) | Self::Unheld(words) => f.write_str(words),
+            Self::Malformed(words) | Self::Damaged(words) | Self::Unheld(words) => {
+                f.write_str(words)
+            }
             Self::NotPolygons(why) => write!(f, "no list of polygons holds this mesh{why}"),
             Self::Faults(faults) => write!(f, "{faults}"),
             Self::TooLarge { kind } => {
@@ -292,9 +322,9 @@ impl fmt::Display for FileReason {
 }
 
 impl FileError {
-    /// Whether a repair would mend it.
+    /// True if a repair would mend it.
     pub fn is_mendable(&self) -> bool {
-        matches!(self.reason, FileReason::Faults(_))
+        matches!(self.reason, FileReason::Faults(_) | FileReason::Damaged(_))
     }
 }
 

@@ -26,7 +26,7 @@ impl FileFormat {
     pub const ALL: [Self; 6] =
         [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Msh, Self::Halfedges];
 
-    /// How names of such files end, behind the dot.
+    /// The endings of the names of such files, behind the dot.
     pub fn ending(self) -> &'static str {
         match self {
             Self::Obj => "obj",
@@ -63,7 +63,7 @@ impl fmt::Display for FileFormat {
     }
 }
 
-/// How the numbers of a file are written, where its format leaves a choice: PLY, STL, MSH.
+/// The encoding of the numbers of a file, where its format leaves a choice: PLY, STL, MSH.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// As text.

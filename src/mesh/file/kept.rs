@@ -1,4 +1,6 @@
-//! What a file says that the mesh has no place for, kept to be written back.
+//! Statements of a file that the mesh has no place for, kept to be written back.
+
+use std::fmt;
 
 /// Stands for "none" where an index of the file may be missing.
 pub(super) const MISSING: u32 = u32::MAX;
@@ -10,7 +12,7 @@ pub(super) struct Kept {
     pub(super) libraries: Vec<Vec<u8>>,
     /// The operands of `o`, `g`, `usemtl` and `s`, which states name by place.
     pub(super) names: Vec<Vec<u8>>,
-    /// Where a state begins to hold: the place of the face, from 0.
+    /// The start of a state: the place of the face, from 0.
     pub(super) states: Vec<(u32, State)>,
     pub(super) texture: Rows,
     pub(super) normals: Rows,
@@ -23,8 +25,28 @@ pub(super) struct Kept {
     /// The statements that are no part of a mesh, such as `l` and `p`: the first few words, with
     /// their lines.
     pub(super) passed_over: Vec<(String, u32)>,
-    /// What else of the file is not in the mesh: in words, how often, and first in which line.
-    pub(super) notes: Vec<(String, usize, Option<u32>)>,
+    /// Other parts of the file that are not in the mesh.
+    pub(super) notes: Vec<Note>,
+}
+
+/// Something of a file that is not in the mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Note {
+    /// In words for one and for many.
+    what: [String; 2],
+    count: usize,
+    /// The first line that has it.
+    line: Option<u32>,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.count, self.what[usize::from(self.count != 1)])?;
+        match self.line {
+            Some(line) => write!(f, ", first in line {line}"),
+            None => Ok(()),
+        }
+    }
 }
 
 /// The statements in force at a face, by their places in `names`.
@@ -49,22 +71,25 @@ impl Kept {
         }
     }
 
-    /// Notes something of the file that is not in the mesh.
-    pub(super) fn note(&mut self, what: &str, line: u32) {
-        match self.notes.iter_mut().find(|(known, ..)| known == what) {
-            Some((_, count, _)) => *count += 1,
-            None => self.notes.push((what.to_owned(), 1, Some(line))),
+    /// Notes something of the file that is not in the mesh, in words for one and for many.
+    pub(super) fn note(&mut self, what: [&str; 2], line: u32) {
+        match self.notes.iter_mut().find(|known| known.what == what) {
+            Some(known) => known.count += 1,
+            None => {
+                let what = what.map(str::to_owned);
+                self.notes.push(Note { what, count: 1, line: Some(line) });
+            }
         }
     }
 
-    /// Notes something that a file does several times.
-    pub(super) fn note_count(&mut self, what: &str, count: usize) {
+    /// Notes something that a file does several times, in words for one and for many.
+    pub(super) fn note_count(&mut self, what: [&str; 2], count: usize) {
         if count > 0 {
-            self.notes.push((what.to_owned(), count, None));
+            self.notes.push(Note { what: what.map(str::to_owned), count, line: None });
         }
     }
 
-    /// Whether corners of the file have something to keep.
+    /// True if corners of the file have something to keep.
     pub(super) fn has_corners(&self) -> bool {
         !(self.corner_texture.is_empty() && self.corner_normals.is_empty())
     }
@@ -122,6 +147,6 @@ impl Kept {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     pub(super) rows: Vec<[f64; 3]>,
-    /// How many of the three are written.
+    /// The number of the three that are written.
     pub(super) width: usize,
 }

@@ -23,15 +23,17 @@ pub struct MeshFile {
     vertex_numbers: Option<ColumnId>,
     face_numbers: Option<ColumnId>,
     corners: Option<ColumnId>,
-    /// Whether elements go by their ids: they come from tables, not from a list of polygons.
+    /// True if elements go by their ids: they come from tables, not from a list of polygons.
     by_ids: bool,
     /// The places in the file of what was read, if these are not the same: vertices, faces.
     renumbered: Option<[Vec<u32>; 2]>,
-    /// Where the file lies, to find what it names.
+    /// The folder of the file, to find what it names.
     pub(super) folder: Option<PathBuf>,
-    /// What was mended when the file was read, if that was asked for.
+    /// The report on mending when the file was read, if that was asked for.
     pub repaired: Option<RepairReport>,
-    /// How the file was encoded, and will be again.
+    /// The first place that was passed over then: its line, and what is wrong with it.
+    pub damage: Option<(Option<u32>, String)>,
+    /// The encoding of the file, and of what is written.
     pub encoding: Encoding,
     /// The version that a Gmsh file is written in: that of the file, if it was one.
     pub msh_version: MshVersion,
@@ -60,6 +62,7 @@ impl MeshFile {
             renumbered: None,
             folder: None,
             repaired: None,
+            damage: None,
             encoding: Encoding::default(),
             msh_version: MshVersion::default(),
         }
@@ -158,7 +161,7 @@ impl MeshFile {
         (self.vertex_number(v)? == number).then_some(v)
     }
 
-    /// Whether elements go by their ids, as in tables.
+    /// True if elements go by their ids, as in tables.
     pub fn goes_by_ids(&self) -> bool {
         self.by_ids
     }

@@ -3,7 +3,9 @@
 //!
 //! Numbers stand free, but for those behind a face and its corners: what is left of that line is
 //! its colour. Colours are of 3 or 4 numbers, up to 1 or up to 255. There is no crate that reads
-//! them. Four coordinates and binary files are refused.
+//! them. With the prefix `4` a last coordinate divides the others: a vertex where it is 0 lies
+//! nowhere. With `n` the head says how many coordinates there are, and the first three are taken.
+//! Binary files are refused.
 
 use std::io::{self, Write};
 
@@ -22,11 +24,18 @@ use crate::mesh::polygons::Polygons;
 
 /// Reads a file.
 pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
-    let mut reader = Reader { scanner: Scanner::new(text), contents: Contents::default() };
+    let scanner = Scanner::with_sticking_comments(text);
+    let mut reader = Reader { scanner, contents: Contents::default() };
     reader.contents.encoding = Encoding::Ascii;
     let read = reader.file();
     let line = Some(reader.scanner.line());
-    read.map_err(|words| (line, FileReason::Malformed(words)))?;
+    match read {
+        // What has come can be kept.
+        Err(words) if reader.scanner.is_at_end() && !reader.contents.positions.is_empty() => {
+            reader.contents.damage.add(line, || words);
+        }
+        read => read.map_err(|words| (line, FileReason::Malformed(words)))?,
+    }
     Ok(reader.contents)
 }
 
@@ -35,12 +44,43 @@ struct Reader<'t> {
     contents: Contents,
 }
 
-/// What stands behind the coordinates of a vertex.
-#[derive(Clone, Copy, Default)]
-struct Prefixes {
+/// The meaning of the numbers of a vertex.
+#[derive(Clone, Copy)]
+struct Head {
+    /// True if a last coordinate divides the others.
+    is_divided: bool,
+    /// The number of coordinates besides; `None` if a number behind the word says so.
+    dimension: Option<usize>,
     texture: bool,
     color: bool,
     normal: bool,
+}
+
+impl Head {
+    const PLAIN: Self =
+        Self { is_divided: false, dimension: Some(3), texture: false, color: false, normal: false };
+
+    /// The head that the first word of a file tells; `None` if it is another word.
+    fn of(word: &[u8]) -> Option<Self> {
+        let mut rest = word.strip_suffix(b"OFF")?;
+        let mut head = Self::PLAIN;
+        let mut is_many = false;
+        for (prefix, flag) in [
+            (&b"ST"[..], &mut head.texture),
+            (b"C", &mut head.color),
+            (b"N", &mut head.normal),
+            (b"4", &mut head.is_divided),
+            (b"n", &mut is_many),
+        ] {
+            if let Some(behind) = rest.strip_prefix(prefix) {
+                (*flag, rest) = (true, behind);
+            }
+        }
+        if is_many {
+            head.dimension = None;
+        }
+        rest.is_empty().then_some(head)
+    }
 }
 
 /// Colours as they stand in the file: four numbers for each element.
@@ -66,8 +106,11 @@ impl Colors {
         if count == self.bare {
             return;
         }
-        let what = format!("{} without a colour, which are white now", kind.plural());
-        contents.kept.note_count(&what, self.bare);
+        let what = [
+            format!("{kind} without a colour, which is white now"),
+            format!("{} without a colour, which are white now", kind.plural()),
+        ];
+        contents.kept.note_count(what.each_ref().map(String::as_str), self.bare);
         let most = self.reals.iter().copied().fold(0.0, f64::max);
         let scale = if most > 1.0 { 255.0 } else { 1.0 };
         let channel = |value: f64| if value.is_nan() { 1.0 } else { value / scale };
@@ -82,41 +125,58 @@ impl Colors {
     }
 }
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
     fn file(&mut self) -> Result<(), String> {
-        let prefixes = self.head()?;
+        let mut head = self.head()?;
+        if head.dimension.is_none() {
+            let number = self.next("the number of coordinates")?;
+            if number.fract() != 0.0 || !(1.0..=1e6).contains(&number) {
+                return Err(format!("{number} is no number of coordinates"));
+            }
+            head.dimension = Some(number as usize);
+        }
         let [vertices, faces, _] = self.counts()?;
-        self.vertices(vertices, prefixes)?;
+        self.vertices(vertices, head)?;
         self.faces(faces)
     }
 
-    /// The first word, which may be left out.
-    fn head(&mut self) -> Result<Prefixes, String> {
+    /// The first word, which may be left out. A description of the appearance may stand before it.
+    fn head(&mut self) -> Result<Head, String> {
         if !self.scanner.next_line() {
             return Err("the file is empty".into());
         }
-        if self.scanner.rest()[0].is_ascii_digit() && !self.scanner.rest().starts_with(b"4OFF") {
-            return Ok(Prefixes::default());
+        let rest = self.scanner.rest();
+        let is_word = |word: &[u8]| rest.starts_with(word);
+        if rest[0].is_ascii_digit() && !is_word(b"4OFF") && !is_word(b"4nOFF") {
+            return Ok(Head::PLAIN);
         }
-        let word = self.scanner.word().unwrap_or_default();
+        let line = self.scanner.line();
+        let mut word = self.scanner.word().unwrap_or_default();
+        if word.starts_with(b"appearance") {
+            self.pass_over_braces(word)?;
+            let what = ["description of the appearance", "descriptions of the appearance"];
+            self.contents.kept.note(what, line);
+            if self.scanner.next_line() {
+                word = self.scanner.word().unwrap_or_default();
+            }
+        }
         let unknown = || format!("`{}` is not `OFF`, with a prefix or without", shown(word));
-        let mut rest = word.strip_suffix(b"OFF").ok_or_else(unknown)?;
-        let mut prefixes = Prefixes::default();
-        for (prefix, flag) in [
-            (&b"ST"[..], &mut prefixes.texture),
-            (b"C", &mut prefixes.color),
-            (b"N", &mut prefixes.normal),
-        ] {
-            if let Some(behind) = rest.strip_prefix(prefix) {
-                (*flag, rest) = (true, behind);
+        Head::of(word).ok_or_else(unknown)
+    }
+
+    /// Goes behind what a word and those after it put into braces.
+    fn pass_over_braces(&mut self, mut word: &'t [u8]) -> Result<(), String> {
+        let (mut open, mut closed) = (0, 0);
+        loop {
+            open += word.iter().filter(|&&byte| byte == b'{').count();
+            closed += word.iter().filter(|&&byte| byte == b'}').count();
+            if open > 0 && closed >= open {
+                return Ok(());
             }
-        }
-        match rest {
-            b"" => Ok(prefixes),
-            b"4" | b"n" | b"4n" => {
-                Err(format!("`{}`: only three coordinates are read", shown(word)))
+            if !self.scanner.next_line() {
+                return Err("the braces of `appearance` do not end".into());
             }
-            _ => Err(unknown()),
+            word = self.scanner.word().unwrap_or_default();
         }
     }
 
@@ -153,35 +213,10 @@ impl Reader<'_> {
         }
     }
 
-    fn vertices(&mut self, count: usize, prefixes: Prefixes) -> Result<(), String> {
-        let (mut normals, mut textures) = (Vec::new(), Vec::new());
-        let mut colors = Colors::default();
-        for _ in 0..count {
-            let mut numbers = [0.0; 3];
-            for number in &mut numbers {
-                *number = self.next("a coordinate")?;
-            }
-            self.contents.positions.push(DVec3::from_array(numbers));
-            self.contents.vertex_lines.push(self.scanner.line());
-            if prefixes.normal {
-                for _ in 0..3 {
-                    normals.push(self.next("a normal")?);
-                }
-            }
-            // Some programs write three numbers for a colour, some four.
-            let mut rest = Vec::new();
-            while (prefixes.color || prefixes.texture) && rest.len() < 6 && self.scanner.next_word()
-            {
-                rest.push(self.next("a colour")?);
-            }
-            if prefixes.texture {
-                let at = rest.len().checked_sub(2).ok_or("texture coordinates are missing")?;
-                textures.extend(rest.drain(at..));
-            }
-            if prefixes.color {
-                colors.push(&rest);
-            }
-        }
+    fn vertices(&mut self, count: usize, head: Head) -> Result<(), String> {
+        let mut rows = VertexRows::default();
+        let read = (0..count).try_for_each(|_| self.vertex(head, &mut rows));
+        let VertexRows { normals, textures, colors, divided } = rows;
         let mut add = |name, default, reals: Vec<f64>| {
             if !reals.is_empty() {
                 let column = FileColumn::new(ElementKind::Vertex, name, default, reals);
@@ -191,50 +226,125 @@ impl Reader<'_> {
         add("normal", Value::Vec3(DVec3::ZERO), normals);
         add("uv", Value::Vec2(DVec2::ZERO), textures);
         colors.columns(ElementKind::Vertex, &mut self.contents);
+        let kept = &mut self.contents.kept;
+        let what = [
+            "vertex whose last coordinate divides the others",
+            "vertices whose last coordinates divide the others",
+        ];
+        kept.note_count(what, divided);
+        if head.dimension > Some(3) {
+            let what = [
+                "vertex of more than three coordinates, which has the first three",
+                "vertices of more than three coordinates, which have the first three",
+            ];
+            kept.note_count(what, self.contents.positions.len());
+        }
+        read
+    }
+
+    fn vertex(&mut self, head: Head, rows: &mut VertexRows) -> Result<(), String> {
+        let mut numbers = [0.0; 3];
+        for axis in 0..head.dimension.unwrap_or(3) {
+            let number = self.next("a coordinate")?;
+            if let Some(place) = numbers.get_mut(axis) {
+                *place = number;
+            }
+        }
+        let mut place = DVec3::from_array(numbers);
+        if head.is_divided {
+            let divisor = self.next("a coordinate")?;
+            rows.divided += usize::from(divisor != 1.0);
+            place /= divisor;
+        }
+        let mut normal = [0.0; 3];
+        for number in normal.iter_mut().filter(|_| head.normal) {
+            *number = self.next("a normal")?;
+        }
+        // Some programs write three numbers for a colour, some four.
+        let mut rest = Vec::new();
+        while (head.color || head.texture) && rest.len() < 6 && self.scanner.next_word() {
+            rest.push(self.next("a colour")?);
+        }
+        if head.texture {
+            let at = rest.len().checked_sub(2).ok_or("texture coordinates are missing")?;
+            rows.textures.extend(rest.drain(at..));
+        }
+        if head.normal {
+            rows.normals.extend(normal);
+        }
+        if head.color {
+            rows.colors.push(&rest);
+        }
+        self.contents.positions.push(place);
+        self.contents.vertex_lines.push(self.scanner.line());
         Ok(())
     }
 
     fn faces(&mut self, count: usize) -> Result<(), String> {
-        let mut corners = Vec::new();
-        let mut ends = Vec::with_capacity(count);
+        let (mut corners, mut ends) = (Vec::new(), Vec::with_capacity(count));
         let mut colors = Colors::default();
-        let vertices = self.contents.positions.len();
-        for _ in 0..count {
-            let sides = self.next("the number of corners of a face")?;
-            if sides.fract() != 0.0 || !(0.0..=1e9).contains(&sides) {
-                return Err(format!("{sides} is no number of corners"));
+        let read = (0..count).try_for_each(|_| {
+            let before = corners.len();
+            let face = self.face(&mut corners, &mut colors);
+            match face {
+                Ok(()) => ends.push(corners.len()),
+                Err(_) => corners.truncate(before),
             }
+            face
+        });
+        if read.is_ok() && self.scanner.next_line() {
             let line = self.scanner.line();
-            for _ in 0..sides as usize {
-                let index = self.next("a vertex of a face")?;
-                let is_known = index.fract() == 0.0 && (0.0..vertices as f64).contains(&index);
-                if !is_known {
-                    self.contents.strays.add(Some(line), || {
-                        format!("there is no vertex {index}: there are {vertices}, counted from 0")
-                    });
-                }
-                corners.push(if is_known { index as u32 } else { MISSING });
-            }
-            ends.push(corners.len());
-            self.contents.face_lines.push(line);
-            let mut color = Vec::new();
-            while color.len() < 4 && self.scanner.next_word() {
-                color.push(self.next("a colour")?);
-            }
-            if color.len() < 3 && !color.is_empty() {
-                self.contents.kept.note("faces with a number of a table of colours", line);
-            }
-            colors.push(&color);
-            self.scanner.end_line();
-        }
-        if self.scanner.next_line() {
-            let line = self.scanner.line();
-            self.contents.kept.note("lines behind the last face", line);
+            let what = ["line behind the last face", "lines behind the last face"];
+            self.contents.kept.note(what, line);
         }
         colors.columns(ElementKind::Face, &mut self.contents);
         self.contents.polygons = Polygons::of_parts(corners, ends);
+        read
+    }
+
+    fn face(&mut self, corners: &mut Vec<u32>, colors: &mut Colors) -> Result<(), String> {
+        let sides = self.next("the number of corners of a face")?;
+        if sides.fract() != 0.0 || !(0.0..=1e9).contains(&sides) {
+            return Err(format!("{sides} is no number of corners"));
+        }
+        let line = self.scanner.line();
+        let vertices = self.contents.positions.len();
+        for _ in 0..sides as usize {
+            let index = self.next("a vertex of a face")?;
+            let is_known = index.fract() == 0.0 && (0.0..vertices as f64).contains(&index);
+            if !is_known {
+                self.contents.strays.add(Some(line), || {
+                    format!("there is no vertex {index}: there are {vertices}, counted from 0")
+                });
+            }
+            corners.push(if is_known { index as u32 } else { MISSING });
+        }
+        let mut color = Vec::new();
+        while color.len() < 4 && self.scanner.next_word() {
+            color.push(self.next("a colour")?);
+        }
+        self.contents.face_lines.push(line);
+        if color.len() < 3 && !color.is_empty() {
+            let what = [
+                "face with a number of a table of colours",
+                "faces with a number of a table of colours",
+            ];
+            self.contents.kept.note(what, line);
+        }
+        colors.push(&color);
+        self.scanner.end_line();
         Ok(())
     }
+}
+
+/// The values of vertices besides a place.
+#[derive(Default)]
+struct VertexRows {
+    normals: Vec<f64>,
+    textures: Vec<f64>,
+    colors: Colors,
+    /// The number of those with a last coordinate that changes the others.
+    divided: usize,
 }
 
 /// The columns that a file holds: normals, colours, alphas and texture coordinates of vertices,

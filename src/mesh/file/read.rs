@@ -35,8 +35,10 @@ pub fn read_mesh_from(
     text: &[u8],
     repair: Option<Repair>,
 ) -> Result<MeshFile, FileError> {
+    let decoded = decode(format, text);
+    let text = decoded.as_deref().unwrap_or(text);
     let read = match format {
-        FileFormat::Obj => obj::read(text),
+        FileFormat::Obj => Ok(obj::read(text)),
         FileFormat::Ply => ply::read(text),
         FileFormat::Stl => stl::read(text),
         FileFormat::Off => off::read(text),
@@ -44,6 +46,24 @@ pub fn read_mesh_from(
         FileFormat::Halfedges => return read_tables(text).map_err(|reason| error(name, reason)),
     };
     read.and_then(|contents| contents.build(repair)).map_err(|failure| error(name, failure))
+}
+
+/// A text of 16 bits a letter in UTF-8, if it is one: some programs write such files.
+fn decode(format: FileFormat, text: &[u8]) -> Option<Vec<u8>> {
+    let is_big = match (format, text) {
+        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xfe, 0xff, ..]) => true,
+        (FileFormat::Obj | FileFormat::Off | FileFormat::Ply, [0xff, 0xfe, ..]) => false,
+        _ => return None,
+    };
+    let (letters, _) = text[2..].as_chunks::<2>();
+    let letters = letters.iter().map(|&letter| match is_big {
+        true => u16::from_be_bytes(letter),
+        false => u16::from_le_bytes(letter),
+    });
+    let text: String = char::decode_utf16(letters)
+        .map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
+        .collect();
+    Some(text.into_bytes())
 }
 
 fn error(name: &str, (line, reason): Failure) -> FileError {

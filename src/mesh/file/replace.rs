@@ -1,7 +1,7 @@
 //! Writing a file: all of it, or not at all.
 //!
-//! What is written goes to a new file in the same folder, which takes the place of the old one
-//! when it is complete.
+//! The text goes to a new file in the same folder, which takes the place of the old one when it is
+//! complete.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -53,8 +53,8 @@ pub fn replace_file(
     Ok(())
 }
 
-/// Whether a file may be written, if it is there. It could be replaced even so, which is not what
-/// who protected it has meant.
+/// Checks that a file may be written, if it is there. It could be replaced even so, which is not
+/// what who protected it has meant.
 ///
 /// # Errors
 /// [`FileReason::ReadOnly`] and [`FileReason::Io`].
@@ -72,7 +72,7 @@ pub fn expect_writable(path: &Path) -> Result<(), FileReason> {
     }
 }
 
-/// Where the links from `path` lead, whether something is there or not.
+/// The end of the links from `path`, whether something is there or not.
 fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut at = path.to_owned();
     // As many links as Linux follows.

@@ -11,12 +11,14 @@ pub(super) struct Scanner<'t> {
     at: usize,
     line: u32,
     continues: bool,
+    /// True if a comment may stand right behind a word.
+    comments_stick: bool,
 }
 
 impl<'t> Scanner<'t> {
     pub(super) fn new(text: &'t [u8]) -> Self {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-        Self { text, at: 0, line: 1, continues: false }
+        Self { text, at: 0, line: 1, continues: false, comments_stick: false }
     }
 
     /// A scanner of a text whose lines can be continued.
@@ -24,17 +26,22 @@ impl<'t> Scanner<'t> {
         Self { continues: true, ..Self::new(text) }
     }
 
+    /// A scanner of a text in which no word has a `#`: a comment begins at each.
+    pub(super) fn with_sticking_comments(text: &'t [u8]) -> Self {
+        Self { comments_stick: true, ..Self::new(text) }
+    }
+
     /// The line, from 1.
     pub(super) fn line(&self) -> u32 {
         self.line
     }
 
-    /// How many bytes have been read.
+    /// The number of bytes that have been read.
     pub(super) fn position(&self) -> usize {
         self.at
     }
 
-    /// What has not been read yet.
+    /// The bytes that have not been read yet.
     pub(super) fn rest(&self) -> &'t [u8] {
         &self.text[self.at..]
     }
@@ -53,7 +60,7 @@ impl<'t> Scanner<'t> {
         self.text.get(self.at).copied()
     }
 
-    /// Whether a backslash here is the last of its line; then, where the next line begins.
+    /// The start of the next line, if a backslash here is the last of its line.
     #[cold]
     fn continuation(&self) -> Option<usize> {
         if !self.continues {
@@ -89,6 +96,7 @@ impl<'t> Scanner<'t> {
                     None => return true,
                 },
                 // A comment begins a line or stands after a blank, so that names may have one.
+                Some(b'#') if self.comments_stick => return false,
                 Some(b'#') => return self.at == start && !self.is_after_blank(),
                 Some(_) => return true,
             }
@@ -112,6 +120,9 @@ impl<'t> Scanner<'t> {
             if byte == b'\\' && self.continuation().is_some() {
                 break;
             }
+            if byte == b'#' && self.comments_stick {
+                break;
+            }
             self.at += 1;
         }
         Some(&self.text[start..self.at])
@@ -131,6 +142,7 @@ impl<'t> Scanner<'t> {
                     return Some(Ok(number));
                 }
                 Some(b'\\') if self.continuation().is_some() => return Some(Ok(number)),
+                Some(b'#') if self.comments_stick => return Some(Ok(number)),
                 Some(_) => self.at = start,
             }
         }
@@ -207,7 +219,7 @@ impl<'t> Scanner<'t> {
         // A line that went on: what stood between its parts is a blank.
         let all = &self.text[start..end];
         let mut joined = Vec::new();
-        let mut parts = Scanner { text: all, at: 0, line: 0, continues: true };
+        let mut parts = Scanner { line: 0, continues: true, ..Scanner::new(all) };
         while let Some(word) = parts.word() {
             if !joined.is_empty() {
                 joined.push(b' ');

@@ -13,7 +13,7 @@ use std::io::{self, Write};
 use glam::DVec3;
 
 use super::contents::Contents;
-use super::error::{Failure, FileReason};
+use super::error::{Damage, Failure, FileReason};
 use super::format::Encoding;
 use super::mesh_file::{MeshFile, WrittenNumbers};
 use super::print::Printer;
@@ -36,24 +36,18 @@ pub(super) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let is_text = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     // Many binary files begin with `solid`, and some have bytes behind the triangles.
     if text.len() >= HEADER && (fits || !is_text || text[..HEADER].contains(&0)) {
-        read_binary(text, claimed)
+        Ok(read_binary(text, claimed))
     } else if is_text {
-        read_text(text)
+        Ok(read_text(text))
     } else {
         Err((None, FileReason::Malformed("this is no STL file: it is too short".into())))
     }
 }
 
-fn read_binary(text: &[u8], claimed: usize) -> Result<Contents, Failure> {
-    let (triangles, _) = text[HEADER..].as_chunks::<TRIANGLE>();
-    let Some(triangles) = triangles.get(..claimed) else {
-        let words = format!(
-            "its head speaks of {claimed} triangles, and there is room for {} in the file",
-            triangles.len()
-        );
-        return Err((None, FileReason::Malformed(words)));
-    };
-    let mut points = Vec::with_capacity(claimed * 3);
+fn read_binary(text: &[u8], claimed: usize) -> Contents {
+    let (all, _) = text[HEADER..].as_chunks::<TRIANGLE>();
+    let triangles = &all[..claimed.min(all.len())];
+    let mut points = Vec::with_capacity(triangles.len() * 3);
     let mut tagged = 0;
     for triangle in triangles {
         let (numbers, _) = triangle[12..48].as_chunks::<4>();
@@ -64,48 +58,68 @@ fn read_binary(text: &[u8], claimed: usize) -> Result<Contents, Failure> {
         tagged += usize::from(triangle[48..] != [0, 0]);
     }
     let mut contents = share(points);
-    contents.kept.note_count("triangles with two bytes of a program's own", tagged);
+    let tags = [
+        "triangle with two bytes of a program's own",
+        "triangles with two bytes of a program's own",
+    ];
+    contents.kept.note_count(tags, tagged);
     contents.encoding = Encoding::LittleEndian;
-    Ok(contents)
+    if claimed > all.len() {
+        contents.damage.add(None, || {
+            let room = all.len();
+            format!("its head speaks of {claimed} triangles, and there is room for {room} in it")
+        });
+    }
+    contents
 }
 
-fn read_text(text: &[u8]) -> Result<Contents, Failure> {
+fn read_text(text: &[u8]) -> Contents {
     let mut scanner = Scanner::new(text);
+    let mut damage = Damage::default();
     let mut points = Vec::with_capacity(text.len() / 80);
+    // How many points there were before this loop, and whether all of it has been read.
+    let (mut before, mut is_whole) = (0, true);
     let mut solids = 0;
     while scanner.next_line() {
         let line = scanner.line();
-        let malformed = |words: String| (Some(line), FileReason::Malformed(words));
         let Some(word) = scanner.word() else { continue };
         let is = |known: &str| word.eq_ignore_ascii_case(known.as_bytes());
         if is("vertex") {
-            let mut point = [0.0; 3];
-            for number in &mut point {
-                match scanner.number() {
-                    Some(Ok(read)) => *number = read,
-                    _ => return Err(malformed("`vertex` needs three numbers".into())),
+            match [(); 3].map(|()| scanner.number().and_then(Result::ok)) {
+                [Some(x), Some(y), Some(z)] => points.push(DVec3::new(x, y, z)),
+                _ => {
+                    damage.add(Some(line), || "`vertex` needs three numbers".to_owned());
+                    is_whole = false;
                 }
             }
-            points.push(DVec3::from_array(point));
         } else if is("endloop") {
-            if points.len() % 3 != 0 {
-                return Err(malformed("a loop of STL has three vertices".into()));
+            let is_of_three = (points.len() - before) % 3 == 0;
+            if is_whole && !is_of_three {
+                damage.add(Some(line), || "a loop of STL has three vertices".to_owned());
             }
+            if !is_whole || !is_of_three {
+                points.truncate(before);
+            }
+            (before, is_whole) = (points.len(), true);
         } else if is("solid") {
             solids += 1;
         } else if !["facet", "outer", "endfacet", "endsolid"].into_iter().any(is) {
-            return Err(malformed(format!("`{}` is no word of an STL file", shown(word))));
+            damage.add(Some(line), || format!("`{}` is no word of an STL file", shown(word)));
         }
         scanner.end_line();
     }
-    if points.len() % 3 != 0 {
-        let words = "the file ends within a triangle".to_owned();
-        return Err((Some(scanner.line()), FileReason::Malformed(words)));
+    let beyond = (points.len() - before) % 3;
+    if beyond != 0 {
+        let words = "the file ends within a triangle";
+        damage.add(Some(scanner.line()), || words.to_owned());
+        points.truncate(points.len() - beyond);
     }
     let mut contents = share(points);
-    contents.kept.note_count("solids, which are one mesh now", if solids > 1 { solids } else { 0 });
+    contents.damage = damage;
+    let several = ["solid", "solids, which are one mesh now"];
+    contents.kept.note_count(several, if solids > 1 { solids } else { 0 });
     contents.encoding = Encoding::Ascii;
-    Ok(contents)
+    contents
 }
 
 /// Makes one vertex of equal points.

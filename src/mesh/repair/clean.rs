@@ -68,12 +68,12 @@ struct Cleaner {
     sorted: Vec<u32>,
     /// The corners of the loop that is still open, each with what it was.
     open: Vec<(u32, u32)>,
-    /// Where in `open` a vertex stands.
+    /// The places of vertices in `open`.
     places: std::collections::HashMap<u32, usize>,
 }
 
 impl Cleaner {
-    /// Whether a vertex comes twice.
+    /// True if a vertex comes twice.
     fn repeats(&mut self, corners: &[u32]) -> bool {
         if let &[a, b, c] = corners {
             return a == b || b == c || c == a;

@@ -98,7 +98,7 @@ fn is_double(list: &PolygonList, first: usize, other: usize) -> bool {
     runs_alike(list, first, other) || is_back(list, first, other)
 }
 
-/// Whether two polygons have the same corners in the same order.
+/// True if two polygons have the same corners in the same order.
 fn runs_alike(list: &PolygonList, first: usize, other: usize) -> bool {
     let (first, other) = (&list.corners[list.range(first)], &list.corners[list.range(other)]);
     let start = other.iter().position(|v| *v == first[0]);
@@ -106,7 +106,7 @@ fn runs_alike(list: &PolygonList, first: usize, other: usize) -> bool {
         && start.is_some_and(|start| first.iter().eq(other[start..].iter().chain(&other[..start])))
 }
 
-/// Whether a polygon has the corners of another in the opposite order.
+/// True if a polygon has the corners of another in the opposite order.
 fn is_back(list: &PolygonList, first: usize, other: usize) -> bool {
     let (first, other) = (&list.corners[list.range(first)], &list.corners[list.range(other)]);
     let start = other.iter().position(|v| *v == first[0]);

@@ -3,8 +3,9 @@
 //! Two sides are joined where they are the only ones of their edge and run in opposite
 //! directions. The corners at a vertex that hang together across joined sides are a fan.
 //! Each fan gets its own vertex, the first one keeps the old one: all other edges come apart
-//! thereby, but for those whose both ends lie in one fan each, around which the polygons still
-//! hang together. There a corner more is isolated, until no edge is left.
+//! thereby, but for those whose both ends lie in one fan each, around which two polygons still
+//! hang together. If these run in opposite directions there, the edge stays theirs; else a corner
+//! more is isolated, until no edge is left.
 
 use super::RepairReport;
 use super::polygon_list::{NONE, Neighbours, PolygonList};
@@ -87,12 +88,20 @@ impl PolygonList {
     }
 }
 
-/// Isolates corners at edges that still have several sides which are not joined; says whether
-/// there were any.
+/// Joins the sides of edges that are left with two in opposite directions, and isolates corners
+/// where others are not joined; says whether there were any of these.
 fn isolate(list: &PolygonList, neighbours: &Neighbours, twins: &mut [u32]) -> bool {
     let mut found = false;
     for edge in list.sides(neighbours).edges() {
         let unjoined = edge.len() > 1 && twins[edge[0].1 as usize] == NONE;
+        if let &[(_, a), (_, b)] = edge
+            && unjoined
+            && list.corners[a as usize] != list.corners[b as usize]
+        {
+            twins[a as usize] = b;
+            twins[b as usize] = a;
+            continue;
+        }
         for &(_, side) in edge.iter().skip(1).filter(|_| unjoined) {
             // The side before it at the same corner is joined, or the corner were alone.
             let before = neighbours.prev[side as usize] as usize;

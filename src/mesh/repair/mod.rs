@@ -11,16 +11,17 @@
 //!    that are each other's back, where an edge has more than two polygons (`double`);
 //! 5. neighbours across edges of two polygons are turned to run alike, in each connected part
 //!    as few as possible (`orient`);
-//! 6. the surface is cut along edges of three polygons or more, and where turning does not help,
-//!    as on a Möbius strip; a vertex becomes one for each fan of polygons around it (`fans`).
+//! 6. the surface is cut along edges of three polygons or more, but for two of these that hang
+//!    together around both ends, and where turning does not help, as on a Möbius strip; a vertex
+//!    becomes one for each fan of polygons around it (`fans`).
 //!
 //! Nothing is closed or filled, no point moves farther than the tolerance, and what is a mesh
 //! already stays as it is: so a second repair changes nothing. Corners, polygons and vertices
 //! know which ones of the list they were, so that whatever hung on these can follow.
 //!
-//! What to drop, turn and cut is what CGAL does with polygon soups (S. Loriot, M. Rouxel-Labbé,
-//! J. Tournois, I. O. Yaz, *Polygon Mesh Processing*, `orient_polygon_soup` after A. Guéziec,
-//! G. Taubin, F. Lazarus, B. Horn, "Cutting and Stitching: Converting Sets of Polygons to
+//! The rules to drop, turn and cut are those of CGAL with polygon soups (S. Loriot, M.
+//! Rouxel-Labbé, J. Tournois, I. O. Yaz, *Polygon Mesh Processing*, `orient_polygon_soup` after A.
+//! Guéziec, G. Taubin, F. Lazarus, B. Horn, "Cutting and Stitching: Converting Sets of Polygons to
 //! Manifold Surfaces", 2001); it turns parts the way most of their polygons run, and isolates a
 //! corner more where a cut edge would keep both its ends in common.
 
@@ -54,7 +55,7 @@ pub struct Repaired {
     /// The vertices of the list that those of the mesh were. Those that stayed come first, in
     /// order; then those that have been split off.
     pub vertices: Vec<u32>,
-    /// How many vertices stayed.
+    /// The number of vertices that stayed.
     pub kept_vertices: usize,
     /// The polygons of the list that the faces were, or were part of, in order.
     pub faces: Vec<u32>,
@@ -63,9 +64,11 @@ pub struct Repaired {
     pub report: RepairReport,
 }
 
-/// How often each step of a repair did something.
+/// The number of times each step of a repair did something.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RepairReport {
+    /// Places of a file that cannot be read, passed over: what should stand there is missing.
+    pub damaged_places: usize,
     /// Vertices with a coordinate that is not finite, dropped.
     pub dropped_vertices: usize,
     /// Vertices merged into others that are close enough.
@@ -89,7 +92,7 @@ pub struct RepairReport {
 }
 
 impl RepairReport {
-    /// Whether something was changed.
+    /// True if something was changed.
     pub fn is_changed(&self) -> bool {
         *self != Self::default()
     }
@@ -97,6 +100,7 @@ impl RepairReport {
     /// The steps that did something, in words.
     pub fn steps(&self) -> Vec<String> {
         let steps = [
+            (self.damaged_places, "passed over", "damaged place", "damaged places", " of the file"),
             (self.dropped_vertices, "dropped", "vertex", "vertices", " that lie nowhere"),
             (self.merged_vertices, "merged", "vertex", "vertices", " into others"),
             (self.repeated_corners, "dropped", "repeated corner", "repeated corners", ""),

@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::RepairReport;
+use crate::mesh::polygon_sides::Sides;
 use crate::mesh::polygons::Polygons;
-use crate::mesh::sides::Sides;
 
 /// Stands for "none".
 pub(in crate::mesh) const NONE: u32 = u32::MAX;
@@ -15,13 +15,13 @@ pub(in crate::mesh) struct PolygonList {
     pub(in crate::mesh) positions: Vec<DVec3>,
     /// The vertices of the corners.
     pub(in crate::mesh) corners: Vec<u32>,
-    /// Where the polygons end.
+    /// The ends of the polygons.
     pub(in crate::mesh) ends: Vec<usize>,
-    /// What the vertices were.
+    /// The origins of the vertices.
     pub(in crate::mesh) vertices: Vec<u32>,
-    /// What the polygons were.
+    /// The origins of the polygons.
     pub(in crate::mesh) faces: Vec<u32>,
-    /// What the corners were.
+    /// The origins of the corners.
     pub(in crate::mesh) corner_origins: Vec<u32>,
 }
 
@@ -38,7 +38,7 @@ impl PolygonList {
         }
     }
 
-    /// Where the corners of a polygon stand.
+    /// The range of the corners of a polygon.
     pub(in crate::mesh) fn range(&self, polygon: usize) -> std::ops::Range<usize> {
         polygon.checked_sub(1).map_or(0, |before| self.ends[before])..self.ends[polygon]
     }

@@ -3,7 +3,7 @@
 use super::drawing::mark;
 use super::expression::{broken_value, expression};
 use super::failure::Phrase;
-use super::habit;
+use super::foreign_syntax;
 use super::input::{Rule, Scene};
 use super::name::{ident, plain_text, type_word};
 use super::recover;
@@ -159,7 +159,7 @@ fn conditional<'t>(code: &Code<'t>) -> Rule<'t, ActionKind> {
     let binding = just(T::Let).ignore_then(ident()).then_ignore(just(T::Equals));
     let behind_if = recursive(|behind_if| {
         let chained = just(T::If).ignored().boxed();
-        let [chained, contracted] = [chained, habit::else_if()].map(|word| {
+        let [chained, contracted] = [chained, foreign_syntax::else_if()].map(|word| {
             let chained = word.ignore_then(behind_if.clone());
             chained.map_with(|kind, scene: &mut Scene<'t, '_>| {
                 let span = scene.span();

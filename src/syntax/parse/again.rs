@@ -2,7 +2,7 @@
 
 use super::file::{Parsed, parse_with};
 use crate::source::{FileId, Span};
-use crate::syntax::place::moved;
+use crate::syntax::shift::moved;
 use crate::syntax::tree::Item;
 use std::collections::HashMap;
 

@@ -28,7 +28,7 @@ pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     starts.iter().copied().zip(ends).map(|(start, end)| start..end).collect()
 }
 
-/// What an item begins with, as far as that tells it from everything else.
+/// The kind of item that begins here, as far as that tells it from everything else.
 fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     let kind = |ahead: usize| tokens.get(at + ahead).map(|token| token.kind);
     let named = kind(1).is_some_and(T::is_name);
@@ -47,7 +47,7 @@ fn begins_item(text: &str, tokens: &[Token], at: usize, inside: bool) -> bool {
     sure || hard && (indent == 0 || !inside)
 }
 
-/// How far a token stands from the start of its line, if it is the first there.
+/// The distance of a token from the start of its line, if it is the first there.
 fn indent(text: &str, tokens: &[Token], at: usize) -> Option<usize> {
     let start = tokens[at].span.start as usize;
     let before = match at.checked_sub(1) {

@@ -1,14 +1,14 @@
-//! How deep an item nests, measured before it is read.
+//! Depth of nesting of an item, measured before it is read.
 //!
 //! The parser and everyone behind it walk the tree by recursion, so its depth is bounded
 //! here: brackets that are open, and operators, dots and branches chained within them.
 
 use crate::syntax::token::{Token, TokenKind as T};
 
-/// How deep a tree may be.
+/// The greatest depth of a tree.
 pub(super) const DEEPEST: usize = 256;
 
-/// What is open: a bracket, and how much was chained before it.
+/// An open bracket, and how much was chained before it.
 struct Open {
     bracket: T,
     chained: usize,
@@ -69,7 +69,7 @@ fn closes(closing: T, bracket: T) -> bool {
     closing == T::RightBrace || bracket != T::LeftBrace
 }
 
-/// Whether a token makes the value around it deeper.
+/// True if a token makes the value around it deeper.
 fn chains(kind: T) -> bool {
     matches!(
         kind,
@@ -95,8 +95,8 @@ fn chains(kind: T) -> bool {
     )
 }
 
-/// Whether what was chained ends before a token: at a mark that stands in no value, and
-/// where a value follows a value.
+/// True if what was chained ends before a token: at a mark that stands in no value, and where a
+/// value follows a value.
 fn restarts(before: Option<T>, kind: T) -> bool {
     match kind {
         T::Comma | T::Colon | T::Equals | T::Arrow | T::FatArrow | T::Bar => true,

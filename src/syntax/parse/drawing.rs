@@ -2,7 +2,7 @@
 
 use super::expression::broken_value;
 use super::failure::{Failure, Mistake, Phrase};
-use super::habit;
+use super::foreign_syntax;
 use super::input::{Extra, Rule, Scene, Tokens};
 use super::name::{ident, listed_name, name, word};
 use super::recover;
@@ -138,7 +138,7 @@ fn edge_statement<'t>() -> Rule<'t, Statement> {
         .then(halfedge())
         .validate(|((name, one), other), scene, emitter| {
             for halfedge in [&one, &other] {
-                if habit::is_nothing(&halfedge.ident.text) {
+                if foreign_syntax::is_nothing(&halfedge.ident.text) {
                     emitter.emit(Failure::mistake(Mistake::NoTwin, halfedge.span));
                 }
             }
@@ -179,7 +179,7 @@ fn spoke<'t>() -> Rule<'t, Spoke> {
 
 /// `new m p q`, also `new m, p, q`
 fn names<'t>(keyword: T) -> Rule<'t, (Vec<Name>, Span)> {
-    let kind = habit::kind_in_list().repeated();
+    let kind = foreign_syntax::kind_in_list().repeated();
     let name = kind.ignore_then(listed_name()).boxed();
     let next = just(T::Comma).or_not().ignore_then(name.clone());
     let list = name.then(next.repeated().collect::<Vec<_>>()).map(|(first, mut list)| {

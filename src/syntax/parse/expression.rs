@@ -3,7 +3,7 @@
 //! An expression in parentheses has them in its span; nothing else of them remains.
 
 use super::failure::{Failure, Mistake, Phrase};
-use super::habit;
+use super::foreign_syntax;
 use super::input::{Rule, Scene, slice};
 use super::name::{ident, int_here, name, name_here, text, word};
 use super::recover;
@@ -81,7 +81,7 @@ fn chain<'t>(operand: Rule<'t, Expr>, operator: Rule<'t, BinaryOp>) -> Rule<'t, 
         .boxed()
 }
 
-/// What stands for a value that could not be read.
+/// The value in place of one that could not be read.
 pub(super) fn broken_value(span: Span) -> Expr {
     let kind = ExprKind::Broken;
     Expr { kind, span }
@@ -157,7 +157,7 @@ fn called<'t>(call: Rule<'t, ExprKind>) -> Rule<'t, Expr> {
     call.map_with(|kind, scene| Expr { kind, span: scene.span() }).boxed()
 }
 
-/// What stands between the parentheses of a call.
+/// The arguments between the parentheses of a call.
 struct Arguments {
     values: Vec<Expr>,
     each: Option<Each>,
@@ -220,7 +220,7 @@ fn call<'t>(expression: Rule<'t, Expr>) -> Rule<'t, ExprKind> {
         .boxed()
 }
 
-/// Whether nothing stands before a token on its line.
+/// True if nothing stands before a token on its line.
 fn begins_line(scene: &mut Scene) -> bool {
     let span: Span = scene.span();
     let before = scene.state().0.get(..span.start as usize).unwrap_or("");
@@ -250,7 +250,7 @@ fn called_with(name: Name, mut arguments: Arguments) -> ExprKind {
 fn branches<'t>(expression: Rule<'t, Expr>, block: Rule<'t, Block>) -> Rule<'t, ExprKind> {
     let behind_if = recursive(|behind_if| {
         let chained = just(T::If).ignored().boxed();
-        let [chained, contracted] = [chained, habit::else_if()].map(|word| {
+        let [chained, contracted] = [chained, foreign_syntax::else_if()].map(|word| {
             let chained = word.ignore_then(behind_if.clone());
             chained.map_with(|kind, scene: &mut Scene<'t, '_>| {
                 let span: Span = scene.span();

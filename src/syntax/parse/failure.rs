@@ -10,7 +10,7 @@ use chumsky::DefaultExpected;
 use chumsky::error::{Error, LabelError};
 use chumsky::util::MaybeRef;
 
-/// What can be wanted besides a certain token, in the order in which it is told.
+/// A phrase for what can be wanted besides a certain token, in the order in which it is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Phrase {
@@ -28,9 +28,9 @@ pub(super) enum Phrase {
     DrawingStatement,
     Statement,
     Text,
-    /// How a value could go on; told only where nothing else is wanted.
+    /// An operator; told only where nothing else is wanted.
     Operator,
-    /// How a name could go on; told only where nothing else is wanted.
+    /// A subscript or a field behind a name; told only where nothing else is wanted.
     Subscript,
 }
 
@@ -95,7 +95,7 @@ impl Wanted {
         Self { tokens: 0, phrases }
     }
 
-    /// Whether a token is wanted.
+    /// True if a token is wanted.
     pub(super) fn has(self, kind: TokenKind) -> bool {
         self.tokens >> kind as u32 & 1 == 1
     }
@@ -146,15 +146,15 @@ pub(super) enum Mistake {
 /// Why a rule could not read on.
 #[derive(Clone, Debug)]
 pub(super) struct Failure {
-    /// Where.
+    /// The place.
     pub span: Span,
-    /// What stands there; nothing at the end of the item.
+    /// The token there; nothing at the end of the item.
     pub found: Option<TokenKind>,
-    /// What could have stood there.
+    /// The tokens that could have stood there.
     pub wanted: Wanted,
-    /// Where the statement or header began that could not be read on.
+    /// The start of the statement or header began that could not be read on.
     pub context: Option<Span>,
-    /// What it is instead of something unexpected.
+    /// The mistake instead of something unexpected.
     pub mistake: Option<Mistake>,
 }
 

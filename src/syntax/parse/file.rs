@@ -9,24 +9,24 @@ use super::item::item;
 use super::report::{Around, report_all};
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileId, Span};
-use crate::syntax::habit::{Found, Mended, mend, tell};
+use crate::syntax::foreign_syntax::{Found, Mended, mend, tell};
 use crate::syntax::lex::{Comment, CommentKind, Lexed, lex};
 use crate::syntax::token::Token;
 use crate::syntax::tree::{File, Item};
 use chumsky::Parser;
 
-/// What a text says, and what is wrong with it.
+/// The tree of a text, and what is wrong with it.
 #[derive(Clone, Debug)]
 pub struct Parsed {
-    /// What could be read.
+    /// The tree, as far as it could be read.
     pub tree: File,
     /// Every token, in order.
     pub tokens: Vec<Token>,
     /// Every comment, in order.
     pub comments: Vec<Comment>,
-    /// What is wrong, in the order of its places.
+    /// The mistakes, in the order of its places.
     pub diagnostics: Vec<Diagnostic>,
-    /// Where items stand that could be read only after some of their words were exchanged.
+    /// The items that could be read only after some of their words were exchanged.
     pub mended: Vec<Span>,
 }
 
@@ -170,8 +170,8 @@ fn whole(tokens: &[Token]) -> Span {
     }
 }
 
-/// Whether something is wrong only since something else is: on the line of a way of writing
-/// that is foreign, or behind one that leaves open what was meant.
+/// True if something is wrong only since something else is: on the line of a way of writing that is
+/// foreign, or behind one that leaves open what was meant.
 fn is_consequence(text: &str, told: &Diagnostic, found: &[Found]) -> bool {
     let at = told.span().start;
     found.iter().any(|found| {

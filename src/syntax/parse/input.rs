@@ -1,4 +1,4 @@
-//! What the grammar reads: the tokens of one item, and the text they stand in.
+//! Input of the grammar: the tokens of one item, and the text they stand in.
 
 use super::failure::Failure;
 use crate::source::{FileId, Span};
@@ -17,13 +17,13 @@ pub(super) type Tokens<'t> =
 /// The source text, for the names and numbers that tokens stand for.
 pub(super) type Source<'t> = SimpleState<&'t str>;
 
-/// How the grammar fails, and what it knows.
+/// The failures and the state of the grammar.
 pub(super) type Extra<'t> = extra::Full<Failure, Source<'t>, ()>;
 
 /// A rule of the grammar.
 pub(super) type Rule<'t, O> = Boxed<'t, 't, Tokens<'t>, O, Extra<'t>>;
 
-/// What a rule may look at when it builds a part of the tree.
+/// The scene that a rule may look at when it builds a part of the tree.
 pub(super) type Scene<'t, 'b> = chumsky::input::MapExtra<'t, 'b, Tokens<'t>, Extra<'t>>;
 
 /// The grammar's view of some tokens; `end` is where they end.

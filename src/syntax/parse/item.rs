@@ -3,7 +3,7 @@
 use super::action::{Code, code};
 use super::drawing::{mark, side};
 use super::failure::{Failure, Mistake, Phrase};
-use super::habit;
+use super::foreign_syntax;
 use super::input::{Rule, Scene};
 use super::name::{ident, name, plain_text, text, type_word};
 use super::recover;
@@ -35,7 +35,7 @@ pub(super) fn item<'t>() -> Rule<'t, Item> {
 /// `use "path"`
 fn file_use<'t>() -> Rule<'t, Use> {
     just(T::Use)
-        .ignore_then(text().or(habit::bare_path()))
+        .ignore_then(text().or(foreign_syntax::bare_path()))
         .map_with(|(path, path_span), scene| Use { path, path_span, span: scene.span() })
         .boxed()
 }
@@ -68,7 +68,7 @@ fn params<'t>(code: &Code<'t>) -> Rule<'t, Vec<Param>> {
     let default = just(T::Equals).ignore_then(code.expression.clone());
     let ty = just(T::Colon).ignore_then(type_word());
     let param = name()
-        .then(ty.or(habit::no_type()))
+        .then(ty.or(foreign_syntax::no_type()))
         .then(default.or_not())
         .validate(|((name, ty), default), scene, emitter| {
             if ty.text.is_empty() {
@@ -173,13 +173,13 @@ fn op<'t>(code: &Code<'t>) -> Rule<'t, Op> {
         .boxed()
 }
 
-/// What an op returns: a name, or the kind of an element.
+/// The result of an op: a name, or the kind of an element.
 fn returned<'t>() -> Rule<'t, Ident> {
     let kind = select! { kind @ (T::Vertex | T::Edge | T::Face) => kind };
     ident().or(kind.rewind().ignore_then(type_word())).boxed()
 }
 
-/// What stands between the braces of an op.
+/// A part between the braces of an op.
 enum Part {
     Before(Side),
     Condition(Condition),

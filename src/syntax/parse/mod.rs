@@ -29,7 +29,7 @@ mod failure;
 
 mod report;
 
-mod habit;
+mod foreign_syntax;
 
 mod input;
 

@@ -1,4 +1,4 @@
-//! How the grammar gets over what it cannot read.
+//! Recovery of the grammar from what it cannot read.
 //!
 //! A rule that fails is replaced by a skip to the next token that surely begins something
 //! else. Skips are bounded by keywords, which stand nowhere inside of what is skipped, and
@@ -14,7 +14,7 @@ use chumsky::prelude::*;
 
 type Input<'t, 'p> = InputRef<'t, 'p, Tokens<'t>, Extra<'t>>;
 
-/// Whether a token begins a part of an op.
+/// True if a token begins a part of an op.
 pub(super) fn begins_part(kind: T) -> bool {
     matches!(kind, T::Before | T::Require | T::Guard | T::Alias | T::After | T::Rule)
 }
@@ -210,7 +210,7 @@ pub(super) fn assignment_ahead<'t>() -> Rule<'t, ()> {
     .boxed()
 }
 
-/// Whether `name.attribute =` or `name[…].attribute =` comes next.
+/// True if `name.attribute =` or `name[…].attribute =` comes next.
 fn begins_assignment(input: &mut Input) -> bool {
     const LONGEST_SUBSCRIPT: usize = 4;
     let start = input.save();
@@ -229,7 +229,7 @@ fn begins_assignment(input: &mut Input) -> bool {
     begins
 }
 
-/// Whether the next token is the first of its line.
+/// True if the next token is the first of its line.
 fn begins_line(input: &mut Input) -> bool {
     let start = input.save();
     input.skip();

@@ -1,12 +1,13 @@
 //! From failures of the grammar to diagnostics: the one place with the words.
 
 use super::failure::{Failure, Mistake, Phrase};
-use super::habit::{path_meant, told_here};
+use super::foreign_syntax::{path_meant, told_here};
+use super::recover::begins_part;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 
-/// What surrounds a failure.
+/// The surroundings of a failure.
 pub(super) struct Around<'t> {
     /// The text of the file.
     pub text: &'t str,
@@ -33,6 +34,15 @@ impl<'t> Around<'t> {
         let at = self.item.partition_point(before);
         never_closed.and(self.open.get(at).copied().flatten())
     }
+}
+
+/// The number of braces that are never closed.
+fn never_closed(tokens: &[Token]) -> usize {
+    tokens.iter().fold(0_usize, |open, token| match token.kind {
+        T::LeftBrace => open + 1,
+        T::RightBrace => open.saturating_sub(1),
+        _ => open,
+    })
 }
 
 fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
@@ -172,6 +182,9 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     let wanted = listed(&wanted(&failure));
     let anew = starts_anew(&failure);
     let closes = failure.wanted.has(T::RightBrace);
+    if let Some(open) = around.open_at(failure.span).filter(|_| closes) {
+        return not_closed(open, &failure, &found, around);
+    }
     let context = failure.context.filter(|_| !anew && !closes);
     let place = context.and_then(|context| place(context, around));
     let mut message = if wanted.is_empty() {
@@ -192,15 +205,67 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     } else {
         told
     };
-    let told = match around.open_at(failure.span) {
-        Some(open) if closes => told.label(open.span, "this `{` is not closed"),
-        _ => told,
-    };
     let told = told_here(told, &failure, around);
     match context.filter(|_| told.notes.is_empty() && told.fixes.is_empty()) {
         Some(context) => form(told, context, around),
         None => told,
     }
+}
+
+/// Tells of a brace that is not closed where something stands that cannot be inside of it.
+fn not_closed(open: Token, failure: &Failure, found: &str, around: &Around) -> Diagnostic {
+    let is_one = never_closed(around.item) == 1;
+    let (open, found, place) = match less_indented(around) {
+        Some((inner, closing)) if inner.span != open.span => {
+            (inner, "the brace that closes what is around it".to_owned(), closing.span)
+        }
+        _ => (open, found.to_owned(), failure.span),
+    };
+    let place = behind_the_last_line(place, around);
+    let line = line_before(around.text, open.span);
+    let message = match line.trim() {
+        "" => format!("a `{{` is not closed before {found}"),
+        head => format!("the `{{` of `{head}` is not closed before {found}"),
+    };
+    let told = Diagnostic::error("syntax-error", message, place)
+        .saying("a `}` is missing")
+        .label(open.span, "this `{` is not closed");
+    let indent = &line[..line.len() - line.trim_start().len()];
+    let begins = failure.found.is_none_or(begins_part) || place != failure.span;
+    match place.start == place.end && begins && is_one {
+        true => told.fix("close it here", place, format!("\n{indent}}}")),
+        false => told,
+    }
+}
+
+/// The text before a place on its line.
+fn line_before(text: &str, span: Span) -> &str {
+    let before = text.get(..span.start as usize).unwrap_or("");
+    before.rsplit('\n').next().unwrap_or("")
+}
+
+/// A brace that is closed by one that stands further to the left than the line where it opens, and
+/// that one: probably it closes what is around.
+fn less_indented(around: &Around) -> Option<(Token, Token)> {
+    let width = |token: &Token| {
+        let line = line_before(around.text, token.span);
+        line.len() - line.trim_start().len()
+    };
+    let mut open: Vec<Token> = Vec::new();
+    for &token in around.item {
+        match token.kind {
+            T::LeftBrace => open.push(token),
+            T::RightBrace => {
+                let opened = open.pop()?;
+                let begins_line = line_before(around.text, token.span).trim().is_empty();
+                if begins_line && width(&token) < width(&opened) {
+                    return Some((opened, token));
+                }
+            }
+            _ => {}
+        }
+    }
+    None
 }
 
 /// Says how a statement is written that could not be read on.
@@ -222,7 +287,7 @@ fn form(told: Diagnostic, context: Span, around: &Around) -> Diagnostic {
     told.note(form)
 }
 
-/// Whether a statement of a drawing stands among the parts of an op.
+/// True if a statement of a drawing stands among the parts of an op.
 fn is_of_a_drawing(failure: &Failure) -> bool {
     let begins_one = matches!(
         failure.found,
@@ -231,7 +296,7 @@ fn is_of_a_drawing(failure: &Failure) -> bool {
     begins_one && failure.wanted.phrases().any(|phrase| phrase == Phrase::Part)
 }
 
-/// Whether something whole could have begun here, so that nothing is missing before.
+/// True if something whole could have begun here, so that nothing is missing before.
 fn starts_anew(failure: &Failure) -> bool {
     let phrases: Vec<_> = failure.wanted.phrases().collect();
     let something = !phrases.is_empty() || failure.wanted.tokens().next().is_some();
@@ -244,7 +309,7 @@ fn starts_anew(failure: &Failure) -> bool {
         })
 }
 
-/// Where to point if what was found stands on a later line than what it should have
+/// The place to point at if what was found stands on a later line than what it should have
 /// followed: behind that.
 fn behind_the_last_line(span: Span, around: &Around) -> Span {
     let tokens = around.item;
@@ -279,8 +344,8 @@ fn end_of(around: &Around) -> String {
     }
 }
 
-/// What was wanted, in words; in order; how a name or a
-/// value could go on only if nothing else was.
+/// The things that were wanted, in words; in order; how a name or a value could go on only if
+/// nothing else was.
 fn wanted(failure: &Failure) -> Vec<String> {
     let all = failure.wanted;
     let weak = |phrase: &Phrase| matches!(phrase, Phrase::Operator | Phrase::Subscript);

@@ -11,7 +11,7 @@ use crate::syntax::token::TokenKind as T;
 use crate::syntax::tree::{Digits, Expr, Piece};
 use chumsky::prelude::*;
 
-/// How many digits behind the point can be asked for.
+/// The greatest number of digits behind the point.
 const MOST_DIGITS: u8 = 17;
 
 /// The pieces of a text that has at least one value in it.

@@ -15,13 +15,13 @@ pub struct Block {
 /// A statement of a script, function or test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Action {
-    /// What it is.
+    /// Its kind.
     pub kind: ActionKind,
     /// The whole statement.
     pub span: Span,
 }
 
-/// What a statement does.
+/// The kind of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ActionKind {
     /// `let x = …` or `var x = …`, perhaps with a type
@@ -60,7 +60,7 @@ pub enum ActionKind {
     Broken,
 }
 
-/// What is printed between two commas.
+/// A part of `print` between two commas.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shown {
     /// A value.
@@ -87,13 +87,13 @@ impl Shown {
 /// A piece of a text with values in it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Piece {
-    /// What stands between the values, escapes undone.
+    /// A text between the values, escapes undone.
     Text(String),
     /// `{x}`, `{x:.3}`
     Value(Expr, Digits),
 }
 
-/// How many digits of a real are printed.
+/// The number of digits of a real that are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
     /// `{x}`: as many as a reader wants, six significant ones

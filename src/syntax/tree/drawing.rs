@@ -45,9 +45,9 @@ impl fmt::Display for Name {
 pub struct Index {
     /// The variable, or `None` in `a[0]`.
     pub variable: Option<Ident>,
-    /// What is added to it.
+    /// The summand behind the index.
     pub offset: i64,
-    /// What stands between the brackets.
+    /// The span between the brackets.
     pub span: Span,
 }
 

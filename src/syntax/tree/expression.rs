@@ -8,16 +8,16 @@ use crate::source::Span;
 pub struct Ident {
     /// The word, with its primes.
     pub text: String,
-    /// Where it stands.
+    /// Its place in the source.
     pub span: Span,
 }
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// What it is.
+    /// Its kind.
     pub kind: ExprKind,
-    /// Where it stands.
+    /// Its place in the source.
     pub span: Span,
 }
 
@@ -32,7 +32,6 @@ pub enum UnaryOp {
 
 /// An operator with two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
 pub enum BinaryOp {
     Add,
     Subtract,
@@ -50,7 +49,7 @@ pub enum BinaryOp {
     Or,
 }
 
-/// What is asked about an op, without applying it.
+/// A question about an op, without applying it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asking {
     /// `can flip(e)`: whether it would apply.
@@ -59,7 +58,7 @@ pub enum Asking {
     Why,
 }
 
-/// What an expression is.
+/// The kind of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// `true`, `false`

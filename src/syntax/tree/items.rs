@@ -1,4 +1,4 @@
-//! What stands at the top level of a file.
+//! Items: the top level of a file.
 
 use super::{Block, Expr, Ident, Name, Side};
 use crate::source::Span;
@@ -12,7 +12,7 @@ pub struct File {
     pub items: Vec<Item>,
 }
 
-/// What stands at the top level.
+/// An item at the top level.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// `use "path"`
@@ -36,7 +36,7 @@ pub enum Item {
 pub struct Use {
     /// The path, without quotes.
     pub path: String,
-    /// Where the path stands, with its quotes.
+    /// The span of the path, with its quotes.
     pub path_span: Span,
     /// The whole item.
     pub span: Span,
@@ -47,7 +47,7 @@ pub struct Use {
 pub struct Attr {
     /// Its doc comment, a line each.
     pub docs: Vec<String>,
-    /// Whether it is a scratch attribute, never saved.
+    /// True if it is a scratch attribute, never saved.
     pub private: bool,
     /// Its name.
     pub name: Ident,
@@ -109,7 +109,7 @@ pub struct Script {
 /// `test "…" { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// Its body.
     pub body: Block,
@@ -126,13 +126,13 @@ pub struct Op {
     pub name: Ident,
     /// Its parameters.
     pub params: Vec<Param>,
-    /// What it returns: a name that it draws; of an op in steps, a type.
+    /// The result: a name that it draws; of an op in steps, a type.
     pub result: Option<Ident>,
     /// The properties it must keep.
     pub keeps: Vec<Ident>,
     /// Its alternatives; an op without `rule` has one, unnamed, and one in steps has none.
     pub rules: Vec<Rule>,
-    /// What it does instead of drawing.
+    /// The steps in place of drawings.
     pub steps: Option<Steps>,
     /// The whole item, from `op` to the closing brace.
     pub span: Span,
@@ -141,9 +141,9 @@ pub struct Op {
 /// `steps { … }`: an op that calls others, all or nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
-    /// What is asked before.
+    /// The conditions that are tested before.
     pub conditions: Vec<Condition>,
-    /// What is done.
+    /// The statements.
     pub body: Block,
 }
 
@@ -154,7 +154,7 @@ pub struct Rule {
     pub name: Option<Ident>,
     /// The drawing before.
     pub before: Option<Side>,
-    /// What is asked between the drawings.
+    /// The conditions between the drawings.
     pub conditions: Vec<Condition>,
     /// The drawing after.
     pub after: Option<Side>,
@@ -167,7 +167,7 @@ pub struct Rule {
 pub enum Condition {
     /// `require CONDITION else "REASON"`
     Require {
-        /// What must hold.
+        /// The condition.
         condition: Expr,
         /// The reason for a refusal.
         reason: Option<(String, Span)>,

@@ -1,4 +1,5 @@
-//! Gmsh, versions 2.2 and 4.1: text and bytes in, text out.
+//! Gmsh, versions 2.2 and 4.1: text and bytes in, text out; and the files of MuJoCo that end alike
+//! ([`mujoco`]), which are read alone.
 //!
 //! The crate `mshio` reads version 4.1 alone, leaves out names and values, panics on what it does
 //! not know (its own notes say so) and pulls in a numeric tower; `gmshparser` and its like are for
@@ -9,19 +10,20 @@
 //! (`$NodeData`) and elements (`$ElementData`) of 1, 3 and 9 numbers are attributes: reals,
 //! vectors and matrices.
 
+mod mujoco;
 mod read;
 mod write;
 
 pub(super) use read::read;
 pub(super) use write::{is_held, write};
 
-/// How many nodes the elements of each type have; 0 for those that nobody has seen.
+/// The number of nodes of elements of each type; 0 for those that nobody has seen.
 const NODES: [u8; 32] = [
     0, 2, 3, 4, 4, 8, 6, 5, 3, 6, 9, 10, 27, 18, 14, 1, 8, 20, 15, 13, 9, 10, 12, 15, 15, 21, 4, 5,
     6, 20, 35, 56,
 ];
 
-/// How many corners the elements of a type have that are faces; 0 if they are not.
+/// The number of corners of elements of a type that are faces; 0 if they are not.
 fn sides(element: usize) -> usize {
     match element {
         2 | 9 | 20 | 21 | 22 | 23 | 24 | 25 => 3,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{NODES, sides};
+use super::{NODES, mujoco, sides};
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::file::contents::{Contents, FileColumn};
 use crate::mesh::file::error::{Failure, FileReason};
@@ -16,6 +16,9 @@ use crate::mesh::polygons::Polygons;
 
 /// Reads a file.
 pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
+    if let Some(contents) = mujoco::read(text) {
+        return Ok(contents);
+    }
     let mut reader = Reader::new(text);
     let read = reader.file();
     let line = reader.is_text.then(|| reader.scanner.line());
@@ -89,8 +92,9 @@ impl<'t> Reader<'t> {
                 b"NodeData" => self.data(ElementKind::Vertex)?,
                 b"ElementData" => self.data(ElementKind::Face)?,
                 _ => {
-                    let what = format!("sections `{}`", shown(word));
-                    self.contents.kept.note(&what, line);
+                    let word = shown(word);
+                    let what = [format!("section `{word}`"), format!("sections `{word}`")];
+                    self.contents.kept.note(what.each_ref().map(String::as_str), line);
                 }
             }
             self.end_section(section)?;
@@ -378,7 +382,11 @@ impl<'t> Reader<'t> {
         let name: String = name.chars().map(said).collect();
         let known = |column: &FileColumn| column.is(kind, &name);
         if self.contents.columns.iter().any(known) {
-            self.contents.kept.note("values that were there already, at another time", line);
+            let what = [
+                "value that was there already, at another time",
+                "values that were there already, at another time",
+            ];
+            self.contents.kept.note(what, line);
         } else if !name.is_empty() {
             self.contents.columns.push(FileColumn::new(kind, &name, default, reals));
         }
@@ -388,9 +396,19 @@ impl<'t> Reader<'t> {
     fn finish(self) -> Contents {
         let mut contents = self.contents;
         let kept = &mut contents.kept;
-        kept.note_count("elements that are no triangles and quads", self.others);
-        kept.note_count("faces of a higher order, which have their corners alone", self.bent);
-        kept.note_count("values of elements that are no faces", self.unpaired);
+        let others = [
+            "element that is no triangle and no quad",
+            "elements that are no triangles and no quads",
+        ];
+        kept.note_count(others, self.others);
+        let bent = [
+            "face of a higher order, which has its corners alone",
+            "faces of a higher order, which have their corners alone",
+        ];
+        kept.note_count(bent, self.bent);
+        let unpaired =
+            ["value of an element that is no face", "values of elements that are no faces"];
+        kept.note_count(unpaired, self.unpaired);
         contents.msh_version = self.version;
         contents.encoding = Encoding::Ascii;
         contents.polygons = Polygons::of_parts(self.corners, self.ends);

@@ -9,7 +9,7 @@ use crate::mesh::file::mesh_file::{MeshFile, WrittenNumbers};
 use crate::mesh::file::print::Printer;
 use crate::mesh::id::{ElementKind, FaceId};
 
-/// Whether values of a kind and a type go into a file.
+/// True if values of a kind and a type go into a file.
 pub(in crate::mesh::file) fn is_held(kind: ElementKind, ty: AttributeType) -> bool {
     matches!(kind, ElementKind::Vertex | ElementKind::Face)
         && matches!(ty, AttributeType::Real | AttributeType::Vec3 | AttributeType::Mat3)

@@ -4,13 +4,13 @@ use glam::DVec3;
 
 use crate::mesh::attribute::Value;
 use crate::mesh::file::contents::{Contents, FileColumn};
-use crate::mesh::file::error::{Failure, FileReason, Indexed};
+use crate::mesh::file::error::Indexed;
 use crate::mesh::file::kept::{MISSING, State};
 use crate::mesh::file::scan::{Scanner, shown};
 use crate::mesh::id::ElementKind;
 
 /// Reads the text of a file.
-pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
+pub(in crate::mesh::file) fn read(text: &[u8]) -> Contents {
     let mut reader = Reader {
         scanner: Scanner::with_continued_lines(text),
         contents: Contents::default(),
@@ -25,12 +25,15 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     while !reader.scanner.is_at_end() {
         if reader.scanner.next_word() {
             let line = reader.scanner.line();
-            reader.statement(line).map_err(|reason| (Some(line), reason))?;
+            reader.statement(line);
         }
         reader.scanner.end_line();
     }
-    Ok(reader.finish())
+    reader.finish()
 }
+
+/// The fault of a statement.
+type Fault = String;
 
 struct Reader<'t> {
     scanner: Scanner<'t>,
@@ -55,11 +58,28 @@ struct Highest {
 const KINDS: [Indexed; 3] = [Indexed::Vertex, Indexed::Texture, Indexed::Normal];
 
 impl Reader<'_> {
-    fn statement(&mut self, line: u32) -> Result<(), FileReason> {
-        let Some(keyword) = self.scanner.word() else { return Ok(()) };
+    fn statement(&mut self, line: u32) {
+        let Some(keyword) = self.scanner.word() else { return };
         match keyword {
-            b"v" => self.vertex(line),
-            b"f" | b"fo" => self.face(line),
+            b"v" => {
+                if let Err(fault) = self.vertex(line) {
+                    self.contents.damage.add(Some(line), || fault);
+                    // Others keep their numbers.
+                    self.contents.positions.push(DVec3::NAN);
+                    self.contents.vertex_lines.push(line);
+                }
+            }
+            b"f" | b"fo" => {
+                let corners = self.corners.len();
+                if let Err(fault) = self.face(line) {
+                    self.contents.damage.add(Some(line), || fault);
+                    self.corners.truncate(corners);
+                    self.contents.kept.corner_texture.truncate(corners);
+                    self.contents.kept.corner_normals.truncate(corners);
+                }
+                self.ends.push(self.corners.len());
+                self.contents.face_lines.push(line);
+            }
             b"vt" => self.row(line, "vt", 1, "a number or more"),
             b"vn" => self.row(line, "vn", 3, "three numbers"),
             b"mtllib" => {
@@ -68,23 +88,19 @@ impl Reader<'_> {
                 if !libraries.contains(&library) {
                     libraries.push(library);
                 }
-                Ok(())
             }
-            _ => {
-                match State::KEYWORDS.iter().position(|k| k.as_bytes() == keyword) {
-                    Some(place) => {
-                        let name = self.scanner.text();
-                        let face = self.ends.len() as u32;
-                        self.contents.kept.enter_state(face, place, &name);
-                    }
-                    None => self.contents.kept.pass_over(&shown(keyword), line),
+            _ => match State::KEYWORDS.iter().position(|k| k.as_bytes() == keyword) {
+                Some(place) => {
+                    let name = self.scanner.text();
+                    let face = self.ends.len() as u32;
+                    self.contents.kept.enter_state(face, place, &name);
                 }
-                Ok(())
-            }
+                None => self.contents.kept.pass_over(&shown(keyword), line),
+            },
         }
     }
 
-    fn vertex(&mut self, line: u32) -> Result<(), FileReason> {
+    fn vertex(&mut self, line: u32) -> Result<(), Fault> {
         let mut numbers = [0.0; 7];
         let mut count = 0;
         while count < numbers.len() {
@@ -93,17 +109,25 @@ impl Reader<'_> {
                 None => break,
                 Some(Err(_)) if count < 3 => break,
                 Some(Err(_)) => {
-                    self.contents.kept.note("vertices with a word behind their numbers", line);
+                    let what = [
+                        "vertex with a word behind its numbers",
+                        "vertices with a word behind their numbers",
+                    ];
+                    self.contents.kept.note(what, line);
                     break;
                 }
             }
             count += 1;
         }
         if count < 3 {
-            return Err(FileReason::Malformed("`v` needs three numbers".into()));
+            return Err("`v` needs three numbers".into());
         }
         if count == 5 || (count == 7 && self.scanner.next_word()) {
-            self.contents.kept.note("vertices with 5 numbers, or more than 7", line);
+            let what = [
+                "vertex with 5 numbers, or more than 7",
+                "vertices with 5 numbers, or more than 7",
+            ];
+            self.contents.kept.note(what, line);
         }
         let [x, y, z, rest @ ..] = numbers;
         let before = self.contents.positions.len();
@@ -124,38 +148,33 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn row(
-        &mut self,
-        line: u32,
-        statement: &str,
-        least: usize,
-        needs: &str,
-    ) -> Result<(), FileReason> {
+    fn row(&mut self, line: u32, statement: &str, least: usize, needs: &str) {
         let mut row = [0.0; 3];
         let mut width = 0;
-        let malformed = || FileReason::Malformed(format!("`{statement}` needs {needs}"));
-        while width < 3 {
+        let mut is_number = true;
+        while width < 3 && is_number {
             match self.scanner.number() {
                 Some(Ok(number)) => row[width] = number,
-                Some(Err(_)) => return Err(malformed()),
+                Some(Err(_)) => is_number = false,
                 None => break,
             }
-            width += 1;
+            width += usize::from(is_number);
         }
-        if width < least {
-            return Err(malformed());
+        if width < least || !is_number {
+            self.contents.damage.add(Some(line), || format!("`{statement}` needs {needs}"));
+            (row, width) = ([0.0; 3], least);
         }
         let kept = &mut self.contents.kept;
         if width == 3 && self.scanner.next_word() {
-            kept.note(&format!("`{statement}` with more than three numbers"), line);
+            kept.note([&format!("`{statement}` with more than three numbers"); 2], line);
         }
         let rows = if statement == "vt" { &mut kept.texture } else { &mut kept.normals };
         rows.width = rows.width.max(width);
         rows.rows.push(row);
-        Ok(())
     }
 
-    fn face(&mut self, line: u32) -> Result<(), FileReason> {
+    /// Reads the corners of a face.
+    fn face(&mut self, line: u32) -> Result<(), Fault> {
         let kept = &self.contents.kept;
         let have =
             [self.contents.positions.len(), kept.texture.rows.len(), kept.normals.rows.len()];
@@ -175,10 +194,6 @@ impl Reader<'_> {
                 if !is_left_out {
                     let index = digits.ok_or_else(|| malformed(before))? as i64;
                     let index = if negative { -index } else { index };
-                    if index == 0 {
-                        let words = "0 is no index: they count from 1, or back from -1";
-                        return Err(FileReason::Malformed(words.into()));
-                    }
                     places[i] = self.resolve(index, i, have[i], line);
                 }
                 if i == 2 || !self.scanner.take(b'/') {
@@ -195,14 +210,17 @@ impl Reader<'_> {
             keep_corner(&mut kept.corner_normals, self.corners.len(), places[2]);
             self.corners.push(places[0]);
         }
-        self.ends.push(self.corners.len());
-        self.contents.face_lines.push(line);
         Ok(())
     }
 
     /// The place, from 0, of what an index names: negative ones count back from the last.
     #[inline]
     fn resolve(&mut self, index: i64, kind: usize, have: usize, line: u32) -> u32 {
+        if index == 0 {
+            let words = "0 is no index: they count from 1, or back from -1";
+            self.contents.strays.add(Some(line), || words.to_owned());
+            return MISSING;
+        }
         if index < 0 {
             let place = (have as u64).checked_sub(index.unsigned_abs());
             return place.map_or_else(
@@ -234,7 +252,13 @@ impl Reader<'_> {
         }
         if self.colored > 0 && self.colored < vertices {
             let bare = vertices - self.colored;
-            kept.note_count("vertices without a colour, which are white now", bare);
+            kept.note_count(
+                [
+                    "vertex without a colour, which is white now",
+                    "vertices without a colour, which are white now",
+                ],
+                bare,
+            );
         }
         let ones = [
             ("color", Value::Vec3(DVec3::ONE), self.colors),
@@ -272,9 +296,9 @@ impl Reader<'_> {
 }
 
 #[cold]
-fn malformed(text: &[u8]) -> FileReason {
+fn malformed(text: &[u8]) -> Fault {
     let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
-    FileReason::Malformed(format!("`{}` is not a corner of a face", shown(&text[..end])))
+    format!("`{}` is not a corner of a face", shown(&text[..end]))
 }
 
 /// Adds a value, and before it the usual one for all who have had none.

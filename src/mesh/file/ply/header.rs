@@ -1,7 +1,7 @@
 //! The head of a file.
 
 use crate::mesh::attribute::{AttributeType, Value};
-use crate::mesh::file::error::{Failure, FileReason};
+use crate::mesh::file::error::{Damage, Failure, FileReason};
 use crate::mesh::file::format::Encoding;
 use crate::mesh::file::scan::shown;
 use crate::mesh::id::ElementKind;
@@ -92,7 +92,7 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// How many bytes one of them has at least.
+    /// The least number of bytes of one of them.
     pub(super) fn least_size(&self, encoding: Encoding) -> usize {
         let size = |property: &Property| match encoding {
             Encoding::Ascii => 2,
@@ -102,7 +102,7 @@ impl Element {
     }
 }
 
-/// What an attribute is, by a comment.
+/// The declaration of an attribute, by a comment.
 pub(super) struct Declared {
     pub(super) kind: ElementKind,
     pub(super) name: String,
@@ -117,9 +117,11 @@ pub(super) struct Header {
     /// The names of objects, groups, materials and smoothing groups, by their numbers.
     pub(super) names: [Vec<Vec<u8>>; 4],
     pub(super) libraries: Vec<Vec<u8>>,
-    /// How long it is, and how many lines.
+    /// The length in bytes, and the number of lines.
     pub(super) length: usize,
     pub(super) lines: u32,
+    /// Lines that are none of a head.
+    pub(super) damage: Damage,
 }
 
 /// The properties of faces that number the states of OBJ, in the order of these.
@@ -135,6 +137,7 @@ impl Header {
             libraries: Vec::new(),
             length: 0,
             lines: 0,
+            damage: Damage::default(),
         };
         let mut has_format = false;
         loop {
@@ -153,7 +156,7 @@ impl Header {
             header.lines += 1;
             let words: Vec<&str> = line.split_ascii_whitespace().collect();
             let known = match words.as_slice() {
-                ["ply"] => header.lines == 1,
+                [word] if header.lines == 1 => word.eq_ignore_ascii_case("ply"),
                 _ if header.lines == 1 => false,
                 [] | ["obj_info", ..] => true,
                 ["format", name, _] => {
@@ -180,14 +183,19 @@ impl Header {
                 ["end_header"] if has_format => return Ok(header),
                 _ => false,
             };
+            if !known && header.lines == 1 {
+                return fail("a PLY file begins with a line `ply`".to_owned(), 1);
+            }
             if !known {
-                let words = match header.lines {
-                    1 => "a PLY file begins with a line `ply`".to_owned(),
-                    _ => {
-                        format!("`{}` is no line of the head of a PLY file", shown(line.as_bytes()))
+                let line = shown(line.as_bytes());
+                let told = format!("`{line}` is no line of the head of a PLY file");
+                // Without a line that says what comes nothing can be read.
+                match words.first() {
+                    Some(&("format" | "element" | "property" | "end_header")) => {
+                        return fail(told, header.lines);
                     }
-                };
-                return fail(words, header.lines);
+                    _ => header.damage.add(Some(header.lines), || told),
+                }
             }
         }
     }
@@ -212,7 +220,7 @@ impl Header {
         }
     }
 
-    /// What is said in a comment, if it is one of ours.
+    /// The declaration in a comment, if it is one of ours.
     fn comment(&mut self, text: &str) {
         let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
         if word == "mtllib" {

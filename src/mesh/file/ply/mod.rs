@@ -14,9 +14,9 @@
 //! | numbers of the element `edge`, behind `vertex1 vertex2` | `NAME: edge …` |
 //! | `object`, `group`, `material`, `smoothing` of a face, where comments name their values | what OBJ says with `o`, `g`, `usemtl`, `s` |
 //!
-//! What a head cannot say stands in comments that other programs pass over: `comment attribute
-//! KIND NAME TYPE DEFAULT`, as in tables of halfedges; `comment material 0 NAME` and its like;
-//! `comment mtllib NAME`. Reals are written with 32 bits where that is exact.
+//! Facts that a head cannot say stand in comments that other programs pass over: `comment
+//! attribute KIND NAME TYPE DEFAULT`, as in tables of halfedges; `comment material 0 NAME` and its
+//! like; `comment mtllib NAME`. Reals are written with 32 bits where that is exact.
 
 mod header;
 mod read;

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::header::{Element, Header, Property, STATES, Scalar};
 use crate::mesh::attribute::{AttributeType, Value};
 use crate::mesh::file::contents::{Contents, FileColumn, width};
-use crate::mesh::file::error::{Failure, FileReason};
+use crate::mesh::file::error::{Damage, Failure, FileReason};
 use crate::mesh::file::format::Encoding;
 use crate::mesh::file::kept::MISSING;
 use crate::mesh::file::scan::{Scanner, shown};
@@ -20,9 +20,14 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
     let mut body = Body::new(&header, &text[header.length..]);
     let mut contents = Contents { encoding: header.encoding, ..Contents::default() };
     contents.kept.libraries.clone_from(&header.libraries);
+    contents.damage = header.damage.clone();
     for element in &header.elements {
-        body.expect_room(element)?;
-        let tables = body.read(element)?;
+        body.expect_numbers(element)?;
+        let tables = body.read(element, &mut contents.damage)?;
+        let is_cut_off = body.is_cut_off;
+        if is_cut_off && tables.iter().all(Table::is_empty) {
+            break;
+        }
         let mut rows = Rows { header: &header, element, tables, contents: &mut contents };
         match element.name.as_str() {
             "vertex" => rows.vertices()?,
@@ -30,9 +35,13 @@ pub(in crate::mesh::file) fn read(text: &[u8]) -> Result<Contents, Failure> {
             "edge" => rows.edges(),
             _ if element.count == 0 => {}
             name => {
-                let what = format!("elements `{}`", shown(name.as_bytes()));
-                contents.kept.note_count(&what, element.count);
+                let name = shown(name.as_bytes());
+                let what = [format!("element `{name}`"), format!("elements `{name}`")];
+                contents.kept.note_count(what.each_ref().map(String::as_str), element.count);
             }
+        }
+        if is_cut_off {
+            break;
         }
     }
     check_corners(&mut contents);
@@ -60,11 +69,26 @@ fn check_corners(contents: &mut Contents) {
 #[derive(Default)]
 struct Table {
     numbers: Vec<f64>,
-    /// Where the list of each row ends; empty for single numbers.
+    /// The ends of the lists of the rows; empty for single numbers.
     ends: Vec<usize>,
 }
 
 impl Table {
+    fn is_empty(&self) -> bool {
+        self.numbers.is_empty() && self.ends.is_empty()
+    }
+
+    /// Keeps the numbers of the first rows.
+    fn truncate(&mut self, rows: usize, is_list: bool) {
+        if is_list {
+            self.ends.truncate(rows);
+        }
+        self.numbers.truncate(match is_list {
+            true => self.ends.last().copied().unwrap_or(0),
+            false => rows,
+        });
+    }
+
     /// The length that all lists have.
     fn common_length(&self) -> Option<usize> {
         let first = *self.ends.first()?;
@@ -74,12 +98,14 @@ impl Table {
     }
 }
 
-/// What stands behind the head.
+/// The body behind the head.
 struct Body<'t> {
     encoding: Encoding,
     bytes: &'t [u8],
     scanner: Scanner<'t>,
     lines: u32,
+    /// True if the file ends before all its elements have come.
+    is_cut_off: bool,
 }
 
 impl<'t> Body<'t> {
@@ -90,6 +116,7 @@ impl<'t> Body<'t> {
             bytes: text,
             scanner: Scanner::new(if is_text { text } else { b"" }),
             lines: header.lines,
+            is_cut_off: false,
         }
     }
 
@@ -100,12 +127,15 @@ impl<'t> Body<'t> {
         }
     }
 
-    /// Whether the elements that the head speaks of can stand in what is left.
-    fn expect_room(&self, element: &Element) -> Result<(), Failure> {
-        let least = element.least_size(self.encoding);
+    /// The greatest number of elements that can stand in what is left at most.
+    fn room(&self, element: &Element) -> usize {
         // The last number of a text needs no blank behind it.
-        let fits = element.count.checked_mul(least).is_some_and(|size| size <= self.left() + 1);
-        if fits && element.count < MISSING as usize {
+        (self.left() + 1) / element.least_size(self.encoding).max(1)
+    }
+
+    /// True if there are numbers for all the elements that the head speaks of.
+    fn expect_numbers(&self, element: &Element) -> Result<(), Failure> {
+        if element.count < MISSING as usize {
             return Ok(());
         }
         let words = format!(
@@ -117,68 +147,76 @@ impl<'t> Body<'t> {
         Err((None, FileReason::Malformed(words)))
     }
 
-    fn read(&mut self, element: &Element) -> Result<Vec<Table>, Failure> {
-        let mut tables: Vec<Table> = element
-            .properties
-            .iter()
-            .map(|property| Table {
-                // A list has its numbers besides; no more than the file has bytes.
-                numbers: Vec::with_capacity(
-                    element.count * if property.list.is_some() { 3 } else { 1 },
-                ),
-                ends: Vec::with_capacity(if property.list.is_some() { element.count } else { 0 }),
-            })
-            .collect();
-        let ended = |body: &Self, row: usize| {
-            let words = format!(
-                "the file ends within {} {} of {}",
-                shown(element.name.as_bytes()),
-                row + 1,
-                element.count
-            );
-            let line = body.encoding == Encoding::Ascii;
-            Err((line.then(|| body.lines + body.scanner.line()), FileReason::Malformed(words)))
-        };
+    /// The tables of an element: of those rows that are there.
+    fn read(&mut self, element: &Element, damage: &mut Damage) -> Result<Vec<Table>, Failure> {
+        let mut tables = self.tables(element);
         if element.properties.is_empty() {
             return Ok(tables);
         }
         for row in 0..element.count {
-            for (property, table) in element.properties.iter().zip(&mut tables) {
-                let length = match property.list {
-                    None => 1,
-                    Some(scalar) => match self.number(scalar)? {
-                        Some(length) if length >= 0.0 && length.fract() == 0.0 => length as usize,
-                        Some(length) => {
-                            let words = format!("{length} is no length of a list");
-                            return Err((None, FileReason::Malformed(words)));
-                        }
-                        None => return ended(self, row),
-                    },
-                };
-                if self.encoding != Encoding::Ascii {
-                    let Some(size) = length.checked_mul(property.scalar.size()) else {
-                        return ended(self, row);
-                    };
-                    let Some((numbers, rest)) = self.bytes.split_at_checked(size) else {
-                        return ended(self, row);
-                    };
-                    self.bytes = rest;
-                    let is_big = self.encoding == Encoding::BigEndian;
-                    decode(property.scalar, numbers, is_big, &mut table.numbers);
-                } else {
-                    for _ in 0..length {
-                        match self.number(property.scalar)? {
-                            Some(number) => table.numbers.push(number),
-                            None => return ended(self, row),
-                        }
-                    }
+            if !self.row(element, &mut tables)? {
+                let is_text = self.encoding == Encoding::Ascii;
+                damage.add(is_text.then(|| self.lines + self.scanner.line()), || {
+                    let name = shown(element.name.as_bytes());
+                    format!("the file ends within {name} {} of {}", row + 1, element.count)
+                });
+                for (property, table) in element.properties.iter().zip(&mut tables) {
+                    table.truncate(row, property.list.is_some());
                 }
-                if property.list.is_some() {
-                    table.ends.push(table.numbers.len());
-                }
+                self.is_cut_off = true;
+                break;
             }
         }
         Ok(tables)
+    }
+
+    fn tables(&self, element: &Element) -> Vec<Table> {
+        let room = element.count.min(self.room(element));
+        let table = |property: &Property| Table {
+            // A list has its numbers besides; no more than the file has bytes.
+            numbers: Vec::with_capacity(room * if property.list.is_some() { 3 } else { 1 }),
+            ends: Vec::with_capacity(if property.list.is_some() { room } else { 0 }),
+        };
+        element.properties.iter().map(table).collect()
+    }
+
+    /// Reads a row into the tables; false if the file ends within it.
+    fn row(&mut self, element: &Element, tables: &mut [Table]) -> Result<bool, Failure> {
+        for (property, table) in element.properties.iter().zip(tables) {
+            let length = match property.list {
+                None => 1,
+                Some(scalar) => match self.number(scalar)? {
+                    Some(length) if length >= 0.0 && length.fract() == 0.0 => length as usize,
+                    Some(length) => {
+                        let words = format!("{length} is no length of a list");
+                        return Err((None, FileReason::Malformed(words)));
+                    }
+                    None => return Ok(false),
+                },
+            };
+            if self.encoding != Encoding::Ascii {
+                let Some(size) = length.checked_mul(property.scalar.size()) else {
+                    return Ok(false);
+                };
+                let Some((numbers, rest)) = self.bytes.split_at_checked(size) else {
+                    return Ok(false);
+                };
+                self.bytes = rest;
+                let is_big = self.encoding == Encoding::BigEndian;
+                decode(property.scalar, numbers, is_big, &mut table.numbers);
+            } else {
+                for _ in 0..length {
+                    match self.number(property.scalar)? {
+                        Some(number) => table.numbers.push(number),
+                        None => return Ok(false),
+                    }
+                }
+            }
+            if property.list.is_some() {
+                table.ends.push(table.numbers.len());
+            }
+        }
+        Ok(true)
     }
 
     /// The next number; `None` at the end of the file.
@@ -446,7 +484,7 @@ impl Rows<'_> {
             _ => {
                 let what =
                     format!("property `{name}` of the {}, a list that is no value", kind.plural());
-                self.contents.kept.note_count(&what, 1);
+                self.contents.kept.note_count([&what; 2], 1);
             }
         }
     }

@@ -1,0 +1,29 @@
+//! Takes the page of `hedgerow play` along, if it has been built: the files of `web/dist`.
+
+use std::fmt::Write;
+use std::path::Path;
+use std::{env, fs};
+
+fn main() {
+    println!("cargo:rerun-if-changed=build.rs");
+    println!("cargo:rerun-if-changed=web/dist");
+    let root = env::var("CARGO_MANIFEST_DIR").expect("cargo says where the crate lies");
+    let out = env::var("OUT_DIR").expect("cargo says where to write");
+    let dist = Path::new(&root).join("web/dist");
+    let mut names: Vec<_> = fs::read_dir(&dist)
+        .map(|files| {
+            files.flatten().filter_map(|file| file.file_name().into_string().ok()).collect()
+        })
+        .unwrap_or_default();
+    // The module is for pages without a program behind them.
+    names.retain(|name: &String| !name.ends_with(".wasm"));
+    names.sort();
+    let mut list = String::from("&[");
+    for name in names {
+        let path = dist.join(&name);
+        let _ = write!(list, "({name:?}, include_bytes!({path:?})), ");
+    }
+    list.push(']');
+    fs::write(Path::new(&out).join("page.rs"), list)
+        .expect("the folder of the build can be written");
+}

@@ -1,0 +1,129 @@
+"""Arrays of numpy as the compiled part takes and gives them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .errors import ArgumentError, MeshError
+
+_WIDTHS = {"vec2": (2,), "vec3": (3,), "vec4": (4,), "mat3": (3, 3), "mat4": (4, 4)}
+_TYPES = {(): "real", (2,): "vec2", (3,): "vec3", (4,): "vec4", (3, 3): "mat3", (4, 4): "mat4"}
+
+
+def shaped(numbers, width, single):
+    """Rows of ``width`` numbers; matrices, which come column by column, as matrices."""
+    if width in (9, 16):
+        size = 3 if width == 9 else 4
+        numbers = numbers.reshape(-1, size, size).swapaxes(1, 2)
+    else:
+        numbers = numbers.reshape(-1, width)
+    numbers = np.ascontiguousarray(numbers)
+    return numbers[0] if single else numbers
+
+
+def frozen(array):
+    """The array, which cannot be written: it is a copy, and what is written is set by name."""
+    array.flags.writeable = False
+    return array
+
+
+def _wrong(message, error=ArgumentError):
+    return error(message, "wrong-argument")
+
+
+def coordinates(vertices, error=MeshError):
+    """Coordinates of vertices as one row of numbers; two coordinates get a third, 0."""
+    try:
+        array = np.asarray(vertices)
+    except ValueError as why:
+        raise _wrong(f"vertices are rows of 3 numbers: {why}", error) from None
+    if array.size == 0 and array.ndim < 2:
+        array = array.reshape(0, 3)
+    if array.ndim != 2 or array.shape[1] not in (2, 3):
+        raise _wrong(f"vertices are rows of 3 numbers (or 2), not of shape {array.shape}", error)
+    if array.dtype.kind not in "fiu":
+        raise _wrong(f"vertices are numbers, not {array.dtype}", error)
+    if array.shape[1] == 2:
+        array = np.column_stack([array, np.zeros(len(array))])
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(-1)
+
+
+def _integers(array, what, error=MeshError):
+    if array.size and array.dtype.kind not in "iu":
+        raise _wrong(f"{what} are whole numbers, not {array.dtype}", error)
+    if array.dtype.kind == "u" and array.size and array.max() > np.iinfo(np.int64).max:
+        raise _wrong(f"{what} are too large", error)
+    return np.ascontiguousarray(array, dtype=np.int64).reshape(-1)
+
+
+def polygons(faces):
+    """Corners of faces one after the other, and where each face ends."""
+    if isinstance(faces, np.ndarray) and faces.dtype != object:
+        array = faces
+    else:
+        faces = list(faces)
+        try:
+            lengths = np.fromiter((len(face) for face in faces), np.int64, len(faces))
+        except TypeError:
+            raise _wrong("faces are rows of corners, or lists of corners", MeshError) from None
+        if len(faces) == 0 or (lengths != lengths[0]).any():
+            corners = np.concatenate([np.asarray(face) for face in faces]) if len(faces) else None
+            corners = np.zeros(0, np.int64) if corners is None or not corners.size else corners
+            if corners.ndim != 1:
+                raise _wrong("faces are rows of corners, or lists of corners", MeshError)
+            return _integers(corners, "corners of faces"), np.cumsum(lengths)
+        array = np.asarray(faces)
+    if array.size == 0 and array.ndim < 2:
+        array = array.reshape(0, 3)
+    if array.ndim != 2:
+        raise _wrong(f"faces are rows of corners, not of shape {array.shape}", MeshError)
+    count, sides = array.shape
+    return _integers(array, "corners of faces"), sides * np.arange(1, count + 1, dtype=np.int64)
+
+
+def numbers(elements):
+    """Numbers of elements in a row."""
+    try:
+        array = np.asarray(elements)
+    except ValueError as why:
+        raise _wrong(f"numbers of elements: {why}") from None
+    if array.ndim != 1:
+        raise _wrong(f"numbers of elements stand in a row, not in shape {array.shape}")
+    return _integers(array, "numbers of elements", ArgumentError)
+
+
+def attribute(values, slots, what):
+    """Values of an attribute: one row of them, and the name of their type."""
+    try:
+        array = np.asarray(values)
+    except ValueError as why:
+        raise _wrong(f"{what}: {why}") from None
+    if array.dtype.kind not in "biuf":
+        raise _wrong(f"{what} cannot have values of {array.dtype}: numbers and bools alone")
+    shape = array.shape
+    # One value for all of them, unless it is exactly one for each.
+    if shape in _TYPES and shape[:1] != (slots,):
+        array = np.broadcast_to(array, (slots, *shape))
+    elif shape[:1] != (slots,):
+        raise _wrong(f"{what} has {slots} places (the number of the last and one more), not {shape[0]}")
+    of_one = array.shape[1:]
+    if of_one not in _TYPES:
+        raise _wrong(f"{what} cannot have values of shape {of_one}")
+    kind = array.dtype.kind
+    if of_one == () and kind == "b":
+        return np.ascontiguousarray(array), "bool"
+    if of_one == () and kind in "iu":
+        if kind == "u" and array.size and array.max() > np.iinfo(np.int64).max:
+            raise _wrong(f"{what} has a value that is too large")
+        return np.ascontiguousarray(array, dtype=np.int64), "int"
+    if len(of_one) == 2:
+        array = array.swapaxes(1, 2)
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(-1), _TYPES[of_one]
+
+
+def of_column(numbers, word):
+    """The array of a column: a value for each place."""
+    if word in _WIDTHS:
+        width = int(np.prod(_WIDTHS[word]))
+        numbers = shaped(numbers, width, False)
+    return frozen(numbers)

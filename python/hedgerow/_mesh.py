@@ -1,0 +1,582 @@
+"""Meshes."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from . import _arrays
+from ._hedgerow import MeshTables
+from .errors import ArgumentError, MeshError, RunError
+
+__all__ = ["ElementTable", "Mesh", "Trial"]
+
+_POINTERS = {
+    "halfedge": ("next", "prev", "twin", "vertex", "edge", "face"),
+    "vertex": ("halfedge",),
+    "edge": ("halfedge",),
+    "face": ("halfedge",),
+}
+_PLURALS = {"vertex": "vertices", "halfedge": "halfedges", "edge": "edges", "face": "faces"}
+
+
+class ElementTable:
+    """The elements of one kind, by number: which live, their pointers, and their attributes.
+
+    All arrays have a place for each number, also for those of erased elements (``alive`` tells).
+    Arrays are copies and cannot be written: an attribute is set as a whole.
+
+    >>> mesh = Mesh.cube()
+    >>> mesh.edges["crease"] = 0.0
+    >>> mesh.edges["crease"] = np.where(mesh.edges.ids < 4, 1.0, mesh.edges["crease"])
+    >>> float(mesh.edges["crease"].sum())
+    4.0
+    >>> mesh.halfedges.next[mesh.halfedges.next[:4]]
+    array([2, 3, 0, 1])
+    """
+
+    __slots__ = ("_kind", "_mesh")
+
+    def __init__(self, mesh, kind):
+        self._mesh = mesh
+        self._kind = kind
+
+    def __len__(self):
+        """How many live; holes are not counted among faces."""
+        return self._mesh._count(self._kind)
+
+    @property
+    def size(self):
+        """How many places an array by number has."""
+        return self._mesh._capacity(self._kind)
+
+    @property
+    def alive(self):
+        """By number whether the element lives; holes count as faces."""
+        return _arrays.frozen(self._mesh._living(self._kind))
+
+    @property
+    def ids(self):
+        """The numbers of the living ones, in order; of faces those that are no holes."""
+        alive = self._mesh._living(self._kind)
+        if self._kind == "face":
+            alive &= ~self._mesh._holes()
+        return np.flatnonzero(alive)
+
+    @property
+    def is_hole(self):
+        """Of faces by number whether it is a hole: a loop along a boundary."""
+        if self._kind != "face":
+            raise AttributeError("only faces can be holes")
+        return _arrays.frozen(self._mesh._holes())
+
+    @property
+    def vertices(self):
+        """Of edges by number the two vertices; -1 where there is no edge."""
+        if self._kind != "edge":
+            raise AttributeError("only edges have two vertices")
+        return _arrays.frozen(self._mesh._ends().reshape(-1, 2))
+
+    @property
+    def attributes(self):
+        """The types of the attributes, by name."""
+        return self._mesh._attributes(self._kind)
+
+    def __getattr__(self, name):
+        if name in _POINTERS[self._kind]:
+            return _arrays.frozen(self._mesh._pointers(self._kind, name))
+        raise AttributeError(f"a {self._kind} has no pointer `{name}`")
+
+    def __dir__(self):
+        return sorted({*super().__dir__(), *_POINTERS[self._kind]})
+
+    def __iter__(self):
+        """The numbers of those that lived when the loop began and still do when their turn comes."""
+        for number in self.ids.tolist():
+            if self._mesh._is_alive(self._kind, number):
+                yield number
+
+    def __contains__(self, number):
+        """Whether a number is that of a living element; a text, whether it is an attribute."""
+        if isinstance(number, str):
+            return number in self.attributes
+        return self._mesh._is_alive(self._kind, number)
+
+    def __getitem__(self, name):
+        if not isinstance(name, str):
+            raise TypeError("attributes go by their names")
+        return _arrays.of_column(*self._mesh._attribute(self._kind, name))
+
+    def __setitem__(self, name, values):
+        if not isinstance(name, str):
+            raise TypeError("attributes go by their names")
+        what = f"the {self._kind} attribute `{name}`"
+        array, word = _arrays.attribute(values, self.size, what)
+        known = self.attributes.get(name)
+        if known == "real" and word in ("int", "bool"):
+            array, word = array.astype(np.float64), "real"
+        self._mesh._set_attribute(self._kind, name, array, word)
+
+    def __delitem__(self, name):
+        self._mesh._remove_attribute(self._kind, name)
+
+    def __repr__(self):
+        names = ", ".join(f"{name}: {word}" for name, word in self.attributes.items())
+        return f"<{len(self)} {_PLURALS[self._kind]}{' with ' + names if names else ''}>"
+
+
+class Trial:
+    """What is done within is undone at the end, unless :meth:`keep` is called."""
+
+    __slots__ = ("_mark", "_mesh")
+
+    def __init__(self, mesh):
+        self._mesh = mesh
+        self._mark = None
+
+    def __enter__(self):
+        if self._mark is not None:
+            raise RunError("this trial has begun already", "unknown-mark")
+        self._mark = self._mesh._mark()
+        return self
+
+    def keep(self):
+        """Ends the trial, and those within: what was done stays."""
+        self._end(True)
+
+    def undo(self):
+        """Ends the trial, and those within: the mesh is bit for bit what it was before."""
+        self._end(False)
+
+    def _end(self, keeps):
+        if self._mark is None:
+            raise RunError("this trial has not begun, or has ended", "unknown-mark")
+        mark, self._mark = self._mark, None
+        self._mesh._end_mark(mark, keeps)
+
+    def __exit__(self, error, *_):
+        if self._mark is not None:
+            self._end(False)
+        return False
+
+
+class Mesh(MeshTables):
+    """A halfedge mesh of polygons.
+
+    ``vertices`` are rows of 3 coordinates (2 get a third, 0), ``faces`` rows or lists of corners,
+    counterclockwise. Arrays that are no mesh are refused with the first place where they are none;
+    with ``repair=True`` what keeps them from being one is mended (nothing is closed), and with a
+    number, points that are no farther from each other than this become one vertex as well.
+
+    Vertex, edge, halfedge and face go by numbers. The number of an element stays its own while it
+    lives; numbers of erased elements are not given out again, unless by scripts, and after
+    :meth:`recycle`. Vertex ``i`` and face ``i`` are row ``i`` of what the mesh was made of.
+
+    >>> mesh = Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+    >>> mesh
+    <Mesh: 4 vertices, 5 edges, 2 faces, 1 hole>
+    >>> mesh.faces
+    array([[0, 1, 2],
+           [0, 2, 3]])
+    """
+
+    def __new__(cls, vertices=None, faces=(), *, repair=False):
+        if vertices is None:
+            vertices = np.zeros((0, 3))
+        if isinstance(vertices, (str, os.PathLike)):
+            raise TypeError("a mesh is made of arrays; `Mesh.load` reads files")
+        coordinates = _arrays.coordinates(vertices)
+        corners, ends = _arrays.polygons(faces)
+        return super().__new__(cls, coordinates, corners, ends, _repair(repair))
+
+    # Where meshes come from.
+
+    @classmethod
+    def _of(cls, tables):
+        mesh = cls()
+        mesh._take(tables)
+        return mesh
+
+    @classmethod
+    def load(cls, path, *, repair=False):
+        """The mesh of a file: ``.obj``, ``.ply``, ``.stl``, ``.off``, ``.msh`` or ``.halfedges``.
+
+        What the file says besides (texture coordinates, groups, materials …) becomes attributes
+        where it can, or is kept and written back by :meth:`save`.
+        """
+        return cls._of(MeshTables._read(os.fspath(path), _repair(repair)))
+
+    @classmethod
+    def _named(cls, name, *sizes):
+        return cls._of(MeshTables._shape(name, list(sizes)))
+
+    @classmethod
+    def tetrahedron(cls):
+        """A tetrahedron."""
+        return cls._named("tetrahedron")
+
+    @classmethod
+    def cube(cls):
+        """A cube of six squares."""
+        return cls._named("cube")
+
+    @classmethod
+    def octahedron(cls):
+        """An octahedron."""
+        return cls._named("octahedron")
+
+    @classmethod
+    def icosahedron(cls):
+        """An icosahedron."""
+        return cls._named("icosahedron")
+
+    @classmethod
+    def icosphere(cls, subdivisions=2):
+        """A sphere: an icosahedron with each triangle divided into four so many times."""
+        return cls._named("icosphere", subdivisions)
+
+    @classmethod
+    def grid(cls, rows, columns=None, *, triangles=False):
+        """A flat rectangle of squares, or of triangles, two for each."""
+        name = "triangle_grid" if triangles else "grid"
+        return cls._named(name, rows, rows if columns is None else columns)
+
+    @classmethod
+    def torus(cls, around, across, *, triangles=False):
+        """A torus of quadrangles, or of triangles."""
+        return cls._named("triangle_torus" if triangles else "torus", around, across)
+
+    @classmethod
+    def from_trimesh(cls, other, *, repair=False):
+        """The mesh of a ``trimesh.Trimesh``."""
+        return cls(other.vertices, np.asarray(other.faces), repair=repair)
+
+    @classmethod
+    def from_meshio(cls, other, *, repair=False):
+        """The mesh of the triangles, quadrangles and polygons of a ``meshio.Mesh``; its data of
+        points becomes attributes of vertices."""
+        blocks = [
+            block.data
+            for block in other.cells
+            if block.type in ("triangle", "quad") or block.type.startswith("polygon")
+        ]
+        if not blocks:
+            raise MeshError("the meshio mesh has no triangles, quads or polygons", "no-mesh")
+        faces = blocks[0] if len(blocks) == 1 else [face for block in blocks for face in block]
+        mesh = cls(other.points, faces, repair=repair)
+        if not repair:
+            _bring(mesh, other.point_data.items())
+        return mesh
+
+    @classmethod
+    def from_pyvista(cls, other, *, repair=False):
+        """The mesh of a ``pyvista.PolyData``; its data of points becomes attributes of vertices."""
+        if other.n_lines or other.n_strips:
+            raise MeshError("the pyvista mesh has lines or strips: call `.triangulate()`", "no-mesh")
+        if other.n_verts:
+            raise MeshError("the pyvista mesh has vertex cells", "no-mesh")
+        if other.is_all_triangles:
+            faces = other.regular_faces
+        else:
+            packed = np.asarray(other.faces, dtype=np.int64)
+            faces, at = [], 0
+            while at < len(packed):
+                faces.append(packed[at + 1 : at + 1 + packed[at]])
+                at += 1 + packed[at]
+        mesh = cls(other.points, faces, repair=repair)
+        if not repair:
+            _bring(mesh, other.point_data.items())
+        return mesh
+
+    # Where they go.
+
+    def save(self, path):
+        """Writes a file, in the format that its name ends in: whole, or not at all."""
+        super()._save(os.fspath(path))
+
+    def arrays(self):
+        """Coordinates and faces, to be written to: ``V, F = mesh.arrays()``."""
+        return self._vertices(), self._faces()
+
+    def to_trimesh(self):
+        """A ``trimesh.Trimesh``; faces must be triangles."""
+        import trimesh
+
+        return trimesh.Trimesh(self._vertices(), self._triangles("trimesh"), process=False)
+
+    def to_meshio(self):
+        """A ``meshio.Mesh``, with the attributes of vertices as data of points."""
+        import meshio
+
+        corners, ends = self._polygons(False)
+        starts = np.concatenate([[0], ends[:-1]])
+        sides = ends - starts
+        cells = []
+        for side in np.unique(sides):
+            rows = starts[sides == side][:, None] + np.arange(side)
+            name = {3: "triangle", 4: "quad"}.get(int(side), "polygon")
+            cells.append((name, corners[rows]))
+        return meshio.Mesh(self._vertices(), cells, point_data=self._point_data())
+
+    def to_pyvista(self):
+        """A ``pyvista.PolyData``, with the attributes of vertices as data of points."""
+        import pyvista
+
+        corners, ends = self._polygons(False)
+        faces = pyvista.CellArray.from_arrays(np.concatenate([[0], ends]), corners)
+        made = pyvista.PolyData(self._vertices(), faces=faces)
+        for name, values in self._point_data().items():
+            made.point_data[name] = values
+        return made
+
+    def _point_data(self):
+        ids, table = self.vertex_ids, self.elements("vertex")
+        return {
+            name: table[name][ids].reshape(len(ids), -1).squeeze(1)
+            if table[name].ndim == 1
+            else table[name][ids].reshape(len(ids), -1)
+            for name in table.attributes
+        }
+
+    # What it is.
+
+    def elements(self, kind):
+        """The elements of a kind: ``vertex``, ``halfedge``, ``edge`` or ``face``."""
+        for name, plural in _PLURALS.items():
+            if kind in (name, plural):
+                return ElementTable(self, name)
+        raise ValueError(f"there is no kind of elements `{kind}`")
+
+    @property
+    def edges(self):
+        """The edges: ``mesh.edges["crease"]``, ``mesh.edges.vertices``, ``len(mesh.edges)``."""
+        return ElementTable(self, "edge")
+
+    @property
+    def halfedges(self):
+        """The halfedges: ``mesh.halfedges.next``, ``prev``, ``twin``, ``vertex``, ``edge``, ``face``."""
+        return ElementTable(self, "halfedge")
+
+    @property
+    def hole_count(self):
+        """How many holes there are: loops along boundaries."""
+        return self._hole_count()
+
+    @property
+    def vertex_count(self):
+        """How many vertices live."""
+        return self._count("vertex")
+
+    @property
+    def edge_count(self):
+        """How many edges live."""
+        return self._count("edge")
+
+    @property
+    def face_count(self):
+        """How many faces live; holes are none."""
+        return self._count("face")
+
+    @property
+    def vertices(self):
+        """The coordinates of the living vertices, as other programs want them: their rows are what
+        :attr:`faces` names. If vertices have been erased, row and number differ: see
+        :attr:`vertex_ids`, :attr:`positions`."""
+        return _arrays.frozen(self._vertices())
+
+    @vertices.setter
+    def vertices(self, values):
+        positions = np.array(self.positions)
+        coordinates = _arrays.coordinates(values, ArgumentError).reshape(-1, 3)
+        ids = self.vertex_ids
+        if len(coordinates) != len(ids):
+            message = f"there are {len(ids)} vertices, not {len(coordinates)}"
+            raise ArgumentError(message, "wrong-argument")
+        positions[ids] = coordinates
+        self.positions = positions
+
+    def _vertices(self):
+        return super()._positions(True).reshape(-1, 3)
+
+    @property
+    def positions(self):
+        """The coordinates of the vertices by number; those of erased ones mean nothing."""
+        return _arrays.frozen(super()._positions(False).reshape(-1, 3))
+
+    @positions.setter
+    def positions(self, values):
+        self._set_positions(_arrays.coordinates(values, ArgumentError))
+
+    @property
+    def faces(self):
+        """The faces by the rows of :attr:`vertices`: an array if all have the same number of sides,
+        else a list of arrays."""
+        faces = self._faces()
+        return _arrays.frozen(faces) if isinstance(faces, np.ndarray) else faces
+
+    def _faces(self):
+        corners, ends = self._polygons(False)
+        if not len(ends):
+            return corners.reshape(0, 3)
+        sides = len(corners) // len(ends)
+        if sides * len(ends) == len(corners) and (ends == sides * np.arange(1, len(ends) + 1)).all():
+            return corners.reshape(-1, sides)
+        return np.split(corners, ends[:-1])
+
+    def _triangles(self, who):
+        faces = self._faces()
+        if not isinstance(faces, np.ndarray) or faces.shape[1] != 3:
+            raise MeshError(
+                f"{who} wants triangles: `hedgerow.std.triangulate` divides polygons", "not-triangles"
+            )
+        return faces
+
+    @property
+    def vertex_ids(self):
+        """The numbers of the vertices that are the rows of :attr:`vertices`."""
+        return self.elements("vertex").ids
+
+    @property
+    def face_ids(self):
+        """The numbers of the faces that are the rows of :attr:`faces`."""
+        return self.elements("face").ids
+
+    def __getitem__(self, name):
+        """An attribute of the vertices, by number."""
+        return self.elements("vertex")[name]
+
+    def __setitem__(self, name, values):
+        self.elements("vertex")[name] = values
+
+    def __delitem__(self, name):
+        del self.elements("vertex")[name]
+
+    def __contains__(self, name):
+        return name in self.elements("vertex").attributes
+
+    __iter__ = None
+
+    def check(self):
+        """Raises a :class:`MeshError` if the tables are not in order: they always are, unless
+        something is wrong with this package."""
+        wrong = self._invalid()
+        if wrong is not None:
+            raise MeshError(wrong, "broken-mesh")
+
+    # What is done with it.
+
+    def copy(self):
+        """Another mesh that is equal, number by number."""
+        return type(self)._of(self._copied())
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo):
+        return self.copy()
+
+    def to_bytes(self):
+        """All of the mesh as bytes, with its numbers and attributes."""
+        return self._packed()
+
+    @classmethod
+    def from_bytes(cls, data):
+        """The mesh of bytes that :meth:`to_bytes` gave; others are refused."""
+        return cls._of(MeshTables._unpacked(bytes(data)))
+
+    def __reduce__(self):
+        return type(self).from_bytes, (self.to_bytes(),), self.__dict__ or None
+
+    def trial(self):
+        """What is done within ``with mesh.trial() as trial:`` is undone at the end, whatever ended
+        it, unless ``trial.keep()`` is called.
+
+        >>> import hedgerow
+        >>> mesh = Mesh.cube()
+        >>> with mesh.trial():
+        ...     report = hedgerow.std.subdivide.catmull_clark(mesh)
+        ...     mesh.face_count
+        24
+        >>> mesh.face_count
+        6
+        """
+        return Trial(self)
+
+    def compact(self):
+        """The same mesh with numbers without gaps, and for its vertices and faces the numbers that
+        they had here: ``(mesh, vertices, faces)``. Attributes go along, but those of edges and
+        halfedges of a mesh that has two edges between the same vertices."""
+        vertices, faces = self.vertex_ids, self.face_ids
+        corners, ends = self._polygons(False)
+        made = type(self)._of(MeshTables(self._vertices().reshape(-1), corners, ends))
+        numbers = {"vertex": vertices, "face": faces}
+        numbers["halfedge"] = self._halfedges_of(made, vertices)
+        numbers["edge"] = self.halfedges.edge[numbers["halfedge"][made.edges.halfedge]]
+        for kind, old in numbers.items():
+            ours, theirs = self.elements(kind), made.elements(kind)
+            for name in ours.attributes:
+                values = ours[name]
+                new = np.zeros((theirs.size, *values.shape[1:]), values.dtype)
+                new[: len(old)] = values[old]
+                theirs[name] = new
+        return made, vertices, faces
+
+    def _halfedges_of(self, made, vertices):
+        """The halfedges here of those of a mesh that was made of the polygons."""
+
+        def ends(mesh, rows):
+            ids = mesh.halfedges.ids
+            start = mesh.halfedges.vertex[ids]
+            end = mesh.halfedges.vertex[mesh.halfedges.twin[ids]]
+            return ids, rows[start] * len(vertices) + rows[end]
+
+        rows = np.zeros(self._capacity("vertex"), np.int64)
+        rows[vertices] = np.arange(len(vertices))
+        ids, keys = ends(self, rows)
+        order = np.argsort(keys, kind="stable")
+        _, wanted = ends(made, np.arange(len(vertices)))
+        return ids[order][np.searchsorted(keys[order], wanted)]
+
+    def is_same(self, other, tolerance=0.0):
+        """Whether both are the same but for the numbers of elements, and coordinates that differ by
+        no more than the tolerance."""
+        return super()._is_same(other, float(tolerance))
+
+    def __eq__(self, other):
+        """Whether the same numbers live in both, and pointers, coordinates and attributes agree."""
+        if not isinstance(other, MeshTables):
+            return NotImplemented
+        return self._is_identical(other)
+
+    __hash__ = None
+
+    def __repr__(self):
+        def told(count, one, many):
+            return f"{count} {one if count == 1 else many}"
+
+        parts = [told(self._count(kind), kind, _PLURALS[kind]) for kind in ("vertex", "edge", "face")]
+        if self.hole_count:
+            parts.append(told(self.hole_count, "hole", "holes"))
+        return f"<Mesh: {', '.join(parts)}>"
+
+
+def _repair(repair):
+    """What the compiled part takes for a repair: nothing, a negative number, or a tolerance."""
+    if repair is False or repair is None:
+        return None
+    if repair is True:
+        return -1.0
+    tolerance = float(repair)
+    if not (tolerance >= 0.0 and np.isfinite(tolerance)):
+        raise ArgumentError("the tolerance of a repair is a number from 0", "wrong-argument")
+    return tolerance
+
+
+def _bring(mesh, data):
+    """Brings data of points that can be attributes."""
+    for name, values in data:
+        name = "".join(c if c.isalnum() else "_" for c in str(name))
+        try:
+            mesh[name or "_"] = values
+        except ArgumentError:
+            pass

@@ -1,0 +1,50 @@
+"""Pictures of operations."""
+
+from __future__ import annotations
+
+import os
+
+
+class Diagram:
+    """The picture of an operation, before and after. A notebook shows it."""
+
+    def __init__(self, name, svg, text):
+        self.name = name
+        #: The picture as SVG.
+        self.svg = svg
+        #: The picture with characters.
+        self.text = text
+
+    def save(self, path):
+        """Writes the SVG to a file."""
+        with open(os.fspath(path), "w", encoding="utf-8") as file:
+            file.write(self.svg)
+
+    def _repr_svg_(self):
+        return self.svg
+
+    def __str__(self):
+        return self.text
+
+    def __repr__(self):
+        return f"<diagram of {self.name}>"
+
+
+class Proof:
+    """What is proved of an operation."""
+
+    def __init__(self, told):
+        #: Its name.
+        self.op = told["op"]
+        #: The level of the meshes that it is for: ``map``, ``surface`` or ``simple``.
+        self.level = told["level"]
+        #: The levels that a mesh keeps which has them.
+        self.keeps = told["keeps"]
+        #: For each rule what is proved of it.
+        self.rules = told["rules"]
+        #: The operations that it calls, if it is one in steps.
+        self.calls = told["calls"]
+
+    def __repr__(self):
+        keeps = ", ".join(self.keeps) or "nothing more than a map"
+        return f"<proof of {self.op}: for level {self.level}, keeps {keeps}>"

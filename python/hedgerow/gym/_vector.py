@@ -1,0 +1,99 @@
+"""Many environments at once."""
+
+from __future__ import annotations
+
+import numpy as np
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space, iterate
+
+from ..errors import ArgumentError
+from ._environment import PlanarMeshEnv
+
+
+class PlanarMeshVectorEnv(VectorEnv):
+    """Many :class:`PlanarMeshEnv` at once, in one process: they share the compiled program, and are
+    looked at together, which takes most of the time of a single one.
+
+    Takes what a single one takes, and the mode in which environments that have ended begin again
+    (``next_step``, ``same_step`` or ``disabled``, see gymnasium's ``AutoresetMode``).
+    """
+
+    def __init__(self, num_envs=1, *, autoreset_mode=AutoresetMode.NEXT_STEP, **kwargs):
+        super().__init__()
+        if not isinstance(num_envs, (int, np.integer)) or num_envs < 1:
+            raise ArgumentError(f"`num_envs` is a whole number from 1, not {num_envs!r}", "wrong-argument")
+        mode = autoreset_mode
+        self.autoreset_mode = mode if isinstance(mode, AutoresetMode) else AutoresetMode(mode)
+        self.envs = [PlanarMeshEnv(**kwargs) for _ in range(num_envs)]
+        self.num_envs = int(num_envs)
+        first = self.envs[0]
+        self.render_mode = first.render_mode
+        self.metadata = {**first.metadata, "autoreset_mode": self.autoreset_mode}
+        self.single_observation_space = first.observation_space
+        self.single_action_space = first.action_space
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self._over = np.zeros(num_envs, dtype=bool)
+        self._observations = np.zeros(self.observation_space.shape, dtype=np.int64)
+
+    def action_masks(self):
+        """For each environment, a row, whether the actions apply now."""
+        return np.stack([env.action_masks() for env in self.envs])
+
+    def _look(self, which):
+        """Looks at the environments of some numbers anew."""
+        if len(which):
+            self._observations[which] = PlanarMeshEnv._look([self.envs[i] for i in which])
+
+    def reset(self, *, seed=None, options=None):
+        options = dict(options or {})
+        which = np.flatnonzero(options.pop("reset_mask", np.ones(self.num_envs, dtype=bool)))
+        if seed is None or isinstance(seed, (int, np.integer)):
+            seeds = [None if seed is None else int(seed) + i for i in range(self.num_envs)]
+        else:
+            seeds = list(seed)
+        if len(seeds) != self.num_envs:
+            message = f"there are {self.num_envs} environments, not {len(seeds)} as there are seeds"
+            raise ArgumentError(message, "wrong-argument")
+        for i in which:
+            self.envs[i].begin(seeds[i], options)
+            self._over[i] = False
+        self._look(which)
+        infos = {}
+        for i in which:
+            infos = self._add_info(infos, self.envs[i]._info(None), i)
+        return self._observations.copy(), infos
+
+    def step(self, actions):
+        rewards = np.zeros(self.num_envs)
+        reasons = [None] * self.num_envs
+        ended = np.zeros((2, self.num_envs), dtype=bool)
+        again = self._over.copy()
+        if again.any() and self.autoreset_mode == AutoresetMode.DISABLED:
+            raise ArgumentError("an environment has ended: reset it first", "wrong-argument")
+        for i, action in enumerate(iterate(self.action_space, actions)):
+            if again[i]:
+                self.envs[i].begin(None, None)
+            else:
+                rewards[i], reasons[i] = self.envs[i].act(action)
+        self._look(range(self.num_envs))
+        for i in np.flatnonzero(~again):
+            ended[:, i] = self.envs[i].is_over()
+        self._over = ended.any(axis=0)
+        infos = {}
+        if self.autoreset_mode == AutoresetMode.SAME_STEP:
+            which = np.flatnonzero(self._over)
+            for i in which:
+                last = {"final_obs": self._observations[i].copy()}
+                last["final_info"] = self.envs[i]._info(reasons[i])
+                infos = self._add_info(infos, last, i)
+                self.envs[i].begin(None, None)
+                reasons[i] = None
+            self._look(which)
+            self._over = np.zeros(self.num_envs, dtype=bool)
+        for i, env in enumerate(self.envs):
+            infos = self._add_info(infos, env._info(reasons[i]), i)
+        return self._observations.copy(), rewards, ended[0], ended[1], infos
+
+    def render(self):
+        return tuple(env.render() for env in self.envs)

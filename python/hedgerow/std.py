@@ -1,0 +1,42 @@
+"""The standard library: each file is an attribute, read when it is named first.
+
+>>> from hedgerow import Mesh, std
+>>> mesh = Mesh.cube()
+>>> report = std.subdivide.catmull_clark(mesh)
+>>> mesh.face_count
+24
+"""
+
+from __future__ import annotations
+
+from ._hedgerow import Program
+
+_FILES = (
+    "map",
+    "planar",
+    "planar_cleanup",
+    "planar_quad",
+    "planar_triangle",
+    "polygon",
+    "random",
+    "remesh",
+    "repair",
+    "simplify",
+    "smooth",
+    "subdivide",
+    "triangle",
+    "triangulate",
+)
+
+__all__ = list(_FILES)
+
+
+def __getattr__(name):
+    if name not in _FILES:
+        raise AttributeError(f"the library has no file `{name}`: it has {', '.join(_FILES)}")
+    found = globals()[name] = Program._read(f"std/{name}.hedge")
+    return found
+
+
+def __dir__():
+    return sorted({*globals(), *_FILES})

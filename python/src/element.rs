@@ -1,0 +1,66 @@
+//! Kinds of elements, and lists of elements by kind.
+
+use hedgerow::mesh::{Element, ElementKind};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// The kind of a name: `vertex`, `halfedge`, `edge`, `face`, or their plurals.
+pub fn kind(name: &str) -> PyResult<ElementKind> {
+    let mut all = ElementKind::ALL.into_iter();
+    all.find(|kind| kind.name() == name || kind.plural() == name).ok_or_else(|| {
+        PyValueError::new_err(format!(
+            "there is no kind of elements `{name}`: it is vertex, halfedge, edge or face"
+        ))
+    })
+}
+
+/// The numbers of some elements, by kind.
+#[pyclass(frozen, module = "hedgerow")]
+pub struct Elements {
+    all: Vec<Element>,
+}
+
+impl Elements {
+    pub fn new(all: &[Element]) -> Self {
+        Self { all: all.to_vec() }
+    }
+
+    fn of(&self, kind: ElementKind) -> Vec<u32> {
+        let of_kind = self.all.iter().filter(|element| element.kind == kind);
+        of_kind.map(|element| element.index).collect()
+    }
+}
+
+#[pymethods]
+impl Elements {
+    #[getter]
+    fn vertices(&self) -> Vec<u32> {
+        self.of(ElementKind::Vertex)
+    }
+
+    #[getter]
+    fn halfedges(&self) -> Vec<u32> {
+        self.of(ElementKind::Halfedge)
+    }
+
+    #[getter]
+    fn edges(&self) -> Vec<u32> {
+        self.of(ElementKind::Edge)
+    }
+
+    #[getter]
+    fn faces(&self) -> Vec<u32> {
+        self.of(ElementKind::Face)
+    }
+
+    fn __len__(&self) -> usize {
+        self.all.len()
+    }
+
+    pub fn __repr__(&self) -> String {
+        let kinds = ElementKind::ALL.map(|kind| (kind.plural(), self.of(kind)));
+        let some = kinds.into_iter().filter(|(_, ids)| !ids.is_empty());
+        let parts: Vec<_> = some.map(|(name, ids)| format!("{name}={ids:?}")).collect();
+        format!("Elements({})", parts.join(", "))
+    }
+}

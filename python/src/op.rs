@@ -1,0 +1,307 @@
+//! Operations.
+
+use hedgerow::mesh::Element;
+use hedgerow::{Argument, Outcome, Verdict};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyTuple};
+
+use super::argument::Values;
+use super::array::values;
+use super::error::{Kind, in_call, saying};
+use super::live::LiveMask;
+use super::mesh::MeshTables;
+use super::outcome::{Applied, Refused};
+use super::parameters::Parameters;
+use super::program::{Program, Reduced};
+
+/// What stands for an element at which an operation would be applied, and for one that is none.
+const APPLIES: i64 = -1;
+const GONE: i64 = -2;
+
+// An operation of a program: applied whole, or not at all. It has no doc comment: `__doc__` is that of the program.
+#[pyclass(frozen, module = "hedgerow")]
+pub struct Op {
+    pub op: hedgerow::Op,
+    pub program: Py<Program>,
+    pub parameters: Parameters,
+}
+
+impl Op {
+    pub fn new(op: hedgerow::Op, program: Py<Program>) -> Self {
+        let parameters = Parameters::new(op.parameters());
+        Self { op, program, parameters }
+    }
+}
+
+#[pymethods]
+impl Op {
+    #[pyo3(signature = (mesh, /, *args, **kwargs))]
+    fn __call__<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Bound<'py, MeshTables>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let values = Values::new(&self.parameters, args, kwargs)?;
+        let mut state = mesh.get().hold(py)?;
+        let session = &mut state.session;
+        session.use_program(self.op.program());
+        match session.apply(&self.op, &values) {
+            Ok(Outcome::Applied(result)) => {
+                let result = result.map(|element| element.index);
+                Applied::new(py, result, session)?.into_bound_py_any(py)
+            }
+            Ok(Outcome::Refused(reason)) => Refused::new(reason).into_bound_py_any(py),
+            Err(error) => Err(in_call(py, &error)),
+        }
+    }
+
+    /// Applies the operation at one element after the other: `elements` are numbers for its first
+    /// parameter that is an element and not given. The answer tells where it was applied; an element
+    /// that has gone meanwhile counts as refused.
+    #[pyo3(signature = (mesh, elements, /, *args, **kwargs))]
+    fn each<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Bound<'py, MeshTables>,
+        elements: &Bound<'py, PyAny>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let mut given = Values::new(&self.parameters, args, kwargs)?;
+        let numbers = py.import("hedgerow._arrays")?.getattr("numbers")?;
+        let elements: PyReadonlyArray1<'_, i64> = numbers.call1((elements,))?.extract()?;
+        let elements = values(&elements)?;
+        let Some((at, kind)) = self.parameters.first_free(&given) else {
+            let message = format!("`{}` has no parameter left that is an element", self.op.name());
+            return Err(saying(py, Kind::Argument, "wrong-argument", message));
+        };
+        let mut state = mesh.get().hold(py)?;
+        let session = &mut state.session;
+        session.use_program(self.op.program());
+        let capacity = session.mesh().capacity(kind) as i64;
+        if let Some(wrong) = elements.iter().find(|&&one| one < 0 || one >= capacity) {
+            let message = format!("there is no {kind} {wrong}");
+            return Err(saying(py, Kind::Argument, "wrong-argument", message));
+        }
+        let (op, parameters) = (&self.op, &self.parameters);
+        let applied = py.detach(move || {
+            let mut applied = vec![false; elements.len()];
+            for (&number, applied) in elements.iter().zip(&mut applied) {
+                let element = Element { kind, index: number as u32 };
+                if session.is_alive(element) {
+                    given.put(parameters, at, element.into());
+                    *applied = session.apply(op, &given)?.is_applied();
+                }
+            }
+            Ok(applied)
+        });
+        match applied {
+            Ok(applied) => Ok(PyArray1::from_vec(py, applied)),
+            Err(error) => Err(in_call(py, &error)),
+        }
+    }
+
+    /// Whether the operation would be applied; nothing is written. Without an element: a bool for
+    /// each, by number. With `near`, which is what an action on the mesh gave, only what may have
+    /// changed since the last such question is asked anew; the answer is the same.
+    #[pyo3(signature = (mesh, /, *args, near=None, **kwargs))]
+    fn can<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Bound<'py, MeshTables>,
+        args: &Bound<'py, PyTuple>,
+        near: Option<&Bound<'py, PyAny>>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let values = Values::new(&self.parameters, args, kwargs)?;
+        let mut state = mesh.get().hold(py)?;
+        state.session.use_program(self.op.program());
+        let raised = |error: hedgerow::Error| in_call(py, &error);
+        if self.parameters.first_free(&values).is_none() {
+            return state.session.can(&self.op, &values).map_err(raised)?.into_bound_py_any(py);
+        }
+        let near = near.is_some_and(|near| !near.is_none());
+        if near && values.is_empty() {
+            let mask = state.near(&self.op).map_err(raised)?;
+            let mask = state.session.kept_mask(mask).map_err(raised)?;
+            return Ok(PyArray1::from_slice(py, mask).into_any());
+        }
+        let (session, op) = (&mut state.session, &self.op);
+        let mask = py.detach(|| session.mask(op, &values)).map_err(raised)?;
+        Ok(PyArray1::from_vec(py, mask).into_any())
+    }
+
+    /// Why the operation would refuse: a text, or `None` if it would not. Without an element: for
+    /// each the number of the reason among `reasons`, -1 where it would be applied, and -2 where
+    /// there is no element.
+    #[pyo3(signature = (mesh, /, *args, **kwargs))]
+    fn why<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Bound<'py, MeshTables>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let values = Values::new(&self.parameters, args, kwargs)?;
+        let mut state = mesh.get().hold(py)?;
+        state.session.use_program(self.op.program());
+        let raised = |error: hedgerow::Error| in_call(py, &error);
+        let (session, op) = (&mut state.session, &self.op);
+        if self.parameters.first_free(&values).is_none() {
+            let reason = session.why(op, &values).map_err(raised)?;
+            return reason.map(|reason| reason.text.to_string()).into_bound_py_any(py);
+        }
+        let verdicts = py.detach(|| session.verdicts(op, &values)).map_err(raised)?;
+        let number = |verdict: Verdict| match verdict {
+            Verdict::Gone => GONE,
+            Verdict::Applies => APPLIES,
+            Verdict::Refuses(reason) => reason as i64,
+        };
+        Ok(PyArray1::from_vec(py, verdicts.into_iter().map(number).collect()).into_any())
+    }
+
+    /// A mask that is kept current: after an action only what it may have changed is asked anew.
+    #[pyo3(signature = (mesh, /, *args, **kwargs))]
+    fn live<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Bound<'py, MeshTables>,
+        args: &Bound<'py, PyTuple>,
+        kwargs: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<LiveMask> {
+        let values = Values::new(&self.parameters, args, kwargs)?;
+        let mut state = mesh.get().hold(py)?;
+        let session = &mut state.session;
+        session.use_program(self.op.program());
+        let kept = session.keep_mask(&self.op, &values).map_err(|error| in_call(py, &error))?;
+        Ok(LiveMask::new(mesh.clone().unbind(), kept))
+    }
+
+    /// Why the operation may refuse; different numbers may have the same text.
+    #[getter]
+    fn reasons(&self) -> Vec<String> {
+        self.op.reasons().iter().map(|reason| reason.to_string()).collect()
+    }
+
+    /// The level of the meshes that it is for: `map`, `surface` or `simple`.
+    #[getter]
+    fn level(&self) -> String {
+        self.op.level().to_string()
+    }
+
+    /// The kind of the element that it returns, if it does.
+    #[getter]
+    fn result(&self) -> Option<&'static str> {
+        self.op.result().map(|kind| kind.name())
+    }
+
+    #[getter]
+    fn __name__(&self) -> &str {
+        self.op.name()
+    }
+
+    #[getter]
+    fn __qualname__(&self) -> &str {
+        self.op.name()
+    }
+
+    #[getter]
+    fn __doc__(&self) -> String {
+        self.op.docs().join("\n")
+    }
+
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        self.parameters.list(py)
+    }
+
+    #[getter]
+    fn __signature__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.parameters.signature(py, &[], Some("hedgerow.Applied | hedgerow.Refused"))
+    }
+
+    #[getter]
+    fn program(&self, py: Python<'_>) -> Py<Program> {
+        self.program.clone_ref(py)
+    }
+
+    /// The picture of the operation, before and after.
+    fn diagram<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let drawn = py.detach(|| Ok((self.op.svg()?, self.op.drawn()?)));
+        let (svg, text) = drawn.map_err(|error: hedgerow::Error| in_call(py, &error))?;
+        let class = py.import("hedgerow._pictures")?.getattr("Diagram")?;
+        class.call1((self.op.name(), svg, text))
+    }
+
+    fn _repr_svg_(&self, py: Python<'_>) -> Option<String> {
+        py.detach(|| self.op.svg()).ok()
+    }
+
+    /// What is proved of the operation: its level, the levels that it keeps, and for each rule what
+    /// is kept, how the numbers of elements change, and what it costs.
+    fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let verdict = self.op.proved();
+        let all = PyDict::new(py);
+        all.set_item("op", &verdict.op)?;
+        all.set_item("level", self.op.level().to_string())?;
+        let keeps: Vec<String> = self.op.keeps().iter().map(ToString::to_string).collect();
+        all.set_item("keeps", keeps)?;
+        let rules = PyList::empty(py);
+        for rule in &verdict.rules {
+            let told = PyDict::new(py);
+            told.set_item("rule", &rule.rule)?;
+            told.set_item("cases", rule.cases)?;
+            told.set_item("keeps", &rule.keeps)?;
+            let counts = PyDict::new(py);
+            for (name, constant, per_index) in rule.counts() {
+                counts.set_item(name, (constant, per_index))?;
+            }
+            told.set_item("changes", counts)?;
+            told.set_item("constant_time", rule.constant_time)?;
+            told.set_item("grows_with", &rule.grows_with)?;
+            let tests = rule.guard.as_ref().map(|guard| guard.tests.clone());
+            told.set_item("guard_tests", tests)?;
+            rules.append(told)?;
+        }
+        all.set_item("rules", rules)?;
+        let steps = verdict.steps.as_ref().map(|steps| steps.calls.clone());
+        all.set_item("calls", steps)?;
+        py.import("hedgerow._pictures")?.getattr("Proof")?.call1((all,))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Py<Program>, String)> {
+        let get = py.import("operator")?.getattr("getitem")?;
+        Ok((get, (self.program.clone_ref(py), self.op.name().to_owned())))
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().op.is(&self.op))
+    }
+
+    fn __hash__(&self) -> isize {
+        self.op.name().bytes().fold(7, |hash, byte| hash * 31 % 1_000_003 + isize::from(byte))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<op {}>", self.op.name())
+    }
+}
+
+/// What a value is to Python.
+pub fn value<'py>(py: Python<'py>, value: Argument) -> PyResult<Bound<'py, PyAny>> {
+    match value {
+        Argument::Bool(value) => value.into_bound_py_any(py),
+        Argument::Int(value) => value.into_bound_py_any(py),
+        Argument::Real(value) => value.into_bound_py_any(py),
+        Argument::Text(value) => value.into_bound_py_any(py),
+        Argument::Element(_, number) => number.into_bound_py_any(py),
+        Argument::Reals(_, numbers) => {
+            let width = numbers.len();
+            super::function::shaped(py, numbers, width, true)
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! What becomes of a call of an operation.
+
+use hedgerow::{Reason, Session};
+use pyo3::prelude::*;
+
+use super::element::Elements;
+
+/// An operation has been applied. It counts as true.
+#[pyclass(frozen, module = "hedgerow")]
+pub struct Applied {
+    /// The number of the element that the operation returns, if it returns one.
+    #[pyo3(get)]
+    result: Option<u32>,
+    /// What it created.
+    #[pyo3(get)]
+    created: Py<Elements>,
+    /// What it erased.
+    #[pyo3(get)]
+    erased: Py<Elements>,
+}
+
+impl Applied {
+    pub fn new(py: Python<'_>, result: Option<u32>, session: &Session) -> PyResult<Self> {
+        let created = Py::new(py, Elements::new(session.created()))?;
+        let erased = Py::new(py, Elements::new(session.erased()))?;
+        Ok(Self { result, created, erased })
+    }
+}
+
+#[pymethods]
+impl Applied {
+    #[classattr]
+    fn __match_args__() -> (&'static str, &'static str, &'static str) {
+        ("result", "created", "erased")
+    }
+
+    fn __bool__(&self) -> bool {
+        true
+    }
+
+    fn __repr__(&self) -> String {
+        let result = self.result.map_or("None".to_owned(), |result| result.to_string());
+        let [created, erased] = [&self.created, &self.erased].map(|all| all.get().__repr__());
+        format!("Applied(result={result}, created={created}, erased={erased})")
+    }
+}
+
+/// An operation does not apply there, and the mesh is as it was. It counts as false.
+#[pyclass(frozen, module = "hedgerow")]
+pub struct Refused {
+    reason: Reason,
+}
+
+impl Refused {
+    pub fn new(reason: Reason) -> Self {
+        Self { reason }
+    }
+}
+
+#[pymethods]
+impl Refused {
+    #[classattr]
+    fn __match_args__() -> (&'static str,) {
+        ("reason",)
+    }
+
+    /// Why, in words.
+    #[getter]
+    fn reason(&self) -> &str {
+        &self.reason.text
+    }
+
+    /// The number of the reason among the `reasons` of the operation.
+    #[getter]
+    fn number(&self) -> usize {
+        self.reason.number
+    }
+
+    fn __bool__(&self) -> bool {
+        false
+    }
+
+    fn __str__(&self) -> &str {
+        &self.reason.text
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Refused({:?})", &*self.reason.text)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().reason == self.reason)
+    }
+
+    fn __hash__(&self) -> usize {
+        self.reason.number
+    }
+}

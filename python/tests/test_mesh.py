@@ -1,0 +1,366 @@
+"""Meshes: arrays in and out, attributes, copies, files, trials."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import hedgerow
+from hedgerow import Mesh
+
+V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+F = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+@pytest.mark.parametrize("dtype", [np.int8, np.int32, np.int64, np.uint8, np.uint32, np.uint64])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_arrays_of_every_kind(dtype, order):
+    mesh = Mesh(np.asarray(V, order=order), np.asarray(F, dtype, order=order))
+    assert (mesh.vertices == V).all() and (mesh.faces == F).all()
+    assert mesh.vertices.dtype == np.float64 and mesh.faces.dtype == np.int64
+    for floats in (np.float32, np.float16, np.int32):
+        assert (Mesh(np.asarray(V, floats, order=order), F).vertices == V).all()
+    wide = np.zeros((8, 6))
+    wide[::2, ::2] = V
+    assert (Mesh(wide[::2, ::2], F[::-1]).faces == F[::-1]).all()
+
+
+def test_lists_and_two_coordinates():
+    mesh = Mesh(V[:, :2].tolist(), [[0, 1, 2, 3]])
+    assert (mesh.vertices == V).all() and mesh.faces.shape == (1, 4)
+    mixed = Mesh([*V.tolist(), [2, 0.5, 0]], [[0, 1, 2, 3], (1, 4, 2)])
+    assert [face.tolist() for face in mixed.faces] == [[0, 1, 2, 3], [1, 4, 2]]
+    assert mixed.hole_count == 1 and repr(mixed) == "<Mesh: 5 vertices, 6 edges, 2 faces, 1 hole>"
+    assert repr(Mesh()) == "<Mesh: 0 vertices, 0 edges, 0 faces>"
+    assert Mesh(V, []).vertex_count == 4 and Mesh().faces.shape == (0, 3)
+
+
+def test_going_out_and_in_again(sphere):
+    again = Mesh(sphere.vertices, sphere.faces)
+    assert again == sphere and again.is_same(sphere)
+    cube = Mesh.cube()
+    assert cube.faces.shape == (6, 4)
+    vertices, faces = cube.arrays()
+    vertices += 1
+    assert (Mesh(vertices, faces).vertices == cube.vertices + 1).all()
+
+
+def test_pointers_are_a_halfedge_mesh(sphere):
+    h = sphere.halfedges
+    ids = np.arange(h.size)
+    assert (h.twin[h.twin] == ids).all() and (h.prev[h.next] == ids).all()
+    assert (h.vertex[h.next] == h.vertex[h.twin]).all()
+    assert (h.edge[h.twin] == h.edge).all() and (h.face[h.next] == h.face).all()
+    assert (h.edge[sphere.edges.halfedge] == np.arange(len(sphere.edges))).all()
+    assert (h.vertex[sphere.elements("vertex").halfedge] == np.arange(sphere.vertex_count)).all()
+    ends = np.stack([h.vertex[sphere.edges.halfedge], h.vertex[h.twin[sphere.edges.halfedge]]], 1)
+    assert (sphere.edges.vertices == ends).all()
+    with pytest.raises(AttributeError, match="no pointer `nxt`"):
+        h.nxt
+    for array in (h.next, sphere.vertices, sphere.faces, sphere.positions, sphere.edges.alive):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+
+
+def test_numbers_stay(ops, sphere):
+    edges, vertices = sphere.edges.size, sphere.vertex_count
+    made = ops.split(sphere, 7)
+    assert made.result == vertices and made.created.vertices == [vertices]
+    gone = ops.collapse(sphere, 20)
+    assert gone and len(gone.erased.vertices) == 1
+    dead = gone.erased.vertices[0]
+    assert not sphere.elements("vertex").alive[dead] and dead not in sphere.elements("vertex")
+    assert sphere.elements("vertex").size == vertices + 1 and len(sphere.vertices) == vertices
+    assert sphere.vertex_ids.tolist() == [v for v in range(vertices + 1) if v != dead]
+    assert (sphere.vertices == sphere.positions[sphere.vertex_ids]).all()
+    assert sphere.faces.max() == vertices - 1
+    assert sphere.edges.size == edges + 3 and (sphere.halfedges.next[gone.erased.halfedges] == -1).all()
+    again = ops.split(sphere, 3)
+    assert not set(again.created.edges) & set(gone.erased.edges)
+    sphere.recycle()
+    last = ops.split(sphere, 9)
+    assert set(last.created.edges) & set(gone.erased.edges)
+
+
+def test_attributes_of_all_types(rng):
+    mesh = Mesh.grid(3, 2)
+    for kind in ("vertex", "halfedge", "edge", "face"):
+        table = mesh.elements(kind)
+        for name, shape, word in [
+            ("real", (), "real"), ("two", (2,), "vec2"), ("three", (3,), "vec3"),
+            ("four", (4,), "vec4"), ("m3", (3, 3), "mat3"), ("m4", (4, 4), "mat4"),
+        ]:  # fmt: skip
+            values = rng.random((table.size, *shape))
+            table[name] = np.asfortranarray(values)
+            assert (table[name] == values).all() and table.attributes[name] == word
+        table["flag"] = np.arange(table.size) % 2 == 0
+        table["number"] = np.arange(table.size, dtype=np.uint16)
+        assert table["flag"].dtype == bool and table["number"].dtype == np.int64
+        assert "flag" in table and "other" not in table
+        del table["flag"]
+        assert "flag" not in table
+        with pytest.raises(KeyError, match="has an attribute `flag`; there is"):
+            table["flag"]
+    mesh["uv"] = mesh.vertices[:, :2]
+    assert (mesh["uv"] == mesh.vertices[:, :2]).all() and "uv" in mesh
+    mesh["uv"] = [1, 2]
+    assert (mesh["uv"] == [1, 2]).all()
+    mesh["heat"] = 1.5
+    mesh["heat"] = np.arange(mesh.vertex_count)
+    assert mesh.elements("vertex").attributes["heat"] == "real"
+    del mesh["heat"]
+
+
+def test_attributes_of_programs(ops, sphere):
+    ops.count_hits(sphere)
+    ops.count_hits(sphere)
+    assert (sphere.edges["hits"] == 2).all() and sphere.edges.attributes == {"hits": "int"}
+    sphere.edges["hits"] = np.arange(sphere.edges.size)
+    ops.count_hits(sphere)
+    assert (sphere.edges["hits"] == np.arange(sphere.edges.size) + 1).all()
+    sphere.edges["wrong"] = 1
+    del sphere.edges["hits"]
+    sphere.edges["hits"] = 0.5
+    with pytest.raises(hedgerow.MeshError, match="`hits` is of type real, not int"):
+        ops.count_hits(sphere)
+
+
+def test_positions(sphere):
+    where = sphere.positions * 2
+    sphere.positions = where
+    assert (sphere.positions == where).all()
+    sphere.vertices = where[:, ::-1]
+    assert (sphere.vertices == where[:, ::-1]).all()
+    before = sphere.to_bytes()
+    bad = where.copy()
+    bad[3, 1] = np.nan
+    for wrong in (bad, where[:-1], where[:, :1], "no", where + 1j):
+        with pytest.raises(hedgerow.ArgumentError):
+            sphere.positions = wrong
+        with pytest.raises(hedgerow.ArgumentError):
+            sphere.vertices = wrong
+    assert sphere.to_bytes() == before
+
+
+def test_copies_pickles_and_equality(ops, sphere):
+    ops.split(sphere, 3)
+    ops.collapse(sphere, 30)
+    sphere["uv"] = np.ones((sphere.elements("vertex").size, 2))
+    copies = [sphere.copy(), copy.copy(sphere), copy.deepcopy(sphere)]
+    copies.append(pickle.loads(pickle.dumps(sphere)))
+    copies.append(Mesh.from_bytes(sphere.to_bytes()))
+    for other in copies:
+        assert other == sphere and not other != sphere
+        # What comes next has the same numbers.
+        mine, theirs = (ops.split(mesh, 40) for mesh in (sphere.copy(), other))
+        assert mine.created.edges == theirs.created.edges and other != sphere
+    assert sphere != "mesh" and sphere == sphere
+    moved = sphere.copy()
+    moved.positions = moved.positions + 1e-12
+    assert moved != sphere and moved.is_same(sphere, 1e-9)
+    with pytest.raises(TypeError):
+        hash(sphere)
+
+
+def test_damaged_pickles_are_refused(sphere):
+    data = sphere.to_bytes()
+    for bad in (b"", b"nonsense", data[:-1], data + b"\0", data[:100] + b"\1" + data[101:]):
+        with pytest.raises(hedgerow.MeshError):
+            Mesh.from_bytes(bad)
+
+
+def test_a_subclass_stays_one(sphere):
+    class Mine(Mesh):
+        pass
+
+    mine = Mine(sphere.vertices, sphere.faces)
+    assert type(mine.copy()) is Mine and type(Mine.cube()) is Mine
+
+
+def test_trials(ops, sphere):
+    before = sphere.to_bytes()
+    with sphere.trial():
+        assert ops.split(sphere, 4)
+        with sphere.trial() as inner:
+            ops.move(sphere)
+            inner.keep()
+        assert sphere.to_bytes() != before
+    assert sphere.to_bytes() == before
+    with pytest.raises(hedgerow.RunError), sphere.trial():
+        ops.fails(sphere)
+    assert sphere.to_bytes() == before
+    with sphere.trial() as trial:
+        ops.split(sphere, 4)
+        sphere["x"] = 1.0
+        trial.undo()
+        assert sphere.to_bytes() == before
+        ops.split(sphere, 5)
+    assert sphere.to_bytes() != before
+    with pytest.raises(hedgerow.RunError, match="has ended"):
+        trial.keep()
+    outer, inner = sphere.trial(), sphere.trial()
+    outer.__enter__(), inner.__enter__()
+    outer.keep()
+    with pytest.raises(hedgerow.RunError, match="has ended"):
+        inner.undo()
+
+
+def test_compact(ops, sphere, rng):
+    sphere["heat"] = rng.random(sphere.vertex_count)
+    sphere.edges["crease"] = rng.random(sphere.edges.size)
+    sphere.halfedges["uv"] = rng.random((sphere.halfedges.size, 2))
+    sphere.elements("face")["group"] = np.arange(sphere.face_count)
+    for edge in (3, 50, 70):
+        assert ops.collapse(sphere, edge)
+    small, vertices, faces = sphere.compact()
+    assert small.vertex_count == small.elements("vertex").size == sphere.vertex_count
+    assert (small["heat"] == sphere["heat"][vertices]).all()
+    assert (small.elements("face")["group"] == sphere.elements("face")["group"][faces]).all()
+
+    def by_ends(mesh, rows, table, name):
+        ids = table.ids
+        h = ids if table._kind == "halfedge" else table.halfedge[ids]
+        start = rows[mesh.halfedges.vertex[h]]
+        end = rows[mesh.halfedges.vertex[mesh.halfedges.twin[h]]]
+        pairs = zip(start, end) if table._kind == "halfedge" else map(frozenset, zip(start, end))
+        return {pair: tuple(np.atleast_1d(table[name][i])) for pair, i in zip(pairs, ids)}
+
+    rows = np.full(sphere.elements("vertex").size, -1)
+    rows[vertices] = np.arange(len(vertices))
+    straight = np.arange(len(vertices))
+    for kind, name in (("edges", "crease"), ("halfedges", "uv")):
+        mine = by_ends(sphere, rows, getattr(sphere, kind), name)
+        assert by_ends(small, straight, getattr(small, kind), name) == mine
+
+
+def test_iterating_while_elements_go(ops, sphere):
+    seen, gone = [], set()
+    for edge in sphere.edges:
+        assert edge not in gone
+        seen.append(edge)
+        done = ops.collapse(sphere, edge)
+        gone.update(done.erased.edges if done else ())
+        if len(seen) == 20:
+            break
+    assert gone and len(set(seen)) == 20
+
+
+@pytest.mark.parametrize("ending", ["obj", "ply", "off", "msh", "halfedges", "stl"])
+def test_files(tmp_path, ending, sphere):
+    path = tmp_path / f"mesh.{ending}"
+    sphere.save(path)
+    back = Mesh.load(str(path))
+    assert back.is_same(sphere, 1e-6)
+
+
+def test_files_keep_what_they_hold(tmp_path):
+    path = tmp_path / "a.obj"
+    path.write_text(
+        "g left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
+    )
+    mesh = Mesh.load(path)
+    assert mesh.halfedges["uv"][mesh.halfedges.face == 0].tolist() == [[0, 0], [1, 0], [0, 1]]
+    mesh.copy().save(tmp_path / "b.obj")
+    text = (tmp_path / "b.obj").read_text()
+    assert "vt 1 0" in text and "g left" in text
+
+
+def test_files_that_fail(tmp_path, sphere):
+    for name, text in [("a.obj", "f 1 2 3\n"), ("a.xyz", ""), ("b.ply", "nonsense")]:
+        (tmp_path / name).write_text(text)
+        with pytest.raises(hedgerow.FileError, match=name):
+            Mesh.load(tmp_path / name)
+    with pytest.raises(hedgerow.FileError):
+        Mesh.load(tmp_path / "none.obj")
+    with pytest.raises(OSError):
+        sphere.save(tmp_path / "no" / "folder.obj")
+
+
+NOT_MESHES = [
+    (V, [[0, 1, 4]], "vertex 4"),
+    (V, [[0, 1, -1]], "there is no vertex -1"),
+    (V, [[0, 1, 2**40]], "there is no vertex"),
+    (V, [[0, 1]], "corners"),
+    (V, [[0, 1, 1]], "vertex 1"),
+    (V, [[0, 1, 2], [0, 1, 3]], "0"),
+    ([*V, [0, 0, 1]], [[0, 1, 2], [1, 0, 3], [0, 1, 4]], "0"),
+    (V, F.astype(float), "whole numbers"),
+    (V, [["a", "b", "c"]], "whole numbers"),
+    (V, [0, 1, 2], "faces are rows"),
+    (V, np.zeros((2, 3, 3), int), "shape"),
+    (V[:, :1], F, "rows of 3 numbers"),
+    (V.astype(str), F, "numbers"),
+    (V + 1j, F, "numbers"),
+    (V.astype(object), F, "numbers"),
+    (np.where(V == 1, np.nan, V), F, "no place"),
+    (np.where(V == 1, np.inf, V), F, "no place"),
+    ([[0, 0, 0], [1, 0]], F, "rows of 3 numbers"),
+    (V, [[0, 1, 2], [0, 2, "x"]], "whole numbers"),
+    (V, [[0, 1, 2.5], [0, 2, 3, 1]], "whole numbers"),
+]
+
+
+@pytest.mark.parametrize("case", range(len(NOT_MESHES)))
+def test_what_is_no_mesh(case):
+    vertices, faces, words = NOT_MESHES[case]
+    with pytest.raises(hedgerow.MeshError, match=words):
+        Mesh(vertices, faces)
+
+
+def test_wrong_attributes(sphere):
+    before = sphere.to_bytes()
+    n = sphere.vertex_count
+    for values in (np.zeros(n + 1), np.zeros((n, 5)), np.zeros((n, 2, 2)), ["a"] * n, [None] * n,
+                   np.zeros(n, complex), np.zeros((n - 1, 3)), np.full(n, 2**63, np.uint64), [[1], [2, 3]]):  # fmt: skip
+        with pytest.raises(hedgerow.ArgumentError):
+            sphere["x"] = values
+    for name in ("", "1x", "a b", "position", "file:vertex"):
+        with pytest.raises(hedgerow.ArgumentError):
+            sphere[name] = 1.0
+    with pytest.raises(TypeError):
+        sphere[3] = 1.0
+    with pytest.raises(KeyError):
+        del sphere["x"]
+    sphere["x"] = 1.0
+    for values in (np.zeros((n, 2)), np.zeros((n, 3))):
+        with pytest.raises(hedgerow.MeshError, match="of type real"):
+            sphere["x"] = values
+    del sphere["x"]
+    assert sphere.to_bytes() == before
+
+
+def test_repair():
+    soup = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0], [-1, 0, 0]], float)
+    with pytest.raises(hedgerow.MeshError):
+        Mesh(soup, [[0, 1, 2], [0, 1, 2]])
+    assert Mesh(soup, [[0, 1, 2], [0, 1, 2]], repair=True).face_count == 1
+    assert Mesh(soup, [[0, 1, 2], [3, 4, 5]], repair=0.0).edge_count == 5
+    for wrong in (-1.0, float("nan")):
+        with pytest.raises(hedgerow.ArgumentError):
+            Mesh(soup, [[0, 1, 2]], repair=wrong)
+
+
+def test_other_libraries(sphere):
+    trimesh = pytest.importorskip("trimesh")
+    there = sphere.to_trimesh()
+    assert isinstance(there, trimesh.Trimesh) and there.is_watertight
+    assert Mesh.from_trimesh(there) == sphere
+    with pytest.raises(hedgerow.MeshError, match="wants triangles"):
+        Mesh.cube().to_trimesh()
+
+
+def test_meshio(sphere):
+    pytest.importorskip("meshio")
+    sphere["heat"] = np.arange(sphere.vertex_count, dtype=float)
+    assert Mesh.from_meshio(sphere.to_meshio()) == sphere
+    mixed = Mesh([*V.tolist(), [2, 0.5, 0]], [[0, 1, 2, 3], (1, 4, 2)])
+    assert Mesh.from_meshio(mixed.to_meshio()).is_same(mixed)
+
+
+def test_pyvista(sphere):
+    pytest.importorskip("pyvista")
+    sphere["heat"] = np.arange(sphere.vertex_count, dtype=float)
+    assert Mesh.from_pyvista(sphere.to_pyvista()) == sphere
+    mixed = Mesh([*V.tolist(), [2, 0.5, 0]], [[0, 1, 2, 3], (1, 4, 2)])
+    assert Mesh.from_pyvista(mixed.to_pyvista()) == mixed

@@ -1,0 +1,328 @@
+"""Programs, operations, scripts and functions as Python has them."""
+
+import inspect
+import pickle
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import hedgerow
+from hedgerow import Applied, Mesh, Refused
+
+BROKEN = "op flip(e: edge) { before { edge e: a | d } after { } }"
+
+
+def test_a_program_is_its_items(ops, tmp_path):
+    assert {"flip", "move", "excess", "split"} <= set(dir(ops))
+    assert ops.move is ops.move is ops["move"] and "move" in ops and "none" not in ops
+    assert ops.scripts[:2] == ["move", "shake"] and "flip" in ops.ops and "gain" in ops.functions
+    with pytest.raises(AttributeError, match="no operation, script or function `flp`; did you mean `flip`"):
+        ops.flp
+    with pytest.raises(KeyError):
+        ops["none"]
+    path = tmp_path / "ops.hedge"
+    path.write_text("/// Says it.\nscript hello() { print \"hello\" }")
+    assert hedgerow.load(path).hello.__doc__ == "Says it."
+    assert hedgerow.load("std/remesh.hedge").remesh.__name__ == "remesh"
+    assert hedgerow.std.remesh is hedgerow.std.remesh
+    with pytest.raises(AttributeError, match="the library has no file"):
+        hedgerow.std.none
+
+
+def test_signatures_and_docs(ops):
+    assert str(inspect.signature(ops.move)).startswith("(mesh, /, by: 'vec3' = vec3(0, 0, 1), times: int = 1, *")
+    assert list(inspect.signature(ops.flip).parameters) == ["mesh", "e"]
+    assert inspect.signature(ops.gain).return_annotation is float
+    assert inspect.getdoc(ops.move) == "Moves all vertices."
+    assert "corner" in ops.flip.__doc__ and "neighbours" in ops.excess.__doc__
+    assert ops.split.result == "vertex" and ops.flip.result is None and ops.flip.level == "simple"
+
+
+def test_errors_carry_what_was_rendered():
+    with pytest.raises(hedgerow.ProgramError) as caught:
+        hedgerow.program(BROKEN, "broken.hedge")
+    error = caught.value
+    assert "broken.hedge:1:" in str(error) and error.code and error.diagnostics
+    first = error.diagnostics[0]
+    assert first["file"] == "broken.hedge" and first["line"] == 1 and first["severity"] == "error"
+    assert isinstance(pickle.loads(pickle.dumps(error)), hedgerow.ProgramError)
+    assert pickle.loads(pickle.dumps(error)).diagnostics == error.diagnostics
+    assert hedgerow.check(BROKEN, "broken.hedge") == error.diagnostics
+    assert hedgerow.check("script s() { }") == []
+    with pytest.raises(hedgerow.FileError, match="none.hedge"):
+        hedgerow.load("none.hedge")
+    with pytest.raises(TypeError, match="`load` reads files"):
+        hedgerow.program(b"script s() {}")
+
+
+def test_applied_and_refused(ops, sphere):
+    done = ops.split(sphere, 3)
+    assert isinstance(done, Applied) and done and done.result == 42
+    assert done.created.vertices == [42] and len(done.created.edges) == 3 and not len(done.erased)
+    flat = Mesh.grid(1, 1, triangles=True)
+    before = flat.to_bytes()
+    no = ops.flip(flat, 0)
+    assert isinstance(no, Refused) and not no and str(no) == no.reason == ops.flip.reasons[no.number]
+    assert no == ops.flip(flat, 0) and flat.to_bytes() == before
+    match done:
+        case Applied(result=v):
+            assert v == 42
+    match no:
+        case Refused(reason):
+            assert "hole" in reason
+    assert ops.split(sphere, e=np.int32(5)) and ops.split(sphere, e=np.uint64(6))
+
+
+def test_questions_write_nothing(ops):
+    mesh = Mesh.grid(3, 3, triangles=True)
+    before = mesh.to_bytes()
+    can, why = ops.flip.can(mesh), ops.flip.why(mesh)
+    assert can.dtype == bool and len(can) == mesh.edges.size and 0 < can.sum() < len(can)
+    assert ((why == -1) == can).all()
+    for edge in range(len(can)):
+        assert ops.flip.can(mesh, edge) == can[edge]
+        reason = ops.flip.why(mesh, edge)
+        assert (reason is None) == can[edge]
+        if reason is not None:
+            assert ops.flip.reasons[why[edge]] == reason
+    assert mesh.to_bytes() == before
+    ops.collapse(mesh, 12)
+    dead = ~mesh.edges.alive
+    assert dead.any() and (ops.flip.why(mesh)[dead] == -2).all() and not ops.flip.can(mesh)[dead].any()
+
+
+def test_functions(ops, sphere):
+    degrees = np.bincount(sphere.faces.ravel())
+    assert (ops.excess(sphere) == degrees - 6).all() and ops.excess(sphere, 3) == degrees[3] - 6
+    ends = sphere.edges.vertices
+    assert (ops.gain(sphere) == (degrees - 6)[ends].sum(1)).all()
+    assert (ops.gain(sphere, scale=2) == 2 * ops.gain(sphere)).all()
+    along = sphere.positions[ends[:, 1]] - sphere.positions[ends[:, 0]]
+    assert np.allclose(ops.along(sphere), along) and np.allclose(ops.along(sphere, 5), along[5])
+    lengths = np.linalg.norm(along, axis=1)
+    assert ops.total(sphere) == pytest.approx(lengths.sum())
+    frame = ops.frame(sphere, 2)
+    assert frame[:, 0].tolist() == [1, 2, 3] and frame[2, 2] == sphere.positions[2, 0]
+    assert (ops.frame(sphere)[2] == frame).all()
+    assert (ops.opposite(sphere) == sphere.halfedges.vertex[sphere.halfedges.prev[sphere.edges.halfedge]]).all()
+    assert ops.word(sphere, 3) == "positive"
+    assert ops.split_some(sphere, 4) == 4 and sphere.vertex_count == 46
+    ops.collapse(sphere, 20)
+    assert np.isnan(ops.gain(sphere)[~sphere.edges.alive]).all()
+
+
+def test_scripts(ops, sphere, capsys):
+    ops.say(sphere, 1)
+    assert capsys.readouterr().out == "hello\n80 faces\n"
+    before = sphere.positions
+    report = ops.move(sphere, [0, 1, 0], times=3)
+    assert report == {} and np.allclose(sphere.positions - before, [0, 3, 0])
+    ops.move(sphere, np.array([0, -3, 0]))
+    assert np.allclose(sphere.positions, before)
+    report = hedgerow.std.remesh.remesh(sphere, target=0.3)
+    assert report["split"].applied > 0 and report.applied >= report["split"].applied
+    assert "split" in str(report) and sum(report["flip"].refused.values()) <= report.refused
+    assert pickle.loads(pickle.dumps(report)) == report
+
+
+def test_seeds(ops, sphere):
+    def shaken(seed):
+        mesh = sphere.copy()
+        ops.shake(mesh, 0.1, seed=seed)
+        return mesh
+
+    assert shaken(3) == shaken(3) != shaken(4)
+    mesh = sphere.copy()
+    ops.shake(mesh, 0.1)
+    ops.shake(mesh, 0.1)
+    with pytest.raises(ValueError):
+        shaken(-1)
+    with pytest.raises(TypeError):
+        shaken("a")
+
+
+def test_a_script_that_fails(ops, sphere):
+    before = sphere.positions
+    with pytest.raises(hedgerow.RunError, match="there are faces") as caught:
+        ops.fails(sphere)
+    assert caught.value.code == "assertion-failed" and caught.value.report is not None
+    assert (sphere.positions == 2 * before).all()
+
+
+def test_wrong_arguments_leave_the_mesh(ops, sphere):
+    before = sphere.to_bytes()
+    wrong = [
+        (ops.flip, (10**6,), {}), (ops.flip, (-1,), {}), (ops.flip, (2**70,), {}),
+        (ops.flip, (1.5,), {}), (ops.flip, ("a",), {}), (ops.flip, (None,), {}),
+        (ops.flip, (True,), {}), (ops.flip, (1, 2), {}), (ops.flip, (1,), {"e": 2}),
+        (ops.flip, (), {}), (ops.flip, (1,), {"f": 2}), (ops.flip, ([1],), {}),
+        (ops.move, ([1, 2],), {}), (ops.move, ([1, 2, "x"],), {}), (ops.move, ("abc",), {}),
+        (ops.move, ([1, 2, float("nan")],), {}), (ops.move, (), {"times": 1.5}),
+        (ops.move, (), {"times": True}), (ops.move, (), {"times": 2**80}),
+        (ops.move, (), {"progress": 3}), (ops.move, (), {"tims": 3}),
+        (ops.shake, (float("inf"),), {}), (ops.shake, ("1",), {}), (ops.shake, (), {}),
+        (ops.say, ("a",), {}), (ops.say, (1, 2), {}),
+        (ops.gain, (1, 2, 3), {}), (ops.total, (1,), {}), (ops.word, (), {}),
+        (ops.flip.can, ("a",), {}), (ops.flip.why, (10**6,), {}), (ops.flip.live, (3,), {}),
+        (ops.flip.each, ([1, 10**6],), {}), (ops.flip.each, ([-1],), {}),
+        (ops.flip.each, (["a"],), {}), (ops.flip.each, ([1.5],), {}), (ops.flip.each, (), {}),
+    ]  # fmt: skip
+    for call, args, kwargs in wrong:
+        with pytest.raises((hedgerow.ArgumentError, TypeError, ValueError)) as caught:
+            call(sphere, *args, **kwargs)
+        assert str(caught.value), call
+    for call in (ops.flip, ops.move, ops.gain, ops.flip.can, ops.flip.live):
+        for mesh in (None, 3, "mesh", object()):
+            with pytest.raises(TypeError):
+                call(mesh)
+    assert sphere.to_bytes() == before
+
+
+def test_erased_elements(ops, sphere):
+    gone = ops.collapse(sphere, 20).erased.edges
+    before = sphere.to_bytes()
+    for call in (ops.flip, ops.flip.can, ops.flip.why, ops.gain):
+        with pytest.raises(hedgerow.ArgumentError, match="no edge of the mesh"):
+            call(sphere, gone[0])
+    assert not ops.flip.each(sphere, gone).any() and sphere.to_bytes() == before
+
+
+def test_a_mesh_below_the_level(ops):
+    # Two triangles back to back with two edges between the same vertices.
+    pillow = Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 1]])
+    before = pillow.to_bytes()
+    for call in (ops.flip, ops.flip.can, ops.flip.why):
+        try:
+            call(pillow, 0)
+        except hedgerow.MeshError as error:
+            assert error.code == "below-level"
+    assert pillow.to_bytes() == before
+
+
+def test_each(ops, sphere, rng):
+    one_by_one, at_once = sphere.copy(), sphere.copy()
+    edges = rng.integers(0, sphere.edges.size, 200)
+    slow = [bool(ops.flip(one_by_one, e)) for e in edges]
+    assert ops.flip.each(at_once, edges).tolist() == slow and at_once == one_by_one
+    assert ops.flip.each(at_once, np.asarray(edges[:5], np.int32)).shape == (5,)
+    assert ops.flip.each(at_once, []).shape == (0,)
+
+
+def test_live_masks(ops, rng):
+    mesh = Mesh.grid(6, 6, triangles=True)
+    actions = [ops.flip, ops.split, ops.collapse]
+    live = [op.live(mesh) for op in actions]
+    applied = 0
+    for _ in range(150):
+        at = rng.integers(3)
+        edge = live[at].pick(rng.random())
+        if edge is None:
+            continue
+        assert live[at][edge]
+        done = actions[at](mesh, edge)
+        applied += bool(done)
+        for op, mask in zip(actions, live):
+            fresh = op.can(mesh)
+            assert (mask.array == fresh).all() and (op.can(mesh, near=done) == fresh).all()
+            assert mask.count() == fresh.sum() and mask.numbers().tolist() == np.flatnonzero(fresh).tolist()
+    assert applied > 100
+    before = live[0].array
+    with mesh.trial():
+        ops.flip(mesh, live[0].pick(0.5))
+        assert len(live[0]) == len(before)
+    assert (live[0].array == before).all()
+    ops.move(mesh)
+    mesh.positions = mesh.positions * 2
+    assert (np.asarray(live[0]) == ops.flip.can(mesh)).all()
+    with pytest.raises(IndexError):
+        live[0][10**6]
+
+
+def test_pictures_and_proofs(ops, tmp_path):
+    picture = ops.flip.diagram()
+    assert picture._repr_svg_().startswith("<svg") and ops.flip._repr_svg_() == picture.svg
+    assert "v0" in str(picture)
+    picture.save(tmp_path / "flip.svg")
+    assert (tmp_path / "flip.svg").read_text() == picture.svg
+    proof = ops.flip.check()
+    assert proof.level == "simple" and "simple" in proof.keeps and proof.rules[0]["cases"] > 0
+    assert "triangles" in proof.rules[0]["keeps"]
+
+
+def test_programs_pickle(ops, sphere):
+    for thing in (ops, ops.flip, ops.move, ops.gain):
+        back = pickle.loads(pickle.dumps(thing))
+        assert type(back) is type(thing)
+    assert pickle.loads(pickle.dumps(ops)) is pickle.loads(pickle.dumps(ops))
+    assert pickle.loads(pickle.dumps(ops)) == ops
+    # Operations of another program work on the same mesh.
+    other = pickle.loads(pickle.dumps(ops.flip))
+    assert other(sphere, 3) and ops.flip(sphere, 4)
+
+
+def test_interrupts(ops, sphere):
+    threading.Timer(0.4, signal.raise_signal, (signal.SIGINT,)).start()
+    started = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        ops.forever(sphere)
+    assert time.perf_counter() - started < 20
+    sphere.check()
+
+
+def test_progress(ops, sphere):
+    told = []
+
+    def stop_at_last(done, total):
+        told.append((done, total))
+        if len(told) == 3:
+            raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        ops.forever(sphere, progress=stop_at_last)
+    assert len(told) == 3 and told[0][1] is None and told[0][0] < told[2][0]
+    pytest.importorskip("tqdm")
+    ops.move(sphere, progress=True)
+    ops.move(sphere, progress=False)
+
+
+def test_a_running_mesh_is_busy(ops, sphere):
+    seen, other = [], sphere.copy()
+
+    def look(done, total):
+        for use in (lambda: sphere.vertices, lambda: ops.flip(sphere, 3), sphere.copy,
+                    lambda: sphere == other, lambda: setattr(sphere, "positions", other.positions)):  # fmt: skip
+            with pytest.raises(hedgerow.BusyError):
+                use()
+        seen.append(ops.flip(other, 3))
+        raise LookupError
+
+    with pytest.raises(LookupError):
+        ops.forever(sphere, progress=look)
+    assert len(seen) == 1 and ops.flip(sphere, 3)
+
+
+def test_the_lock_is_released(ops, sphere):
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    looks = []
+
+    def look(*_):
+        looks.append(counted[0])
+        if len(looks) == 4:
+            raise LookupError
+
+    with pytest.raises(LookupError):
+        ops.forever(sphere, progress=look)
+    done.set()
+    thread.join()
+    assert looks[-1] - looks[0] > 10

@@ -1,0 +1,334 @@
+//! The syntactic context of a cursor, found by the tokens before it: so it is known also where
+//! nothing around it can be read.
+
+use super::names::SideName;
+use super::snapshot::Snapshot;
+use crate::syntax::tree::{self, Item, Rule};
+use crate::syntax::{Token, TokenKind as T};
+
+/// The syntactic context of a cursor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CursorContext {
+    /// Between items.
+    Top,
+    /// In a comment, a text or a number, or where a new name is made up.
+    Nowhere,
+    /// In the quotes of a `use`.
+    Path,
+    /// A type is wanted.
+    Type,
+    /// Behind `keeps`.
+    Property,
+    /// Behind `guard`.
+    Level,
+    /// Behind the arrow of an op's head.
+    Result,
+    /// In an op, between its parts.
+    OpBody,
+    /// In an op of alternatives, between them.
+    Side(SideName, Wanted),
+    /// A value is wanted; perhaps a statement may begin as well.
+    Value(Start),
+    /// Behind a dot: the words of the chain before it, such as `e`, `halfedge`.
+    Field(Vec<String>),
+}
+
+/// True if a statement of a script may begin where a value is wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// A statement may begin.
+    Statement,
+    /// Only a value goes on.
+    Value,
+    /// A sequence is wanted.
+    Sequence,
+}
+
+/// The next token that a drawing wants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// A statement.
+    Statement,
+    /// A face.
+    Face,
+    /// An edge.
+    Edge,
+    /// A vertex of a loop.
+    LoopVertex,
+    /// The vertex of a statement of its spokes.
+    StarVertex,
+    /// A halfedge of a loop.
+    LoopHalfedge,
+    /// A path of a loop.
+    Path,
+    /// A halfedge of an edge.
+    EdgeHalfedge,
+    /// A spoke, or a statement.
+    Spoke,
+    /// A fan.
+    Fan,
+    /// Something new, or a statement.
+    New,
+    /// Something to erase, or a statement.
+    Erase,
+    /// Something to keep, or a statement.
+    Keep,
+}
+
+/// The tokens before the word at a byte.
+pub fn before(snapshot: &Snapshot, offset: usize) -> &[Token] {
+    let tokens = &snapshot.parsed().tokens;
+    let end = tokens.partition_point(|token| (token.span.start as usize) < offset);
+    match tokens[..end].last() {
+        Some(word) if word.kind.is_wordlike() && word.span.end as usize >= offset => {
+            &tokens[..end - 1]
+        }
+        _ => &tokens[..end],
+    }
+}
+
+/// The context of the cursor at a byte.
+pub fn place(snapshot: &Snapshot, offset: usize) -> CursorContext {
+    let in_comment = snapshot.parsed().comments.iter().any(|comment| {
+        (comment.span.start as usize) < offset && offset <= comment.span.end as usize
+    });
+    if in_comment {
+        return CursorContext::Nowhere;
+    }
+    let tokens = before(snapshot, offset);
+    let Some(last) = tokens.last() else {
+        return CursorContext::Top;
+    };
+    let is_text = matches!(last.kind, T::Text | T::TextTail | T::OpenText);
+    if is_text && last.span.end as usize >= offset {
+        let is_use = tokens.iter().rev().nth(1).map(|token| token.kind) == Some(T::Use);
+        let is_inside = (last.span.end as usize) > offset || last.kind == T::OpenText;
+        return match (is_use, is_inside) {
+            (true, true) => CursorContext::Path,
+            _ => CursorContext::Nowhere,
+        };
+    }
+    if last.kind == T::Dot {
+        return CursorContext::Field(chain(snapshot, &tokens[..tokens.len() - 1]));
+    }
+    let start = tokens.iter().rposition(|token| begins_item(snapshot, *token));
+    let Some(start) = start else {
+        return CursorContext::Top;
+    };
+    within(&tokens[start..])
+}
+
+/// True if a token begins an item: one of their keywords, first in its line or behind the end of
+/// another.
+fn begins_item(snapshot: &Snapshot, token: Token) -> bool {
+    let is_keyword =
+        matches!(token.kind, T::Op | T::Script | T::Fn | T::Attr | T::Use | T::Test | T::Private);
+    let before = &snapshot.text()[..token.span.start as usize];
+    let line = before.rsplit('\n').next().unwrap_or("");
+    is_keyword && (line.trim().is_empty() || line.trim_end().ends_with('}'))
+}
+
+/// The words of `e.halfedge.`, from the end of a chain back.
+fn chain(snapshot: &Snapshot, tokens: &[Token]) -> Vec<String> {
+    let mut words = Vec::new();
+    let mut at = tokens.len();
+    while let Some(token) = at.checked_sub(1).map(|before| tokens[before]) {
+        if token.kind == T::RightBracket {
+            // A subscript: `v[i+1]`.
+            let open = tokens[..at].iter().rposition(|token| token.kind == T::LeftBracket);
+            match open {
+                Some(open) => at = open,
+                None => break,
+            }
+            continue;
+        }
+        if !token.kind.is_wordlike() {
+            break;
+        }
+        words.push(snapshot.sources().slice(token.span).to_owned());
+        at -= 1;
+        if at.checked_sub(1).map(|dot| tokens[dot].kind) != Some(T::Dot) {
+            break;
+        }
+        at -= 1;
+    }
+    words.reverse();
+    words
+}
+
+/// The context at which the tokens of an item break off.
+fn within(tokens: &[Token]) -> CursorContext {
+    let mut open: Vec<(T, T)> = Vec::new();
+    let mut opener = tokens[0].kind;
+    let mut closed = false;
+    for token in &tokens[1..] {
+        match token.kind {
+            T::LeftBrace => open.push((T::LeftBrace, opener)),
+            T::LeftParen => open.push((T::LeftParen, opener)),
+            T::RightBrace => {
+                while let Some((bracket, of)) = open.pop() {
+                    if bracket == T::LeftBrace {
+                        opener = of;
+                        break;
+                    }
+                }
+                closed = open.is_empty();
+                // Behind a side the op goes on; behind a block its steps do.
+                if matches!(opener, T::Before | T::After | T::Rule | T::Steps) {
+                    opener = open.last().map_or(tokens[0].kind, |(_, of)| *of);
+                }
+            }
+            T::RightParen => {
+                open.pop_if(|(bracket, _)| *bracket == T::LeftParen);
+            }
+            // A step.
+            T::Require if opener == T::Steps => {}
+            T::Before | T::After | T::Rule | T::Steps | T::Require | T::Guard | T::Each => {
+                opener = token.kind;
+            }
+            _ => {}
+        }
+    }
+    let last = tokens[tokens.len() - 1].kind;
+    match tokens[0].kind {
+        _ if closed => CursorContext::Top,
+        T::Use => CursorContext::Nowhere,
+        T::Attr | T::Private => match last {
+            T::Colon => CursorContext::Type,
+            T::Equals => CursorContext::Value(Start::Value),
+            T::Attr | T::Private => CursorContext::Nowhere,
+            _ => CursorContext::Type,
+        },
+        first => match open.iter().rev().find(|(bracket, _)| *bracket == T::LeftBrace) {
+            None => head(tokens, last),
+            Some((_, T::Before)) => side(tokens, SideName::Before),
+            Some((_, T::After)) => side(tokens, SideName::After),
+            Some((_, T::Steps)) => value(last),
+            Some((_, T::Each)) => CursorContext::Nowhere,
+            Some(_) if first == T::Op => op_body(opener, last),
+            Some(_) => value(last),
+        },
+    }
+}
+
+/// In the head of an item.
+fn head(tokens: &[Token], last: T) -> CursorContext {
+    let keeps = tokens.iter().any(|token| token.kind == T::Keeps);
+    match last {
+        T::Colon => CursorContext::Type,
+        T::Arrow if tokens[0].kind == T::Op => CursorContext::Result,
+        T::Arrow => CursorContext::Type,
+        T::Equals => CursorContext::Value(Start::Value),
+        T::Keeps | T::Comma if keeps => CursorContext::Property,
+        _ => CursorContext::Nowhere,
+    }
+}
+
+fn op_body(opener: T, last: T) -> CursorContext {
+    match (opener, last) {
+        (_, T::Guard) => CursorContext::Level,
+        (_, T::Rule) => CursorContext::Nowhere,
+        (T::Require, T::Word | T::RightParen | T::True | T::False | T::Int | T::Real) => {
+            CursorContext::OpBody
+        }
+        (T::Require, T::Text) => CursorContext::OpBody,
+        (T::Require, T::Else) => CursorContext::Nowhere,
+        (T::Require, T::In) => CursorContext::Value(Start::Sequence),
+        (T::Require, _) => CursorContext::Value(Start::Value),
+        _ => CursorContext::OpBody,
+    }
+}
+
+/// In the block of a script.
+fn value(last: T) -> CursorContext {
+    CursorContext::Value(match last {
+        T::LeftBrace | T::RightBrace | T::RightParen | T::Word | T::Int | T::Real | T::Text => {
+            Start::Statement
+        }
+        T::In => Start::Sequence,
+        T::Let | T::Var | T::For | T::Drain | T::Update => return CursorContext::Nowhere,
+        T::Colon => return CursorContext::Type,
+        _ => Start::Value,
+    })
+}
+
+/// In a drawing.
+fn side(tokens: &[Token], side: SideName) -> CursorContext {
+    let begins = |kind| {
+        matches!(
+            kind,
+            T::Face | T::Hole | T::Loop | T::Edge | T::Vertex | T::New | T::Keep | T::Erase
+        )
+    };
+    let stops = |kind| begins(kind) || matches!(kind, T::Before | T::After | T::Equals);
+    let start = tokens.iter().rposition(|token| stops(token.kind));
+    let Some(start) = start else {
+        return CursorContext::Side(side, Wanted::Statement);
+    };
+    let rest: Vec<T> = tokens[start + 1..].iter().map(|token| token.kind).collect();
+    let last = rest.last().copied();
+    let has_colon = rest.contains(&T::Colon);
+    let wanted = match tokens[start].kind {
+        T::Equals => match last {
+            // `=P=>` ends with its own arrow; a value ends where a word stands.
+            Some(T::Word | T::RightParen | T::Int | T::Real) => Wanted::Statement,
+            _ if is_path(tokens, start) => Wanted::Path,
+            _ => return CursorContext::Value(Start::Value),
+        },
+        T::Face | T::Hole | T::Loop => match last {
+            None => Wanted::Face,
+            Some(T::Colon | T::Arrow | T::FatArrow) => Wanted::LoopVertex,
+            Some(T::Minus) => Wanted::LoopHalfedge,
+            _ if has_colon => Wanted::Statement,
+            _ => return CursorContext::Nowhere,
+        },
+        T::Edge => match last {
+            None => Wanted::Edge,
+            Some(T::Colon | T::Bar) => Wanted::EdgeHalfedge,
+            _ => Wanted::Statement,
+        },
+        T::Vertex => match last {
+            None => Wanted::StarVertex,
+            Some(T::Star) => Wanted::Fan,
+            _ if has_colon => Wanted::Spoke,
+            _ => return CursorContext::Nowhere,
+        },
+        T::New => Wanted::New,
+        T::Erase => Wanted::Erase,
+        T::Keep => Wanted::Keep,
+        _ => Wanted::Statement,
+    };
+    CursorContext::Side(side, wanted)
+}
+
+/// True if an `=` begins an arrow of a loop: a vertex stands before it, behind a colon or another
+/// arrow.
+fn is_path(tokens: &[Token], equals: usize) -> bool {
+    let kind = |back: usize| equals.checked_sub(back).map(|at| tokens[at].kind);
+    kind(1).is_some_and(T::is_wordlike)
+        && matches!(kind(2), Some(T::Colon | T::Arrow | T::FatArrow))
+}
+
+/// The rule that a cursor is in or, if that is not finished, behind; with its op, and the
+/// indices of both.
+pub fn rule_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, usize, &Rule)> {
+    let (item, op) = op_near(snapshot, offset)?;
+    let touched = op.rules.iter().position(|rule| rule.span.touches(offset));
+    let behind = || op.rules.iter().rposition(|rule| rule.span.start as usize <= offset);
+    let rule = touched.or_else(behind)?;
+    Some((item, rule, &op.rules[rule]))
+}
+
+/// The op that a cursor is in or, if that is not finished, behind.
+pub fn op_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &tree::Op)> {
+    match item_near(snapshot, offset)? {
+        (at, Item::Op(op)) => Some((at, op)),
+        _ => None,
+    }
+}
+
+/// The item that a cursor is in or behind, and its index.
+pub fn item_near(snapshot: &Snapshot, offset: usize) -> Option<(usize, &Item)> {
+    let mut items = snapshot.items().iter().enumerate().rev();
+    items.find(|(_, item)| (item.span().start as usize) <= offset)
+}

@@ -1,0 +1,45 @@
+//! Foreign syntax in items that can be read as something else.
+//!
+//! `h.face is None` is read as three values, `flip(mesh, e)` as a call. What the resolver says of
+//! such a line follows from one thing, which is told in its place.
+
+use super::files::Part;
+use crate::diagnostic::Diagnostic;
+use crate::source::{Sources, Span};
+use crate::syntax::written_elsewhere;
+
+/// The codes of words that are not known.
+const UNKNOWN: [&str; 4] = ["unknown-field", "unknown-function", "unknown-name", "unused-value"];
+
+/// Puts what is written as elsewhere in the place of what the resolver says of its line.
+pub(super) fn tell_as_elsewhere(parts: &[Part], told: &mut Vec<Diagnostic>, sources: &Sources) {
+    for part in parts {
+        let text = sources.get(part.file).text();
+        let line = |span: Span| {
+            text.get(..span.start as usize).map_or(0, |before| before.matches('\n').count())
+        };
+        for item in &part.parsed.tree.items {
+            let whole = item.span();
+            let inside = |error: &Diagnostic| {
+                let place = error.span();
+                place.file == part.file && whole.touches(place.start as usize)
+            };
+            let unknown =
+                told.iter().filter(|error| inside(error) && UNKNOWN.contains(&error.code));
+            // What has a fix is understood.
+            let unknown = unknown.filter(|error| error.fixes.is_empty());
+            let lines: Vec<_> = unknown.map(|error| line(error.span())).collect();
+            if lines.is_empty() {
+                continue;
+            }
+            let tokens = &part.parsed.tokens;
+            let begin = tokens.partition_point(|token| token.span.start < whole.start);
+            let end = tokens.partition_point(|token| token.span.start < whole.end);
+            let asked = |span: Span| lines.contains(&line(span));
+            let found = written_elsewhere(text, &tokens[begin..end], asked);
+            let lines: Vec<_> = found.iter().map(|found| line(found.span())).collect();
+            told.retain(|error| !inside(error) || !lines.contains(&line(error.span())));
+            told.extend(found);
+        }
+    }
+}

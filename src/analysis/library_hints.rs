@@ -1,0 +1,104 @@
+//! Library hints: files of the library that declare what a file calls and does not use.
+//!
+//! `split(e)` alone is an unknown op; the library has several of that name, each in a file that
+//! only has to be used. Which files those are is found in their texts: this is asked only after
+//! a mistake, and the library declares each op and function at the beginning of a line.
+
+use std::collections::BTreeSet;
+
+use crate::diagnostic::Diagnostic;
+use crate::library::{self, LibraryFile};
+use crate::source::{Sources, Span};
+
+/// Says of each unknown op or function in which files of the library there is one.
+pub(super) fn tell_where(diagnostics: &mut [Diagnostic], sources: &Sources) {
+    for told in diagnostics {
+        if matches!(told.code, "unknown-op" | "unknown-function") {
+            name_files(told, sources);
+        }
+    }
+}
+
+fn name_files(told: &mut Diagnostic, sources: &Sources) {
+    let span = told.span();
+    let source = sources.get(span.file);
+    let Some(word) = source.text().get(span.range()) else {
+        return;
+    };
+    let files = library::files().filter(|file| declares(file, word) && file.name != source.name());
+    let names: Vec<_> = files.map(|file| format!("`{}`", file.name)).collect();
+    let [first, others @ ..] = names.as_slice() else {
+        return;
+    };
+    let line = format!("use \"{}\"", first.trim_matches('`'));
+    *told = match others {
+        [] if is_welcome(first.trim_matches('`'), sources) => {
+            let (place, text) = head(source.text(), span, &line);
+            let told = told.clone().note(format!("the library has it in {first}"));
+            told.fix(format!("insert `{line}`"), place, text)
+        }
+        [] => told.clone().note(format!(
+            "the library has it in {first}, which cannot be used as it is: it declares a name that \
+             there is already, or makes elements without an attribute that has no default"
+        )),
+        _ => told.clone().note(format!(
+            "the library has one in {}; to use the first, write `{line}` at the head of the file",
+            names.join(", ")
+        )),
+    };
+}
+
+/// True if a file of the library can be used without more ado: it declares no name that there is
+/// already, and there is no attribute for which what it makes would lack a value.
+fn is_welcome(name: &str, sources: &Sources) -> bool {
+    let Some(file) = library::file(name) else { return false };
+    let theirs: BTreeSet<&str> = declared(file.text).map(|(_, name)| name).collect();
+    let others = sources.ids().map(|file| sources.get(file)).filter(|other| other.name() != name);
+    let mut ours = others.flat_map(|other| declared(other.text()));
+    !ours.any(|(line, name)| {
+        theirs.contains(name) || line.starts_with("attr ") && !line.contains('=')
+    })
+}
+
+/// The lines of a text that declare an op, a function or an attribute, each with the name.
+fn declared(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    text.lines().filter_map(|line| {
+        let line = line.trim_start();
+        let named = ["op ", "fn ", "attr ", "private attr "];
+        let rest = named.iter().find_map(|word| line.strip_prefix(word))?;
+        let is_word = |letter: char| letter.is_alphanumeric() || letter == '_';
+        Some((line, rest.trim_start().split(|letter| !is_word(letter)).next()?))
+    })
+}
+
+/// True if a file of the library declares an op or a function of this name.
+fn declares(file: &LibraryFile, word: &str) -> bool {
+    file.text.lines().any(|line| {
+        let named = line.strip_prefix("op ").or_else(|| line.strip_prefix("fn "));
+        let behind = named.and_then(|named| named.strip_prefix(word));
+        behind.is_some_and(|behind| behind.starts_with('('))
+    })
+}
+
+/// The insertion of a `use` into the text of a file: behind the last one, else before the first
+/// item and the comments about it.
+fn head(text: &str, of: Span, line: &str) -> (Span, String) {
+    let at = |place: usize| {
+        let place = u32::try_from(place).unwrap_or(u32::MAX);
+        Span { start: place, end: place, ..of }
+    };
+    let (mut place, mut first, mut last) = (0, None, None);
+    for written in text.split_inclusive('\n') {
+        if written.starts_with("use ") {
+            last = Some(place + written.trim_end().len());
+        }
+        if first.is_none() && !written.trim().is_empty() && !written.starts_with("//!") {
+            first = Some(place);
+        }
+        place += written.len();
+    }
+    match last {
+        Some(last) => (at(last), format!("\n{line}")),
+        None => (at(first.unwrap_or(0)), format!("{line}\n\n")),
+    }
+}

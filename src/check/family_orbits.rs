@@ -1,0 +1,126 @@
+//! Orbits drawn with `each`: how their families are bound, by a walk once around.
+
+use super::matching::Step;
+use super::pointer::Leads;
+use super::reach::Reach;
+use crate::diagram::{Kind, NameId, Spoke};
+
+/// An orbit with `each`, as the pieces of the unrolled rule, in order.
+struct Around {
+    orbit: NameId,
+    along_loop: bool,
+    /// The halfedges of the whole orbit; none if it has runs, which cannot be walked over.
+    halfedges: Vec<NameId>,
+    /// The number of them in one period.
+    period: usize,
+}
+
+impl Reach<'_> {
+    /// Binds the families of one orbit with `each` of which a halfedge is known; `false` if
+    /// there is none.
+    pub fn walk(&mut self) -> bool {
+        let rule = self.drawing.rule;
+        for around in self.orbits() {
+            let first = around.halfedges.iter().position(|&half| {
+                rule.is_first(half) && self.begun.contains(&half) && !self.is_bound(half)
+            });
+            let Some(first) = first else { continue };
+            let count = around.halfedges.len();
+            let turned = (0..around.period).map(|at| around.halfedges[(first + at) % count]);
+            let halfedges: Vec<_> = turned.collect();
+            // The walk begins where the family does.
+            let known = halfedges[0];
+            self.begun.retain(|&begun| begun != known);
+            self.steps.push(Step::Walk { orbit: around.orbit, halfedges: halfedges.clone() });
+            for half in halfedges {
+                self.now_bound(half);
+            }
+            self.use_pointers(&around);
+            return true;
+        }
+        false
+    }
+
+    /// The walk goes along these.
+    fn use_pointers(&mut self, around: &Around) {
+        let leads = match around.along_loop {
+            true => Leads::Next,
+            false => Leads::Counterclockwise,
+        };
+        let count = around.halfedges.len();
+        for pointer in &mut self.pointers {
+            let at = around.halfedges.iter().position(|&h| h == pointer.from);
+            let next = at.map(|at| around.halfedges[(at + 1) % count]);
+            pointer.used |= pointer.leads == leads && next == Some(pointer.to);
+        }
+    }
+
+    /// The number of halfedges of a face or vertex that are tried as the one to begin with, if not
+    /// all: with `each` those of one period, and as many as are drawn where all are. Where a family
+    /// begins somewhere already, each turn of this one is another match.
+    pub fn tries(&self, element: NameId) -> Option<u16> {
+        let mut orbits = self.orbits().into_iter();
+        let around = orbits.find(|around| around.orbit == element);
+        let walked = self.steps.iter().any(|step| matches!(step, Step::Walk { .. }));
+        let tries = match around {
+            Some(_) if walked || !self.begun.is_empty() => return None,
+            Some(around) => around.period,
+            None => self.whole_orbit(element)?,
+        };
+        u16::try_from(tries).ok()
+    }
+
+    /// The number of halfedges of a loop or a star that is drawn without runs.
+    fn whole_orbit(&self, element: NameId) -> Option<usize> {
+        let (rule, before) = (self.drawing.rule, &self.drawing.before);
+        match rule.kind(element) {
+            Kind::Face => {
+                let items = &before.loop_of_face(element)?.items;
+                let mut kinds = items.iter().map(|item| rule.kind(item.item.name));
+                let whole = kinds.all(|kind| kind == Kind::Halfedge);
+                whole.then_some(items.len())
+            }
+            Kind::Vertex => {
+                let spokes = &before.star(element)?.spokes;
+                let is_one = |spoke: &Spoke| matches!(spoke, Spoke::Halfedge(_));
+                spokes.iter().all(is_one).then_some(spokes.len())
+            }
+            _ => None,
+        }
+    }
+
+    fn orbits(&self) -> Vec<Around> {
+        let rule = self.drawing.rule;
+        let size = rule.size().unwrap_or(1) as usize;
+        let mut orbits = Vec::new();
+        for orbit in rule.before.loops.iter().filter(|orbit| orbit.each) {
+            let items = orbit.items.iter().map(|item| item.item.name);
+            let halfedges: Vec<_> =
+                items.filter(|&item| rule.kind(item) == Kind::Halfedge).collect();
+            if halfedges.len() == orbit.items.len() {
+                orbits.push(Around {
+                    orbit: orbit.face.name,
+                    along_loop: true,
+                    period: halfedges.len() / size,
+                    halfedges,
+                });
+            }
+        }
+        for star in rule.before.stars.iter().filter(|star| star.each) {
+            let halfedges = star.spokes.iter().filter_map(|spoke| match spoke {
+                Spoke::Halfedge(half) => Some(half.name),
+                Spoke::Fan(_) | Spoke::Rest(_) => None,
+            });
+            let halfedges: Vec<_> = halfedges.collect();
+            if halfedges.len() == star.spokes.len() {
+                orbits.push(Around {
+                    orbit: star.vertex.name,
+                    along_loop: false,
+                    period: halfedges.len() / size,
+                    halfedges,
+                });
+            }
+        }
+        orbits
+    }
+}

@@ -1,0 +1,69 @@
+//! `hedgerow learn`
+
+use std::path::Path;
+
+use super::arguments::LearnArguments;
+use super::failure::Failure;
+use super::files;
+use super::output::{complain, say, table};
+use crate::analysis::read_program;
+use crate::lessons::{self, Lesson, judge};
+
+/// Lists the lessons, shows one, or judges what somebody has written.
+pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
+    let Some(name) = &arguments.lesson else {
+        let rows = lessons::all().map(|it| vec![it.number().to_string(), it.title.to_owned()]);
+        let rows: Vec<_> = rows.collect();
+        say(&table(&rows, &[true, false]));
+        say("\n`hedgerow learn 1` begins; `hedgerow play` shows the same lessons in a browser");
+        return Ok(());
+    };
+    let lesson = lessons::lesson(name).ok_or_else(|| {
+        Failure::usage(format!("there is no lesson `{name}`; `hedgerow learn` lists them"))
+    })?;
+    match &arguments.file {
+        None => show(&lesson),
+        Some(file) if arguments.start => start(&lesson, file),
+        Some(file) => check(&lesson, file),
+    }
+}
+
+fn show(lesson: &Lesson) -> Result<(), Failure> {
+    let number = lesson.number();
+    say(&format!("{number}. {}\n\n{}\n\n{}", lesson.title, lesson.text, lesson.program));
+    say(&format!(
+        "`hedgerow learn {number} lesson.hedge --start` writes this program to a file; edit it, \
+         and\n`hedgerow learn {number} lesson.hedge` says whether the lesson is solved"
+    ));
+    Ok(())
+}
+
+/// Writes the program of a lesson, over no file that is there.
+fn start(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
+    if file.exists() {
+        let shown = file.display();
+        return Err(Failure::usage(format!("`{shown}` is there already; give another name")));
+    }
+    files::write(file, lesson.program.as_bytes())?;
+    complain(&format!("written: {}", file.display()));
+    Ok(())
+}
+
+fn check(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
+    let text = read_program(file)
+        .map_err(|why| Failure::usage(format!("cannot read `{}`: {why}", file.display())))?;
+    match judge(lesson, &text) {
+        Ok(()) => {
+            let next = lesson.number() + 1;
+            let next = lessons::lesson(&next.to_string());
+            let next = next.map(|next| format!("; next: {}. {}", next.number(), next.title));
+            say(&format!("solved: {}{}", lesson.title, next.unwrap_or_default()));
+            Ok(())
+        }
+        Err(why) => {
+            complain(why.trim_end());
+            complain(&format!("not solved yet: {}", lesson.title));
+            Err(Failure::NotProved)
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! The answers to requests.
+
+use std::io::Read;
+use std::path::Path;
+
+use serde_json::json;
+use tiny_http::{Header, Method, Request, Response, StatusCode};
+
+use super::engine::Engine;
+use super::{Opened, page};
+use crate::analysis::read_program;
+use crate::mesh::{FileReason, replace_file};
+use crate::play::Message;
+
+/// The most bytes of a question: a mesh.
+const MOST: u64 = 2 << 30;
+
+/// The content security policy of the page: nothing from elsewhere.
+const POLICY: &str = "default-src 'none'; script-src 'self'; worker-src 'self'; \
+    style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; \
+    base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// Answers requests.
+pub(super) struct Answers {
+    pub port: u16,
+    pub token: String,
+    pub opened: Opened,
+    pub engine: Engine,
+}
+
+/// A body and its type; or a status and why.
+type Answer = Result<(Vec<u8>, &'static str), (u16, String)>;
+
+const JSON: &str = "application/json";
+const BYTES: &str = "application/octet-stream";
+
+impl Answers {
+    /// Answers a request.
+    pub fn answer(&self, mut request: Request) {
+        let answer = self.answer_to(&mut request);
+        let (status, (body, kind)) = match answer {
+            Ok(answer) => (200, answer),
+            Err((status, why)) => (status, (why.into_bytes(), "text/plain; charset=utf-8")),
+        };
+        let headers = [
+            ("Content-Type", kind),
+            ("Content-Security-Policy", POLICY),
+            ("X-Content-Type-Options", "nosniff"),
+            ("Referrer-Policy", "no-referrer"),
+            ("Cache-Control", "no-store"),
+        ];
+        let mut response = Response::from_data(body).with_status_code(StatusCode(status));
+        for (name, value) in headers {
+            if let Ok(header) = Header::from_bytes(name, value) {
+                response.add_header(header);
+            }
+        }
+        // A page that is gone does not want to know.
+        let _ = request.respond(response);
+    }
+
+    fn answer_to(&self, request: &mut Request) -> Answer {
+        let refused = |why: &str| Err((403, why.to_owned()));
+        let header = |name: &'static str| {
+            let mut headers = request.headers().iter();
+            headers.find(|header| header.field.equiv(name)).map(|header| header.value.to_string())
+        };
+        let hosts = [format!("127.0.0.1:{}", self.port), format!("localhost:{}", self.port)];
+        if !header("Host").is_some_and(|host| hosts.contains(&host)) {
+            return refused("another host");
+        }
+        let is_own = |origin: String| {
+            origin.strip_prefix("http://").is_some_and(|origin| hosts.iter().any(|it| it == origin))
+        };
+        if !header("Origin").is_none_or(is_own) {
+            return refused("another origin");
+        }
+        let url = request.url().to_owned();
+        let path = url.split('?').next().unwrap_or("");
+        let inside = path.strip_prefix('/').and_then(|path| path.strip_prefix(&self.token));
+        let Some(asked) = inside.and_then(|path| path.strip_prefix('/')).map(str::to_owned) else {
+            return refused(
+                "the address is not complete: open the one that `hedgerow play` prints",
+            );
+        };
+        let mut body = Vec::new();
+        let read = request.as_reader().take(MOST).read_to_end(&mut body);
+        read.map_err(|error| (400, error.to_string()))?;
+        let ended = || (500, "it has ended".to_owned());
+        match (request.method(), asked.as_str()) {
+            (Method::Get, "") => page::file("index.html", &self.token),
+            (Method::Get, name) => page::file(name, &self.token),
+            (Method::Post, "ask") => {
+                let question = Message::read(&body).map_err(|why| (400, why))?;
+                let answer = self.engine.ask(question).ok_or_else(ended)?;
+                Some((answer.write(), BYTES))
+            }
+            (Method::Post, "lsp") => {
+                let messages = serde_json::from_slice(&body);
+                let messages = messages.map_err(|error| (400, error.to_string()))?;
+                Some((self.engine.speak(messages).ok_or_else(ended)?.into_bytes(), JSON))
+            }
+            (Method::Post, "progress") => {
+                let [done, total] = self.engine.progress();
+                let json = json!({ "done": done, "total": total });
+                Some((Message { json, bytes: Vec::new() }.write(), BYTES))
+            }
+            (Method::Post, "stop") => {
+                self.engine.stop();
+                Some((Vec::new(), BYTES))
+            }
+            (Method::Post, "start") => Some((self.start().write(), BYTES)),
+            (Method::Post, "save") => Some((self.save(&body).write(), BYTES)),
+            _ => None,
+        }
+        .ok_or_else(|| (404, "nothing here".to_owned()))
+    }
+
+    /// The program and the mesh that the page begins with.
+    fn start(&self) -> Message {
+        let shown = |path: &Path| path.display().to_string();
+        let Opened { program, mesh } = &self.opened;
+        let text = match program.as_deref().map(read_program).transpose() {
+            Ok(text) => text,
+            Err(why) => return Message::error(why),
+        };
+        let bytes = match mesh.as_deref().map(std::fs::read).transpose() {
+            Ok(bytes) => bytes.unwrap_or_default(),
+            Err(error) => return Message::error(error.to_string()),
+        };
+        let json = json!({
+            "program": program.as_deref().map(shown),
+            "text": text,
+            "mesh": mesh.as_deref().map(shown),
+        });
+        Message { json, bytes }
+    }
+
+    /// Writes the program that was opened.
+    fn save(&self, text: &[u8]) -> Message {
+        let Some(program) = &self.opened.program else {
+            return Message::error("no program was opened: download it");
+        };
+        let written = replace_file(program, |file| file.write_all(text).map_err(FileReason::Io));
+        match written {
+            Ok(()) => Message { json: json!({ "saved": program }), bytes: Vec::new() },
+            Err(reason) => Message::error(format!("{}: {reason}", program.display())),
+        }
+    }
+}

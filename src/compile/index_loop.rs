@@ -1,0 +1,39 @@
+//! Loops over the indices of a cycle.
+
+use super::registers::Registers;
+use crate::rewrite::{Assembler, Inst, Label, Mark, Reg};
+
+/// A loop over the indices, to be ended.
+pub(super) struct IndexLoop {
+    begin: Label,
+    end: Label,
+    mark: Mark,
+    outer: Option<Reg>,
+}
+
+impl Registers {
+    /// Begins what is done for each index. The registers taken inside are given back.
+    pub fn begin_turns(&mut self, asm: &mut Assembler) -> IndexLoop {
+        let indices = IndexLoop {
+            begin: asm.label(),
+            end: asm.label(),
+            mark: asm.mark(),
+            outer: self.index(),
+        };
+        let index = asm.reg();
+        asm.emit(Inst::Const { to: index, bits: -1_i64 as u64 });
+        asm.bind(indices.begin);
+        let buffer = self.cycle.unwrap_or_default();
+        asm.emit(Inst::NextIndex { buffer, index, otherwise: indices.end });
+        self.set_index(Some(index));
+        indices
+    }
+
+    /// Ends what is done for each index.
+    pub fn end_turns(&mut self, asm: &mut Assembler, indices: IndexLoop) {
+        asm.emit(Inst::Jump { to: indices.begin });
+        asm.bind(indices.end);
+        asm.release(indices.mark);
+        self.set_index(indices.outer);
+    }
+}

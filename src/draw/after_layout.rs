@@ -1,0 +1,152 @@
+//! Places of the nodes of `after`.
+//!
+//! A vertex keeps its place, unless the operation moves it to one that the drawing tells, as the
+//! middle of an edge that is collapsed. Nodes of `after` only are placed between those that are
+//! there already, where their assignment puts them if it says so.
+
+use glam::DVec2;
+
+use super::assigned::assigned;
+use super::components::parts;
+use super::curve::{Curve, area, cross};
+use super::example::moved_on_mesh;
+use super::figure::{Figure, Node};
+use super::layout::{NEAR, pulls, settle, stretch};
+use super::routing::{bend_beside, bend_paths};
+
+/// The places of the nodes on the side `after`; those that it does not show keep theirs.
+pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Option<DVec2>> {
+    let all_stay = || placed(figure, before, before.to_vec());
+    if let Some(moved) = moved_on_mesh(figure, before) {
+        return placed(figure, before, moved);
+    }
+    match moved(figure, before) {
+        Some(moved) => {
+            let (moved, stay) = (placed(figure, before, moved), all_stay());
+            match faults(figure, &moved) > faults(figure, &stay) {
+                true => stay,
+                false => moved,
+            }
+        }
+        None => all_stay(),
+    }
+}
+
+/// The places with those that the operation moves, if it moves any. Paths that begin or end there
+/// have to be bent anew.
+fn moved(figure: &Figure, before: &[Option<DVec2>]) -> Option<Vec<Option<DVec2>>> {
+    // Parts stand side by side by chance: what lies between them is nowhere.
+    if parts(figure, &figure.before).len() > 1 {
+        return None;
+    }
+    let mut places = before.to_vec();
+    for (name, to) in assigned(figure, before) {
+        let nodes: Vec<_> = figure.nodes_of(name).collect();
+        // What is drawn twice has no one place.
+        if let [node] = nodes[..]
+            && before[node].is_some_and(|from| (from - to).length() > NEAR)
+        {
+            places[node] = Some(to);
+        }
+    }
+    let way = |node: usize| Some(places[node]? - before[node]?);
+    let mut bends = Vec::new();
+    for strand in &figure.after.strands {
+        let ways = strand.ends().map(|end| way(end).unwrap_or_default());
+        if ways != [DVec2::ZERO; 2] {
+            let inner = &strand.nodes[1..strand.nodes.len() - 1];
+            let by = (ways[0] + ways[1]) / 2.0;
+            bends.extend(inner.iter().map(|&bend| (bend, by, strand.is_path)));
+        }
+    }
+    for (bend, by, is_path) in bends {
+        places[bend] = places[bend].filter(|_| !is_path).map(|at| at + by);
+    }
+    (places != before).then_some(places)
+}
+
+/// The number of strands that cross, and of loops that are turned inside out.
+fn faults(figure: &Figure, places: &[Option<DVec2>]) -> usize {
+    let side = &figure.after;
+    let at = |node: &usize| places[*node].unwrap_or_default();
+    let curve = |nodes: &[usize]| Curve::smooth(&nodes.iter().map(at).collect::<Vec<_>>());
+    let curves: Vec<_> = side.strands.iter().map(|of| curve(&of.nodes)).collect();
+    let mut faults = 0;
+    for (nth, one) in curves.iter().enumerate() {
+        for other in &curves[..nth] {
+            let crosses = |a| other.segments().any(|b| cross(a, b));
+            faults += usize::from(one.segments().any(crosses));
+        }
+    }
+    let loops = side.loops.iter().map(|orbit| side.around(&orbit.darts));
+    let outlines = loops.map(|nodes| nodes.iter().map(at).collect::<Vec<_>>());
+    faults + outlines.filter(|outline| area(outline) < 0.0).count()
+}
+
+/// Places what has no place yet.
+fn placed(
+    figure: &Figure,
+    before: &[Option<DVec2>],
+    mut places: Vec<Option<DVec2>>,
+) -> Vec<Option<DVec2>> {
+    for (name, at) in assigned(figure, before) {
+        let is_taken = places.iter().flatten().any(|other| (*other - at).length() < NEAR);
+        if let Some(node) = figure.vertex(name)
+            && places[node].is_none()
+            && !is_taken
+        {
+            places[node] = Some(at);
+        }
+    }
+    cut_edges(figure, &mut places);
+    bend_paths(figure, before, &mut places);
+    let side = &figure.after;
+    let mut all = places.clone();
+    settle(side, &mut all, &pulls(side));
+    stretch(side, &mut all, &|node| places[node].is_some());
+    for (place, at) in places.iter_mut().zip(&all) {
+        *place = place.or(*at);
+    }
+    // What hangs together with nothing stands in a row below.
+    let low = places.iter().flatten().map(|at| at.y).fold(0.0, f64::max);
+    let mut x = 0.0;
+    for (node, place) in places.iter_mut().enumerate() {
+        if place.is_none() && figure.nodes[node] != Node::Bend {
+            *place = Some(DVec2::new(x, low + 0.7));
+            x += 0.7;
+        }
+    }
+    bend_beside(figure, &mut places);
+    places
+}
+
+/// Places the new vertices that part an edge in two, on it.
+fn cut_edges(figure: &Figure, places: &mut [Option<DVec2>]) {
+    for strand in figure.after.strands.iter().filter(|strand| !strand.is_path) {
+        let mut earlier = figure.before.strands.iter();
+        let old = earlier.find(|old| strand.edge.is_some() && old.edge == strand.edge);
+        let Some(old) = old else { continue };
+        let [a, b] = old.ends();
+        let [from, to] = strand.ends();
+        let (cut, far) = match () {
+            () if from == a => (to, b),
+            () if to == a => (from, b),
+            () if from == b => (to, a),
+            () if to == b => (from, a),
+            () => continue,
+        };
+        let mut others = figure.after.strands.iter();
+        let is_parted = others
+            .any(|other| matches!(other.ends(), ends if ends == [cut, far] || ends == [far, cut]));
+        let middle = old.nodes.len() / 2;
+        if let (Some(a), Some(b)) = (places[old.nodes[middle - 1]], places[old.nodes[middle]])
+            && is_parted
+            && places[cut].is_none()
+        {
+            places[cut] = Some(match old.nodes.len() % 2 {
+                0 => (a + b) / 2.0,
+                _ => b,
+            });
+        }
+    }
+}

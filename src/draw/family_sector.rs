@@ -1,0 +1,49 @@
+//! Families: one sector stands out, the others are faded and have no names.
+//!
+//! The members that stand out are what the statements say where the index is 0: its members, and
+//! those of the next index that it hangs together with. What belongs to no family always does.
+
+use crate::diagram::{NameId, Rule, Side, Spoke};
+
+/// For each name whether it stands out.
+pub(super) fn sector(rule: &Rule) -> Vec<bool> {
+    let Some(size) = rule.size() else {
+        return vec![true; rule.names.len()];
+    };
+    let ids = (0..rule.names.len() as u32).map(NameId);
+    let mut strong: Vec<_> = ids.map(|name| rule.is_first(name)).collect();
+    for side in [&rule.before, &rule.after] {
+        mentions(rule, side, size as usize, &mut |name| {
+            strong[name.index()] = true;
+        });
+    }
+    strong
+}
+
+/// Shows every name that the statements of index 0 mention.
+fn mentions(rule: &Rule, side: &Side, size: usize, see: &mut dyn FnMut(NameId)) {
+    for orbit in side.loops.iter().filter(|orbit| rule.is_first(orbit.face.name)) {
+        let count = match orbit.each {
+            true => orbit.items.len() / size.max(1),
+            false => orbit.items.len(),
+        };
+        for item in &orbit.items[..count] {
+            see(item.from.name);
+            see(item.item.name);
+        }
+        // Where the last of them ends.
+        see(orbit.items[count % orbit.items.len().max(1)].from.name);
+    }
+    for edge in side.edges.iter().filter(|edge| rule.is_first(edge.edge.name)) {
+        edge.halfedges.iter().for_each(|half| see(half.name));
+    }
+    let stars = side.stars.iter().filter(|star| !star.each);
+    for star in stars.filter(|star| rule.is_first(star.vertex.name)) {
+        for spoke in &star.spokes {
+            match spoke {
+                Spoke::Halfedge(mention) | Spoke::Fan(mention) => see(mention.name),
+                Spoke::Rest(_) => {}
+            }
+        }
+    }
+}

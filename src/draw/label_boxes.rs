@@ -1,0 +1,121 @@
+//! Room for texts: boxes that may not overlap, lines they should not cover.
+
+use glam::DVec2;
+
+use super::curve::Curve;
+use super::letters::Label;
+use super::shape::TextBox;
+
+/// The cost of a box on a box, of a box on a line, and a unit of distance from the best place.
+const ON_BOX: f64 = 1000.0;
+const ON_LINE: f64 = 40.0;
+/// The air that a box has around it, and how much it would like to have between it and others.
+const AIR: f64 = 1.5;
+const WIDE_AIR: f64 = 8.0;
+/// The cost of having none of that.
+const CLOSE: f64 = 10.0;
+
+/// A place a text may have, and what it costs to stand there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub at: DVec2,
+    pub cost: f64,
+}
+
+/// The boxes and lines that are drawn already.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Room {
+    lines: Vec<([DVec2; 2], f64)>,
+    boxes: Vec<(DVec2, DVec2)>,
+    /// The texts that have been put.
+    pub texts: Vec<TextBox>,
+}
+
+impl Room {
+    /// Keeps texts away from a curve, by its half width.
+    pub fn draw(&mut self, curve: &Curve, half_width: f64) {
+        self.lines.extend(curve.segments().map(|segment| (segment, half_width)));
+    }
+
+    /// The cost of putting a text somewhere.
+    pub fn cost(&self, at: DVec2, label: &Label) -> f64 {
+        let boxes = label.boxes().into_iter();
+        boxes.map(|(by, half)| self.cost_of_box(at + by, half)).sum()
+    }
+
+    fn cost_of_box(&self, at: DVec2, half: DVec2) -> f64 {
+        let near = |(other, other_half): &(DVec2, DVec2)| {
+            let apart = (at - *other).abs() - half - *other_half;
+            match apart.max_element() {
+                gap if gap < AIR => ON_BOX,
+                gap => CLOSE * (1.0 - gap / WIDE_AIR).max(0.0),
+            }
+        };
+        let boxes: f64 = self.boxes.iter().map(near).sum();
+        let half = half + AIR;
+        let lines =
+            self.lines.iter().filter(|(segment, width)| touches(*segment, at, half + *width));
+        boxes + ON_LINE * (lines.count().min(6) as f64)
+    }
+
+    /// The best of some spots.
+    pub fn best(&self, label: &Label, spots: &[Spot]) -> Spot {
+        let mut best = Spot { at: DVec2::ZERO, cost: f64::MAX };
+        for spot in spots {
+            let cost = spot.cost + self.cost(spot.at, label);
+            if cost < best.cost - 1e-9 {
+                best = Spot { cost, ..*spot };
+            }
+        }
+        best
+    }
+
+    /// Puts a text.
+    pub fn put(&mut self, text: &str, label: &Label, at: DVec2) {
+        for (by, half) in label.boxes() {
+            self.boxes.push((at + by, half));
+            self.texts.push(TextBox {
+                text: text.to_string(),
+                from: (at + by - half).to_array(),
+                to: (at + by + half).to_array(),
+            });
+        }
+    }
+
+    /// True if no two texts overlap.
+    pub fn is_tidy(&self) -> bool {
+        let boxes = &self.boxes;
+        (0..boxes.len()).all(|at| {
+            boxes[..at].iter().all(|(other, other_half)| {
+                let apart = (boxes[at].0 - *other).abs();
+                let reach = boxes[at].1 + *other_half;
+                apart.x >= reach.x - 1e-6 || apart.y >= reach.y - 1e-6
+            })
+        })
+    }
+}
+
+/// True if a segment touches a box.
+fn touches([a, b]: [DVec2; 2], center: DVec2, half: DVec2) -> bool {
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    let (from, along) = (a - center, b - a);
+    for (from, along, half) in [(from.x, along.x, half.x), (from.y, along.y, half.y)] {
+        if along.abs() < 1e-12 {
+            if from.abs() > half {
+                return false;
+            }
+            continue;
+        }
+        let (t, u) = ((-half - from) / along, (half - from) / along);
+        low = low.max(t.min(u));
+        high = high.min(t.max(u));
+    }
+    low <= high
+}
+
+/// The distance from the middle of a box to where it ends in a direction.
+pub(super) fn reach(half: DVec2, direction: DVec2) -> f64 {
+    let x = half.x / direction.x.abs().max(1e-9);
+    let y = half.y / direction.y.abs().max(1e-9);
+    x.min(y)
+}

@@ -1,0 +1,355 @@
+//! Places of the nodes of a figure.
+//!
+//! The outside becomes a convex polygon, what lies inside goes to the middle of its neighbours
+//! (W. T. Tutte, "How to draw a graph", 1963), with a node in every loop to hold it open:
+//! then no two strands cross. The edge an operation is called with lies across, from left to
+//! right. Lengths are in units of the polygon's radius. What `after` does otherwise is in
+//! [`after_layout`](super::after_layout).
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use glam::DVec2;
+
+use super::after_layout::places_after;
+use super::components::{blocks, parts};
+use super::curve::direction;
+use super::example::flat;
+use super::family_sector::sector;
+use super::figure::{Dart, Figure, Node, Side};
+use super::outer::outside;
+use crate::diagram::NameId;
+
+/// The number of times the middles are taken.
+const SWEEPS: usize = 600;
+/// The length of a path, as a multiple of an edge's.
+const PATH_WEIGHT: f64 = 2.0;
+/// The length of a spur.
+const SPUR: f64 = 0.62;
+/// Nodes nearer to each other than this look like one.
+pub(super) const NEAR: f64 = 0.12;
+
+/// The place of every node on both sides.
+pub(super) fn places(figure: &Figure) -> [Vec<DVec2>; 2] {
+    let mut before = flat(figure).unwrap_or_else(|| parts_in_a_row(figure));
+    turn_sector(figure, &mut before);
+    let after = places_after(figure, &before);
+    let known = before.into_iter().zip(&after);
+    let before = known.map(|(before, after)| before.or(*after));
+    [before.collect(), after].map(|places: Vec<Option<DVec2>>| {
+        let places = places.into_iter();
+        places.map(Option::unwrap_or_default).collect()
+    })
+}
+
+/// The places of `before`: what hangs together stands side by side.
+fn parts_in_a_row(figure: &Figure) -> Vec<Option<DVec2>> {
+    let mut places = vec![None; figure.nodes.len()];
+    let parts = parts(figure, &figure.before);
+    let mut x = 0.0;
+    for part in parts {
+        place_blocks(figure, &part, &mut places);
+        let xs = part.iter().filter_map(|&node| places[node]).map(|at: DVec2| at.x);
+        let (low, high) = xs.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        for &node in &part {
+            places[node] = places[node].map(|at| at + DVec2::X * (x - low));
+        }
+        x += (high - low).max(0.0) + 0.9;
+    }
+    level_main(figure, &mut places);
+    places
+}
+
+/// Turns a figure so that the edge an operation is called with lies level, if no corner of the
+/// outside sees to that.
+fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
+    let side = &figure.before;
+    let Some(main) = main_dart(figure).filter(|_| figure.drawing.rule.size().is_none()) else {
+        return;
+    };
+    let among = |_: usize| true;
+    let ring = side.around(&outside(side, &among));
+    let nodes = side.nodes(main);
+    let ends = [nodes[0], nodes[nodes.len() - 1]];
+    let [Some(from), Some(to)] = ends.map(|end| places[end]) else {
+        return;
+    };
+    let is_inside = !ends.iter().any(|end| ring.contains(end));
+    let times = |end: &usize| ring.iter().filter(|node| *node == end).count();
+    // An edge that the outside passes on both sides lies as by chance.
+    let is_between = ends.iter().all(|end| times(end) > 1);
+    if (is_inside || is_between) && (to - from).length() > NEAR {
+        let turn = DVec2::from_angle((to - from).angle_to(DVec2::X));
+        for place in places.iter_mut().flatten() {
+            *place = turn.rotate(*place);
+        }
+    }
+}
+
+/// Turns a figure with families so that the sector that stands out lies at the bottom.
+fn turn_sector(figure: &Figure, places: &mut [Option<DVec2>]) {
+    let rule = figure.drawing.rule;
+    if rule.size().is_none() {
+        return;
+    }
+    let strong = sector(rule);
+    let middle = |is_meant: &dyn Fn(NameId) -> bool| {
+        let (mut sum, mut count) = (DVec2::ZERO, 0.0);
+        for (node, place) in figure.nodes.iter().zip(&*places) {
+            if let (Node::Vertex(name), Some(place)) = (node, place)
+                && rule.is_member(*name)
+                && is_meant(*name)
+            {
+                sum += *place;
+                count += 1.0;
+            }
+        }
+        (count > 0.0).then(|| sum / count)
+    };
+    let [Some(center), Some(there)] =
+        [middle(&|_| true), middle(&|name: NameId| strong[name.index()])]
+    else {
+        return;
+    };
+    let way = there - center;
+    if way.length() > NEAR {
+        let turn = DVec2::from_angle(way.angle_to(DVec2::Y));
+        for place in places.iter_mut().flatten() {
+            *place = center + turn.rotate(*place - center);
+        }
+    }
+}
+
+/// The dart that lies across: that of the first parameter that has one.
+fn main_dart(figure: &Figure) -> Option<Dart> {
+    let rule = figure.drawing.rule;
+    let named = rule.params.iter().flatten().find_map(|&name| {
+        let edge = figure.drawing.before.edge_statement(name);
+        let item = edge.map_or(name, |edge| edge.halfedges[0].name);
+        figure.before.darts[item.index()]
+    });
+    named.or_else(|| figure.before.loops.first()?.darts.first().copied())
+}
+
+/// Places what hangs together: the loops that hang together along edges one after the other,
+/// each on the far side of the vertex that it shares with those before.
+fn place_blocks(figure: &Figure, part: &[usize], places: &mut [Option<DVec2>]) {
+    let among = |node: usize| part.contains(&node);
+    let mut blocks = blocks(&figure.before, part).into_iter();
+    let Some((first, nodes)) = blocks.next() else {
+        return place_part(figure, &figure.before, part, &[], places);
+    };
+    let others: Vec<_> = blocks.collect();
+    let mut rest = others.iter().flat_map(|(_, nodes)| nodes);
+    match rest.next() {
+        None => return place_part(figure, &first, part, &outside(&first, &among), places),
+        Some(_) => place_part(figure, &first, &nodes, &outside(&first, &among), places),
+    }
+    for (side, nodes) in others {
+        let mut here = vec![None; places.len()];
+        place_part(figure, &side, &nodes, &outside(&side, &among), &mut here);
+        let joint = nodes.iter().find(|&&node| places[node].is_some());
+        let Some((joint, at, from)) =
+            joint.and_then(|&joint| Some((joint, places[joint]?, here[joint]?)))
+        else {
+            continue;
+        };
+        let placed: Vec<_> = part.iter().filter_map(|&node| places[node]).collect();
+        let center = placed.iter().copied().sum::<DVec2>() / placed.len().max(1) as f64;
+        let away = (at - center).normalize_or(DVec2::X);
+        let turn = DVec2::from_angle((-from).normalize_or(DVec2::X).angle_to(away));
+        for node in nodes.into_iter().filter(|&node| node != joint) {
+            let place = here[node].map(|place| at + turn.rotate(place - from));
+            places[node] = places[node].or(place);
+        }
+    }
+}
+
+fn place_part(
+    figure: &Figure,
+    side: &Side,
+    part: &[usize],
+    walk: &[Dart],
+    places: &mut [Option<DVec2>],
+) {
+    // Counterclockwise.
+    let outside: Vec<Dart> = walk
+        .iter()
+        .rev()
+        .map(|dart| Dart { strand: dart.strand, forward: !dart.forward })
+        .collect();
+    let ring = side.around(&outside);
+    let mut pulls = pulls(side);
+    let mut all: Vec<Option<DVec2>> = places.to_vec();
+    if ring.is_empty() {
+        if let Some(center) = center_of_star(side, part) {
+            let around = part.iter().filter(|&&node| node != center);
+            let step = TAU / (part.len() - 1) as f64;
+            places[center] = Some(DVec2::ZERO);
+            for (at, &node) in around.enumerate() {
+                places[node] = Some(direction(step * at as f64));
+            }
+            return;
+        }
+        let angle = |at: usize| PI - TAU * at as f64 / part.len() as f64;
+        for (at, &node) in part.iter().enumerate() {
+            places[node] = Some(direction(angle(at)));
+        }
+        return;
+    }
+    let angles = angles(figure, side, &outside, &ring);
+    let mut once = ring.clone();
+    once.sort_unstable();
+    once.dedup();
+    let simple = once.len() == ring.len() && ring.len() >= 3;
+    for (&node, &angle) in ring.iter().zip(&angles) {
+        if simple {
+            all[node] = Some(direction(angle));
+        } else {
+            // A node that is passed twice cannot stand at two places: a ring around the
+            // figure holds it open instead.
+            pulls.push((node, all.len()));
+            all.push(Some(direction(angle) * 1.5));
+        }
+    }
+    settle(side, &mut all, &pulls);
+    stretch(side, &mut all, &|node| ring.contains(&node));
+    for &node in part {
+        places[node] = all[node];
+    }
+}
+
+/// The node that all strands of a part begin or end at, if there are several.
+fn center_of_star(side: &Side, part: &[usize]) -> Option<usize> {
+    let strands = side.strands.iter();
+    let strands: Vec<_> = strands.filter(|strand| part.contains(&strand.nodes[0])).collect();
+    let is_center = |node: &&usize| strands.iter().all(|strand| strand.ends().contains(node));
+    (part.len() > 2 && !strands.is_empty()).then(|| part.iter().find(is_center).copied()).flatten()
+}
+
+/// Makes spurs, and edges from a vertex to itself, so long that they can be read.
+pub(super) fn stretch(side: &Side, places: &mut [Option<DVec2>], is_fixed: &dyn Fn(usize) -> bool) {
+    let degree = |node: usize| {
+        let ends = side.strands.iter().flat_map(|strand| strand.ends());
+        ends.filter(|&end| end == node).count()
+    };
+    let loops = side.loop_of();
+    let sides = |dart: usize| loops[dart].map(|at| side.loops[at].darts.len());
+    for (at, strand) in side.strands.iter().enumerate() {
+        let [from, to] = strand.ends();
+        let bends = &strand.nodes[1..strand.nodes.len() - 1];
+        let (root, ends, angles): (usize, Vec<usize>, &[f64]) = match bends {
+            _ if strand.is_path && from != to => continue,
+            [] if degree(to) == 1 => (from, vec![to], &[0.0]),
+            [] if degree(from) == 1 => (to, vec![from], &[0.0]),
+            [_, _] if from == to => (from, bends.to_vec(), &[0.42, -0.42]),
+            [_, _, _] if from == to => (from, bends.to_vec(), &[0.6, 0.0, -0.6]),
+            _ => continue,
+        };
+        let known: Option<Vec<_>> = ends.iter().map(|&end| places[end]).collect();
+        let (Some(root), Some(known)) = (places[root], known) else {
+            continue;
+        };
+        if ends.iter().any(|&end| is_fixed(end)) {
+            continue;
+        }
+        let middle = known.iter().copied().sum::<DVec2>() / known.len() as f64;
+        let away = middle - root;
+        if away.length() < SPUR {
+            let away = away.normalize_or(DVec2::X) * SPUR;
+            // A loop that consists of it lies inside; another one goes on outside of it.
+            let sign = match [sides(2 * at), sides(2 * at + 1)] {
+                [Some(1), _] | [None, _] => 1.0,
+                [Some(_), _] => -1.0,
+            };
+            for (&end, &angle) in ends.iter().zip(angles) {
+                places[end] = Some(root + away.rotate(DVec2::from_angle(sign * angle)));
+            }
+        }
+    }
+}
+
+/// For each node of the outside its angle.
+fn angles(figure: &Figure, side: &Side, outside: &[Dart], ring: &[usize]) -> Vec<f64> {
+    let mut weights = Vec::new();
+    for dart in outside {
+        let strand = &side.strands[dart.strand];
+        let pieces = strand.nodes.len() - 1;
+        let weight = if strand.is_path { PATH_WEIGHT } else { 1.0 };
+        weights.extend(vec![weight / pieces as f64; pieces]);
+    }
+    let main = main_dart(figure);
+    let ends = main.map(|dart| {
+        let nodes = side.nodes(dart);
+        [nodes[0], nodes[nodes.len() - 1]]
+    });
+    let place = |node: usize| ring.iter().position(|&other| other == node);
+    let ends = ends.and_then(|[from, to]| Some([place(from)?, place(to)?]));
+    let is_outside = |dart: Dart| outside.iter().any(|other| other.strand == dart.strand);
+    let count = ring.len();
+    let span = |from: usize, steps: usize| -> f64 {
+        (0..steps).map(|step| weights[(from + step) % count]).sum()
+    };
+    let mut angles = vec![0.0; count];
+    match (main, ends) {
+        (Some(main), Some([from, to])) if from != to && !is_outside(main) => {
+            // Half a turn below it, half a turn above it.
+            for (start, end, angle) in [(from, to, PI), (to, from, TAU)] {
+                let steps = (end + count - start) % count;
+                let whole = span(start, steps);
+                for step in 0..steps {
+                    angles[(start + step) % count] = angle + PI * span(start, step) / whole;
+                }
+            }
+        }
+        (main, ends) => {
+            // The main dart at the bottom, else a side.
+            let start = ends.map_or(0, |[from, _]| from);
+            let lead = match main {
+                Some(dart) if is_outside(dart) => side.strands[dart.strand].nodes.len() - 1,
+                _ => 1,
+            };
+            let whole = span(0, count);
+            let first = -FRAC_PI_2 - PI * span(start, lead) / whole;
+            for step in 0..count {
+                angles[(start + step) % count] = first + TAU * span(start, step) / whole;
+            }
+        }
+    }
+    angles
+}
+
+/// The pairs of nodes that pull at each other along strands.
+pub(super) fn pulls(side: &Side) -> Vec<(usize, usize)> {
+    let pairs = side.strands.iter().flat_map(|strand| strand.nodes.windows(2));
+    pairs.map(|pair| (pair[0], pair[1])).collect()
+}
+
+/// Moves what has no place yet to the middle of what pulls at it.
+pub(super) fn settle(side: &Side, places: &mut Vec<Option<DVec2>>, pulls: &[(usize, usize)]) {
+    let mut pulls = pulls.to_vec();
+    for orbit in &side.loops {
+        let center = places.len();
+        places.push(None);
+        pulls.extend(side.around(&orbit.darts).into_iter().map(|node| (node, center)));
+    }
+    let mut neighbors = vec![Vec::new(); places.len()];
+    for (a, b) in pulls {
+        if a != b {
+            neighbors[a].push(b);
+            neighbors[b].push(a);
+        }
+    }
+    let free: Vec<_> = (0..places.len())
+        .filter(|&node| places[node].is_none() && !neighbors[node].is_empty())
+        .collect();
+    for _ in 0..SWEEPS {
+        for &node in &free {
+            let near = neighbors[node].iter().filter_map(|&other| places[other]);
+            let (sum, count) =
+                near.fold((DVec2::ZERO, 0.0), |(sum, count), at| (sum + at, count + 1.0));
+            if count > 0.0 {
+                places[node] = Some(sum / count);
+            }
+        }
+    }
+}

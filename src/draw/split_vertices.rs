@@ -1,0 +1,114 @@
+//! Vertices that are drawn twice, as those of a pillow that is cut open.
+//!
+//! Vertices that the outside passes twice: where loops that hang together along edges meet again at
+//! a vertex, and what lies between them is not drawn, the outside passes the vertex twice. With one
+//! dot for it the loops would have to be bent around each other; two dots of the same name are what
+//! a textbook has. A vertex whose spokes are listed has one dot, since their order is drawn around
+//! it.
+
+use std::collections::BTreeMap;
+
+use super::components::{join, strand_blocks};
+use super::figure::{Dart, Figure, Node, Side};
+use crate::diagram::NameId;
+
+/// The positions of the start (`true`) and the end of each item at such a vertex lie.
+pub(super) type Copies = BTreeMap<(NameId, bool), usize>;
+
+/// Gives the vertices of `before` that are drawn twice a second node, and strands to it.
+pub(super) fn split(figure: &mut Figure, side: &mut Side) -> Copies {
+    let (sector, block) = (sectors(side), strand_blocks(side));
+    let rule = figure.drawing.rule;
+    let stars = rule.before.stars.iter().chain(&rule.after.stars);
+    let listed: Vec<_> = stars.map(|star| star.vertex.name).collect();
+    let mut copies = Copies::new();
+    for node in 0..figure.nodes.len() {
+        let Node::Vertex(name) = figure.nodes[node] else {
+            continue;
+        };
+        let ends = ends_at(side, node);
+        if listed.contains(&name) {
+            continue;
+        }
+        // For each sector its node; the first of each block stays.
+        let mut nodes: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut seen = Vec::new();
+        for &end in &ends {
+            let of = block[end / 2];
+            nodes.entry(sector[end]).or_insert_with(|| {
+                if seen.contains(&of) {
+                    figure.nodes.push(Node::Vertex(name));
+                    return figure.nodes.len() - 1;
+                }
+                seen.push(of);
+                node
+            });
+        }
+        if nodes.values().all(|&other| other == node) {
+            continue;
+        }
+        for end in ends {
+            let at = nodes[&sector[end]];
+            put(side, end, at);
+            copies.extend(items(side, end).map(|key| (key, at)));
+        }
+    }
+    copies
+}
+
+/// Leads the strands of `after` to the nodes where they were.
+pub(super) fn follow(figure: &Figure, side: &mut Side, copies: &Copies) {
+    let sector = sectors(side);
+    for node in 0..figure.nodes.len() {
+        let ends = ends_at(side, node);
+        for &end in &ends {
+            let beside = ends.iter().filter(|&&other| sector[other] == sector[end]);
+            let keys: Vec<_> = beside.flat_map(|&other| items(side, other)).collect();
+            let known = keys.iter().find_map(|key| copies.get(key).copied());
+            if let Some(at) = known.filter(|&at| figure.nodes[at] == figure.nodes[node]) {
+                put(side, end, at);
+            }
+        }
+    }
+}
+
+/// The ends of strands at a node: strand `n` has the ends `2n` and `2n + 1`.
+fn ends_at(side: &Side, node: usize) -> Vec<usize> {
+    let ends = side.strands.iter().enumerate().flat_map(|(at, strand)| {
+        let [from, to] = strand.ends();
+        [(2 * at, from), (2 * at + 1, to)]
+    });
+    let here = ends.filter(|&(_, at)| at == node);
+    here.map(|(end, _)| end).collect()
+}
+
+fn put(side: &mut Side, end: usize, node: usize) {
+    let nodes = &mut side.strands[end / 2].nodes;
+    match end % 2 {
+        0 => nodes[0] = node,
+        _ => *nodes.last_mut().expect("a strand has ends") = node,
+    }
+}
+
+/// The items that start or end there.
+fn items(side: &Side, end: usize) -> impl Iterator<Item = (NameId, bool)> {
+    let [along, back] = side.strands[end / 2].items;
+    let is_start = end.is_multiple_of(2);
+    let items = [along.map(|item| (item, is_start)), back.map(|item| (item, !is_start))];
+    items.into_iter().flatten()
+}
+
+/// For each end of a strand the sector of its vertex: ends with a drawn corner between them
+/// are in one.
+fn sectors(side: &Side) -> Vec<usize> {
+    let mut sector: Vec<usize> = (0..2 * side.strands.len()).collect();
+    let start = |dart: Dart| 2 * dart.strand + usize::from(!dart.forward);
+    for orbit in &side.loops {
+        let next = orbit.darts.iter().cycle().skip(1);
+        for (&dart, &next) in orbit.darts.iter().zip(next) {
+            // The other end of a strand has the number that differs in the last bit.
+            join(&mut sector, start(dart) ^ 1, start(next));
+        }
+    }
+    sector
+}

@@ -1,0 +1,141 @@
+//! Parts of a value that are the same every time it is computed: for each index of a family, for
+//! each element of an aggregate. They are computed before, and get names; else `centroid(f)`
+//! would go around the face at each of its corners.
+
+use super::NotEmitted;
+use super::expression::Expressions;
+use super::routine::Statement;
+use crate::diagram::{Binary, Builtin, Expr, ExprKind, FoldFunction, Rule};
+
+impl Expressions<'_> {
+    /// The expression with names for what is the same each time; their values are computed in
+    /// `body`.
+    pub fn once(
+        &mut self,
+        expr: &Expr,
+        repeated: bool,
+        rule: Option<&Rule>,
+        body: &mut Vec<Statement>,
+    ) -> Result<Expr, NotEmitted> {
+        let mut finder = Finder { rule, bound: Vec::new(), found: Vec::new() };
+        finder.look(expr, repeated, true);
+        let mut once = expr.clone();
+        // No parameter and no variable of an aggregate has such a number.
+        for (number, part) in (0..u32::MAX).rev().zip(finder.found) {
+            let value = self.term(part)?;
+            let name = self.names.bind(number, wanted(part));
+            body.push(Statement::Bind { ty: part.ty, name, value });
+            once.visit_mut(&mut |kind| {
+                if *kind == part.kind {
+                    *kind = ExprKind::Local(number);
+                }
+            });
+        }
+        Ok(once)
+    }
+}
+
+struct Finder<'e> {
+    rule: Option<&'e Rule>,
+    /// The variables of the aggregates around.
+    bound: Vec<u32>,
+    found: Vec<&'e Expr>,
+}
+
+impl<'e> Finder<'e> {
+    /// Finds the largest such parts: of what is computed again and again, and surely or where
+    /// nothing can go wrong.
+    fn look(&mut self, expr: &'e Expr, repeated: bool, surely: bool) {
+        let computes = |part: &Expr| {
+            matches!(part.kind, ExprKind::Call(..) | ExprKind::Fold(_) | ExprKind::Invoke(..))
+        };
+        let is_same = repeated
+            && some(expr, computes)
+            && !some(expr, |part| self.varies(part))
+            && (surely || !some(expr, may_stop));
+        if is_same {
+            self.found.push(expr);
+            return;
+        }
+        match &expr.kind {
+            ExprKind::Follow(_, of)
+            | ExprKind::Read(_, of)
+            | ExprKind::Component(_, of)
+            | ExprKind::Unary(_, of) => self.look(of, repeated, surely),
+            ExprKind::Vector(parts) | ExprKind::Call(_, parts) | ExprKind::Invoke(_, parts) => {
+                parts.iter().for_each(|part| self.look(part, repeated, surely));
+            }
+            ExprKind::Binary(operator, left, right) => {
+                self.look(left, repeated, surely);
+                let always = !matches!(operator, Binary::And | Binary::Or);
+                self.look(right, repeated, surely && always);
+            }
+            ExprKind::If(condition, then, otherwise) => {
+                self.look(condition, repeated, surely);
+                self.look(then, repeated, false);
+                self.look(otherwise, repeated, false);
+            }
+            ExprKind::Fold(fold) => {
+                if let Some(base) = fold.collection.base() {
+                    self.look(base, repeated, surely);
+                }
+                self.bound.push(fold.variable);
+                for part in fold.filter.iter().chain([&fold.body]) {
+                    self.look(part, true, false);
+                }
+                self.bound.pop();
+            }
+            // What a block binds is known inside of it only.
+            ExprKind::Let(..)
+            | ExprKind::Try(..)
+            | ExprKind::Bool(_)
+            | ExprKind::Int(_)
+            | ExprKind::Real(_)
+            | ExprKind::Text(_)
+            | ExprKind::Element(_)
+            | ExprKind::Member(..)
+            | ExprKind::Local(_) => {}
+        }
+    }
+
+    /// True if a part alone is another one each time.
+    fn varies(&self, part: &Expr) -> bool {
+        match &part.kind {
+            ExprKind::Element(name) => self.rule.is_some_and(|rule| rule.is_member(*name)),
+            ExprKind::Local(variable) => self.bound.contains(variable),
+            ExprKind::Member(..) | ExprKind::Let(..) | ExprKind::Try(..) | ExprKind::Text(_) => {
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+fn some(expr: &Expr, is_it: impl Fn(&Expr) -> bool) -> bool {
+    let mut found = false;
+    expr.each(&mut |part| found |= is_it(part));
+    found
+}
+
+/// True if a part alone may have no value.
+fn may_stop(part: &Expr) -> bool {
+    match &part.kind {
+        ExprKind::Binary(operator, ..) => matches!(operator, Binary::Div | Binary::Mod),
+        ExprKind::Fold(fold) => !matches!(
+            fold.function,
+            FoldFunction::Any | FoldFunction::All | FoldFunction::Count | FoldFunction::Sum
+        ),
+        ExprKind::Invoke(..) => true,
+        _ => false,
+    }
+}
+
+fn wanted(part: &Expr) -> &'static str {
+    match part.kind {
+        ExprKind::Call(Builtin::CentroidFace, _) => "centroid",
+        ExprKind::Call(Builtin::NormalFace | Builtin::NormalVertex, _) => "normal",
+        ExprKind::Call(Builtin::Area, _) => "area",
+        ExprKind::Call(Builtin::DegreeVertex | Builtin::DegreeFace, _) => "degree",
+        _ => "part",
+    }
+}

@@ -1,0 +1,262 @@
+//! Terms as text: what C++ and Rust spell alike, and where brackets are needed.
+
+use super::term::{Attribute, Fold, Function, IndexLoop, Term};
+use crate::diagram::{Binary, Pointer, Unary};
+
+/// The precedence of the outermost operator of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Level {
+    Choice,
+    Or,
+    And,
+    Compare,
+    Sum,
+    Product,
+    Prefix,
+    Whole,
+}
+
+/// A text and how tightly it binds.
+#[derive(Clone, Debug)]
+pub(super) struct Spelled {
+    pub text: String,
+    pub level: Level,
+}
+
+impl Spelled {
+    pub fn new(text: impl Into<String>, level: Level) -> Self {
+        Self { text: text.into(), level }
+    }
+
+    /// A text that needs no brackets anywhere.
+    pub fn whole(text: impl Into<String>) -> Self {
+        Self::new(text, Level::Whole)
+    }
+
+    /// The text, in brackets unless it binds so tightly.
+    pub fn at(self, level: Level) -> String {
+        match self.level >= level {
+            true => self.text,
+            false => format!("({})", self.text),
+        }
+    }
+}
+
+/// A language: all that it spells in its own way.
+pub(super) trait Language {
+    fn real(&self, value: f64) -> Spelled;
+    fn int(&self, value: i64) -> Spelled;
+    fn follow(&mut self, pointer: Pointer, of: Spelled) -> Spelled;
+    fn position(&mut self, of: Spelled) -> Spelled;
+    fn attribute(&mut self, attribute: &Attribute, of: Spelled) -> Spelled;
+    fn hole(&mut self, of: Spelled) -> Spelled;
+    fn component(&mut self, part: u8, of: Spelled) -> Spelled;
+    fn vector(&mut self, parts: [Spelled; 3]) -> Spelled;
+    fn choice(&mut self, condition: Spelled, then: Spelled, otherwise: Spelled) -> Spelled;
+    fn to_real(&mut self, of: Spelled) -> Spelled;
+    /// A function of the emitted text or of the language; `name` is one of `support`.
+    fn call(&mut self, function: Function, args: Vec<Spelled>) -> Spelled;
+    /// A function of the program.
+    fn invoke(&mut self, name: &str, args: Vec<Spelled>) -> Spelled;
+    /// Operators that are calls: `div`, `mod`, equality and products of vectors.
+    fn operator(&mut self, operator: Binary, args: [Spelled; 2]) -> Spelled;
+    fn fold(&mut self, fold: &Fold) -> Spelled;
+    /// The condition that something holds for some index.
+    fn some(&mut self, indices: &IndexLoop, condition: &Term) -> Spelled;
+}
+
+/// The name of a pointer where elements of all kinds have their pointers side by side.
+pub(super) fn field(pointer: Pointer) -> &'static str {
+    match pointer {
+        Pointer::Next => "next",
+        Pointer::Prev => "prev",
+        Pointer::Twin => "twin",
+        Pointer::Vertex => "vertex",
+        Pointer::Target => "target",
+        Pointer::Edge => "edge",
+        Pointer::Face => "face",
+        Pointer::VertexHalfedge => "vertex_halfedge",
+        Pointer::EdgeHalfedge => "edge_halfedge",
+        Pointer::FaceHalfedge => "face_halfedge",
+    }
+}
+
+/// Spells a term.
+pub(super) fn spell(language: &mut impl Language, term: &Term) -> Spelled {
+    match term {
+        Term::Name(name) => Spelled::whole(name),
+        Term::Bool(value) => Spelled::whole(value.to_string()),
+        Term::Int(value) => language.int(*value),
+        Term::Real(value) => language.real(*value),
+        Term::Follow(pointer, of) => {
+            let of = spell(language, of);
+            language.follow(*pointer, of)
+        }
+        Term::Position(of) => {
+            let of = spell(language, of);
+            language.position(of)
+        }
+        Term::Attribute(attribute, of) => {
+            let of = spell(language, of);
+            language.attribute(attribute, of)
+        }
+        Term::Hole(of) => {
+            let of = spell(language, of);
+            language.hole(of)
+        }
+        Term::Component(part, of) => {
+            let of = spell(language, of);
+            language.component(*part, of)
+        }
+        Term::Vector(parts) => {
+            let [x, y, z] = &**parts;
+            let parts = [x, y, z].map(|part| spell(language, part));
+            language.vector(parts)
+        }
+        Term::Unary(operator, of) => unary(language, *operator, of),
+        Term::Binary(operator, left, right) => binary(language, *operator, [left, right]),
+        Term::Call(function, args) => {
+            let args = args.iter().map(|arg| spell(language, arg)).collect();
+            language.call(*function, args)
+        }
+        Term::Invoke(name, args) => {
+            let args = args.iter().map(|arg| spell(language, arg)).collect();
+            language.invoke(name, args)
+        }
+        Term::If(condition, then, otherwise) => {
+            let [condition, then, otherwise] =
+                [condition, then, otherwise].map(|part| spell(language, part));
+            language.choice(condition, then, otherwise)
+        }
+        Term::Fold(fold) => language.fold(fold),
+        Term::Some(indices, condition) => language.some(indices, condition),
+        Term::Member { list, index, shift, size } => {
+            Spelled::whole(format!("{list}[{}]", place(index.as_deref(), *shift, size)))
+        }
+    }
+}
+
+/// A place so far from an index, or from 0, counted around a list. What is below zero on the
+/// way is not, as sizes have no sign.
+fn place(index: Option<&str>, shift: i64, size: &str) -> String {
+    let far = shift.unsigned_abs();
+    match (index, shift) {
+        (None, 0) => "0".to_string(),
+        (Some(index), 0) => index.to_string(),
+        (None, 1..) => format!("{far} % {size}"),
+        (Some(index), 1..) => format!("({index} + {far}) % {size}"),
+        (None, -1) => format!("{size} - 1"),
+        (Some(index), -1) => format!("({index} + {size} - 1) % {size}"),
+        (None, _) => format!("({far} * {size} - {far}) % {size}"),
+        (Some(index), _) => format!("({index} + {far} * {size} - {far}) % {size}"),
+    }
+}
+
+fn unary(language: &mut impl Language, operator: Unary, of: &Term) -> Spelled {
+    let sign = match operator {
+        Unary::Not => {
+            if let Some(turned) = turned(of) {
+                return spell(language, &turned);
+            }
+            "!"
+        }
+        Unary::NegateInt | Unary::NegateReal | Unary::NegateVector => "-",
+        Unary::ToReal => {
+            let of = spell(language, of);
+            return language.to_real(of);
+        }
+    };
+    if let Term::Binary(equal, left, right) = of
+        && let (Unary::Not, Some("==")) = (operator, symbol(*equal).map(|(symbol, _)| symbol))
+    {
+        return infix(language, "!=", Level::Compare, [left, right]);
+    }
+    // Not another sign right behind: `--x` is something else.
+    let of = spell(language, of).at(Level::Whole);
+    Spelled::new(format!("{sign}{of}"), Level::Prefix)
+}
+
+/// The opposite of a comparison or of several conditions, without a `not` in front of it.
+fn turned(term: &Term) -> Option<Term> {
+    let (operator, left, right) = match term {
+        Term::Binary(operator, left, right) => (*operator, left, right),
+        Term::Unary(Unary::Not, of) => return Some((**of).clone()),
+        _ => return None,
+    };
+    let not = |term: &Term| Box::new(term.clone().not());
+    Some(match operator {
+        // Only of ints: reals may be incomparable.
+        Binary::LessInt => Term::Binary(Binary::LessEqualInt, right.clone(), left.clone()),
+        Binary::LessEqualInt => Term::Binary(Binary::LessInt, right.clone(), left.clone()),
+        Binary::And => Term::Binary(Binary::Or, not(left), not(right)),
+        Binary::Or => Term::Binary(Binary::And, not(left), not(right)),
+        _ => return None,
+    })
+}
+
+fn symbol(operator: Binary) -> Option<(&'static str, Level)> {
+    Some(match operator {
+        Binary::AddInt | Binary::AddReal | Binary::AddVector => ("+", Level::Sum),
+        Binary::SubtractInt | Binary::SubtractReal | Binary::SubtractVector => ("-", Level::Sum),
+        Binary::MultiplyInt | Binary::MultiplyReal | Binary::ScaleVector => ("*", Level::Product),
+        Binary::DivideReal | Binary::DivideVector => ("/", Level::Product),
+        Binary::EqualInt | Binary::EqualReal | Binary::EqualBool | Binary::EqualElement => {
+            ("==", Level::Compare)
+        }
+        Binary::LessInt | Binary::LessReal => ("<", Level::Compare),
+        Binary::LessEqualInt | Binary::LessEqualReal => ("<=", Level::Compare),
+        Binary::And => ("&&", Level::And),
+        Binary::Or => ("||", Level::Or),
+        _ => return None,
+    })
+}
+
+fn binary(language: &mut impl Language, operator: Binary, sides: [&Term; 2]) -> Spelled {
+    match symbol(operator) {
+        Some((symbol, level)) => infix(language, symbol, level, sides),
+        None => {
+            let args = sides.map(|side| spell(language, side));
+            language.operator(operator, args)
+        }
+    }
+}
+
+fn infix(language: &mut impl Language, symbol: &str, level: Level, sides: [&Term; 2]) -> Spelled {
+    let [left, right] = sides.map(|side| spell(language, side));
+    let (left_level, right_level) = match level {
+        Level::Compare => (Level::Sum, Level::Sum),
+        // Mixed `and` and `or` read better in brackets, and C++ warns without them.
+        Level::Or if left.level == Level::And || right.level == Level::And => {
+            (Level::Compare, Level::Compare)
+        }
+        Level::Or | Level::And => (level, level),
+        Level::Sum => (Level::Sum, Level::Product),
+        _ => (level, Level::Prefix),
+    };
+    let (left, right) = (left.at(left_level), right.at(right_level));
+    Spelled::new(format!("{left} {symbol} {right}"), level)
+}
+
+/// A number with all its digits, and a point, unless it is a large power of ten; or what is said
+/// instead of one that is infinite, and of one that is none.
+pub(super) fn number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
+    signed(value, format!("{:?}", value.abs()), [infinite, none])
+}
+
+/// The same as a number of half as many bits, in C++.
+pub(super) fn short_number(value: f64, [infinite, none]: [&str; 2]) -> Spelled {
+    let short = value as f32;
+    signed(short.into(), format!("{:?}f", short.abs()), [infinite, none])
+}
+
+fn signed(value: f64, digits: String, [infinite, none]: [&str; 2]) -> Spelled {
+    let text = match value.abs() {
+        size if size.is_nan() => return Spelled::whole(none),
+        size if size.is_infinite() => infinite.to_string(),
+        _ => digits,
+    };
+    match value.is_sign_negative() {
+        true => Spelled::new(format!("-{text}"), Level::Prefix),
+        false => Spelled::whole(text),
+    }
+}

@@ -1,0 +1,45 @@
+//! Statements that are noted on a preview of the mesh.
+
+use super::super::language::field;
+use super::super::routine::Statement;
+use super::super::term::IndexLoop;
+use super::function::Printer;
+
+impl Printer {
+    /// A preview, and the block in which it is looked at.
+    pub(super) fn foresee(&mut self, preview: &str, body: &[Statement], has_result: bool) {
+        self.used.insert("Preview");
+        self.lines.line("// The guard looks at what there would be, on a preview of the mesh.");
+        self.lines.open("{");
+        self.lines.line(&format!("let mut {preview} = Preview::new(mesh);"));
+        let outer = self.preview.replace(preview.to_string());
+        self.block(body, has_result);
+        self.preview = outer;
+        self.lines.close("}");
+    }
+
+    /// Notes what a statement would allocate or set; others are not about that.
+    pub(super) fn note(&mut self, preview: &str, statement: &Statement) -> bool {
+        let line = match statement {
+            Statement::New { kind, name } => {
+                format!("let {name} = {preview}.add_{}();", kind.word())
+            }
+            Statement::NewEach { kind, name, indices } => {
+                let (kind, IndexLoop { size, .. }) = (kind.word(), indices);
+                format!(
+                    "let {name}: Vec<_> = (0..{size}).map(|_| {preview}.add_{kind}()).collect();"
+                )
+            }
+            Statement::Set { pointer, of, value } => {
+                let (of, value) = (self.text(of), self.text(value));
+                format!("{preview}.set_{}({of}, {value});", field(*pointer))
+            }
+            Statement::SetHole { face, hole } => {
+                format!("{preview}.set_hole({}, {hole});", self.text(face))
+            }
+            _ => return false,
+        };
+        self.lines.line(&line);
+        true
+    }
+}

@@ -1,0 +1,215 @@
+//! Effects of the operations and functions of a program on the mesh, by themselves or through
+//! others.
+
+use std::collections::BTreeSet;
+
+use super::super::selection::Selection;
+use crate::diagram::{Access, Collection, Expr, ExprKind, Kind, Type};
+use crate::resolve::{Block, Statement, StatementKind};
+
+/// The effects of an operation or function.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Effects {
+    /// True if it writes to the mesh.
+    pub changes: bool,
+    /// True if it may stop before its end, and what was done is to be undone.
+    pub refuses: bool,
+    /// The kinds of elements that it may erase, by their types' words.
+    pub erases: BTreeSet<&'static str>,
+    /// The attributes that it reads or writes.
+    pub attributes: BTreeSet<u32>,
+    /// The operations that it calls.
+    pub ops: BTreeSet<usize>,
+    /// The functions that it calls.
+    pub functions: BTreeSet<u32>,
+}
+
+/// The deeds of all operations and functions of a program.
+#[derive(Debug, Default)]
+pub(super) struct AllDeeds {
+    pub ops: Vec<Effects>,
+    pub functions: Vec<Effects>,
+}
+
+impl AllDeeds {
+    /// Finds out what everything does.
+    pub fn of(selection: &Selection<'_>) -> Self {
+        let program = selection.program;
+        let mut all = Self::default();
+        let count = program.ops.len().max(selection.proved.len());
+        for op in 0..count {
+            all.ops.push(match selection.steps(op) {
+                Some(steps) => {
+                    let mut deeds = Effects::of_block(&steps.body.block);
+                    let asked = steps.requires.iter().map(|require| &require.condition);
+                    asked.for_each(|condition| deeds.see(condition));
+                    deeds
+                }
+                None => selection.drawn(op).map_or_else(Effects::default, |proved| {
+                    let rules = proved.op().rules.iter();
+                    let erased = rules.flat_map(|rule| {
+                        let erased = rule.erased.iter();
+                        erased.map(|erased| rule.kind(erased.name))
+                    });
+                    Effects {
+                        changes: true,
+                        erases: erased.map(Kind::word).collect(),
+                        ..Effects::default()
+                    }
+                }),
+            });
+        }
+        for function in &program.functions {
+            let block = function.body.as_ref().map(|body| &body.block);
+            all.functions.push(block.map_or_else(Effects::default, Effects::of_block));
+        }
+        while all.spread() {}
+        all
+    }
+
+    /// Hands on what is done by what is called; tells whether that was something new.
+    fn spread(&mut self) -> bool {
+        let mut changed = false;
+        for at in 0..self.ops.len() + self.functions.len() {
+            let functions = at.checked_sub(self.ops.len());
+            let mut deeds = match functions {
+                Some(at) => self.functions[at].clone(),
+                None => self.ops[at].clone(),
+            };
+            for &op in &deeds.ops.clone() {
+                if let Some(called) = self.ops.get(op) {
+                    deeds.changes = true;
+                    deeds.erases.extend(&called.erases);
+                }
+            }
+            for &function in &deeds.functions.clone() {
+                if let Some(called) = self.functions.get(function as usize) {
+                    deeds.changes |= called.changes;
+                    deeds.refuses |= called.refuses;
+                    deeds.erases.extend(&called.erases);
+                    deeds.attributes.extend(&called.attributes);
+                }
+            }
+            let known = match functions {
+                Some(at) => &mut self.functions[at],
+                None => &mut self.ops[at],
+            };
+            changed |= *known != deeds;
+            *known = deeds;
+        }
+        changed
+    }
+
+    /// The deeds of a function.
+    pub fn function(&self, number: u32) -> Option<&Effects> {
+        self.functions.get(number as usize)
+    }
+
+    /// True if statements may erase elements of a type.
+    pub fn erases(&self, block: &Block, ty: Type) -> bool {
+        let deeds = Effects::of_block(block);
+        let ops = deeds.ops.iter().filter_map(|&op| self.ops.get(op));
+        let functions = deeds.functions.iter();
+        let functions = functions.filter_map(|&function| self.function(function));
+        ops.chain(functions).any(|called| called.erases.contains(ty.word()))
+    }
+}
+
+impl Effects {
+    /// The effects of statements by themselves.
+    fn of_block(block: &Block) -> Self {
+        let mut deeds = Self::default();
+        each(block, &mut |statement| deeds.note(statement));
+        deeds
+    }
+
+    fn note(&mut self, statement: &Statement) {
+        values(statement, &mut |value| self.see(value));
+        match &statement.kind {
+            StatementKind::Write { attribute, .. } => {
+                self.changes = true;
+                match attribute {
+                    // One that is not finite is refused.
+                    Access::Position => self.refuses = true,
+                    Access::Declared(number) => _ = self.attributes.insert(*number),
+                }
+            }
+            StatementKind::Apply { op, must, .. } => {
+                self.ops.insert(*op);
+                self.refuses |= must;
+            }
+            StatementKind::IfApply { op, .. } => _ = self.ops.insert(*op),
+            StatementKind::Call { function, .. } => _ = self.functions.insert(*function),
+            StatementKind::Refused { .. } | StatementKind::Require { .. } => self.refuses = true,
+            _ => {}
+        }
+    }
+
+    fn see(&mut self, value: &Expr) {
+        value.each(&mut |part| match &part.kind {
+            ExprKind::Invoke(function, _) => _ = self.functions.insert(*function),
+            ExprKind::Read(Access::Declared(number), _) => _ = self.attributes.insert(*number),
+            _ => {}
+        });
+    }
+}
+
+/// Shows all statements of a block, those inside of others too.
+pub(super) fn each<'b>(block: &'b Block, see: &mut dyn FnMut(&'b Statement)) {
+    for statement in block {
+        see(statement);
+        match &statement.kind {
+            StatementKind::Repeat { body, .. }
+            | StatementKind::While { body, .. }
+            | StatementKind::For { body, .. }
+            | StatementKind::Update { body, .. }
+            | StatementKind::Drain { body, .. } => each(body, see),
+            StatementKind::If { then, otherwise, .. }
+            | StatementKind::IfApply { then, otherwise, .. } => {
+                each(then, see);
+                each(otherwise, see);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Shows the values that a statement computes itself.
+pub(super) fn values<'s>(statement: &'s Statement, see: &mut dyn FnMut(&'s Expr)) {
+    let around = |collection: &'s Collection, see: &mut dyn FnMut(&'s Expr)| {
+        collection.base().into_iter().for_each(see);
+    };
+    match &statement.kind {
+        StatementKind::Set { value, .. } => see(value),
+        StatementKind::Write { target, value, .. } => {
+            see(target);
+            see(value);
+        }
+        StatementKind::Repeat { count, .. } => see(count),
+        StatementKind::While { condition, .. }
+        | StatementKind::If { condition, .. }
+        | StatementKind::Assert { condition, .. }
+        | StatementKind::Require { condition, .. } => see(condition),
+        StatementKind::For { collection, filter, .. }
+        | StatementKind::Update { collection, filter, .. } => {
+            around(collection, see);
+            filter.iter().for_each(see);
+        }
+        StatementKind::Drain { collection, key, condition, .. } => {
+            around(collection, see);
+            see(key);
+            condition.iter().for_each(see);
+        }
+        StatementKind::Apply { args, .. }
+        | StatementKind::IfApply { args, .. }
+        | StatementKind::AssertRefuses { args, .. }
+        | StatementKind::Call { args, .. } => args.iter().for_each(see),
+        StatementKind::Return(value) => value.iter().for_each(see),
+        StatementKind::Print(_)
+        | StatementKind::Refused { .. }
+        | StatementKind::KeepMesh { .. }
+        | StatementKind::AssertMesh { .. }
+        | StatementKind::Break
+        | StatementKind::Continue => {}
+    }
+}

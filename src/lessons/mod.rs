@@ -1,0 +1,116 @@
+//! Lessons: a short text, a program with a gap, and whether a gap is filled well.
+//!
+//! A lesson is a file of [`texts`](self): a title, the mesh that it is tried on, the text in
+//! Markdown, and the program as it should be in the end. Between `//{` and `//}` stands what is
+//! left out; lines that begin with `//|` stand there instead at first.
+//!
+//! A text solves a lesson if it does what the lesson's own program does: every operation is proved,
+//! applies and refuses at the same elements of small meshes, and leaves the same mesh; every script
+//! does the same to them.
+
+mod judge;
+
+pub use judge::judge;
+
+/// A lesson.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lesson {
+    /// Its number and a word, `03_flip`, to name it by.
+    pub name: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// The name of the mesh to try it on.
+    pub mesh: &'static str,
+    /// Its text, in Markdown.
+    pub text: &'static str,
+    /// The program that is given, with its gap.
+    pub program: String,
+    /// The program as it should be.
+    pub(crate) solution: String,
+}
+
+macro_rules! lessons {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("texts/", $name, ".md")))),*]
+    };
+}
+
+const LESSONS: &[(&str, &str)] = lessons![
+    "01_halfedge",
+    "02_twin",
+    "03_flip",
+    "04_outside",
+    "05_guard",
+    "06_new",
+    "07_border",
+    "08_fan",
+    "09_link",
+    "10_family",
+    "11_script",
+    "12_remesh",
+];
+
+/// All lessons, in order.
+pub fn all() -> impl Iterator<Item = Lesson> {
+    LESSONS.iter().filter_map(|&(name, text)| Lesson::read(name, text))
+}
+
+/// The lesson of a name, or of its number.
+pub fn lesson(name: &str) -> Option<Lesson> {
+    let number = |lesson: &Lesson| lesson.name.split('_').next().and_then(|it| it.parse().ok());
+    let wanted: Option<u32> = name.parse().ok();
+    let is_meant =
+        |lesson: &Lesson| lesson.name == name || wanted.is_some() && number(lesson) == wanted;
+    all().find(is_meant)
+}
+
+impl Lesson {
+    fn read(name: &'static str, file: &'static str) -> Option<Self> {
+        let (title, rest) = file.strip_prefix("# ")?.split_once('\n')?;
+        let (mesh, rest) = rest.strip_prefix("mesh: ")?.split_once('\n')?;
+        let (text, program) = rest.split_once("```hedge\n")?;
+        let program = program.strip_suffix("```\n")?;
+        Some(Self {
+            name,
+            title,
+            mesh,
+            text: text.trim(),
+            program: version(program, false),
+            solution: version(program, true),
+        })
+    }
+
+    /// The number of the lesson.
+    pub fn number(&self) -> u32 {
+        self.name.split('_').next().and_then(|number| number.parse().ok()).unwrap_or(0)
+    }
+
+    /// The program with its gap filled.
+    pub fn solution(&self) -> &str {
+        &self.solution
+    }
+}
+
+/// A program with its gap, or solved.
+fn version(program: &str, is_solved: bool) -> String {
+    let mut text = String::new();
+    let mut within = false;
+    for line in program.lines() {
+        let shown = match line {
+            "//{" | "//}" => {
+                within = line == "//{";
+                None
+            }
+            line => match (line.strip_prefix("//|"), within) {
+                (Some(instead), _) => (!is_solved).then_some(instead),
+                (None, true) => is_solved.then_some(line),
+                (None, false) => Some(line),
+            },
+        };
+        if let Some(line) = shown {
+            text.push_str(line);
+            text.push('\n');
+        }
+    }
+    text
+}

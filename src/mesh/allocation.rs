@@ -1,0 +1,166 @@
+//! Allocation of elements, and their erasure.
+//!
+//! An erased element leaves its slot *pending*: nothing reuses it until [`Mesh::recycle`]
+//! says that no one still holds the id. After that the slot is free, and the next
+//! element of its kind takes it, the last freed first.
+//!
+//! ```text
+//! add ──> living ──erase──> pending ──recycle──> free ──add──> living
+//! ```
+
+use glam::DVec3;
+
+use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
+
+/// The dead slots of one kind.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Slots {
+    pub(super) free: Vec<u32>,
+    pub(super) pending: Vec<u32>,
+}
+
+impl Slots {
+    pub(super) fn unused(&self) -> usize {
+        self.free.len() + self.pending.len()
+    }
+}
+
+impl Mesh {
+    /// A new vertex: isolated, at the origin of space, columns at their defaults.
+    pub fn add_vertex(&mut self) -> VertexId {
+        let id = VertexId(self.take_slot(ElementKind::Vertex));
+        put(&mut self.vertices, id.index(), HalfedgeId::NONE);
+        put(&mut self.positions, id.index(), DVec3::ZERO);
+        id
+    }
+
+    /// A new halfedge with every pointer `NONE`.
+    pub fn add_halfedge(&mut self) -> HalfedgeId {
+        let id = HalfedgeId(self.take_slot(ElementKind::Halfedge));
+        put(&mut self.halfedges, id.index(), HalfedgeRecord::UNSET);
+        id
+    }
+
+    /// A new edge without a halfedge.
+    pub fn add_edge(&mut self) -> EdgeId {
+        let id = EdgeId(self.take_slot(ElementKind::Edge));
+        put(&mut self.edges, id.index(), HalfedgeId::NONE);
+        id
+    }
+
+    /// A new face without a halfedge; it is not a hole.
+    pub fn add_face(&mut self) -> FaceId {
+        let id = FaceId(self.take_slot(ElementKind::Face));
+        put(&mut self.faces, id.index(), FaceRecord { halfedge: HalfedgeId::NONE, hole: false });
+        id
+    }
+
+    /// Marks the vertex dead. Erasing twice is erasing once.
+    pub fn erase_vertex(&mut self, v: VertexId) {
+        if self.vertex_alive(v) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Vertex);
+                self.note_vertex(v);
+            }
+            self.vertices[v.index()] = HalfedgeId::DEAD;
+            self.slots[ElementKind::Vertex as usize].pending.push(v.0);
+        }
+    }
+
+    /// Marks the halfedge dead; its other pointers can no longer be read.
+    pub fn erase_halfedge(&mut self, h: HalfedgeId) {
+        if self.halfedge_alive(h) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Halfedge);
+                self.note_halfedge(h);
+            }
+            self.halfedges[h.index()].next = HalfedgeId::DEAD;
+            self.slots[ElementKind::Halfedge as usize].pending.push(h.0);
+        }
+    }
+
+    pub fn erase_edge(&mut self, e: EdgeId) {
+        if self.edge_alive(e) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Edge);
+                self.note_edge(e);
+            }
+            self.edges[e.index()] = HalfedgeId::DEAD;
+            self.slots[ElementKind::Edge as usize].pending.push(e.0);
+        }
+    }
+
+    pub fn erase_face(&mut self, f: FaceId) {
+        if self.face_alive(f) {
+            if self.journal.is_open() {
+                self.note_erased(ElementKind::Face);
+                self.note_face(f);
+            }
+            self.set_hole(f, false);
+            self.faces[f.index()].halfedge = HalfedgeId::DEAD;
+            self.slots[ElementKind::Face as usize].pending.push(f.0);
+        }
+    }
+
+    /// Frees the slots of everything erased so far. The caller knows that no one still
+    /// holds an id of those. While a journal is open, one might, and nothing is freed.
+    pub fn recycle(&mut self) {
+        if self.journal.is_open() {
+            return;
+        }
+        for slots in &mut self.slots {
+            slots.free.append(&mut slots.pending);
+        }
+    }
+
+    /// The elements that have been erased and not recycled, in the order in which it was.
+    pub fn erased(&self, kind: ElementKind) -> &[u32] {
+        &self.slots[kind as usize].pending
+    }
+
+    /// True if that many elements can still be added before ids run out.
+    pub fn can_add(&self, vertices: usize, halfedges: usize, edges: usize, faces: usize) -> bool {
+        ElementKind::ALL.into_iter().zip([vertices, halfedges, edges, faces]).all(
+            |(kind, wanted)| {
+                let free = self.slots[kind as usize].free.len();
+                wanted <= free + (ID_SPACE - self.capacity(kind))
+            },
+        )
+    }
+
+    /// A free slot, or the one after the last. The caller has asked `can_add` where
+    /// the id space could run out.
+    #[inline]
+    fn take_slot(&mut self, kind: ElementKind) -> u32 {
+        let new = self.capacity(kind);
+        let slot = self.slots[kind as usize].free.pop();
+        if self.journal.is_open() {
+            match slot {
+                Some(slot) => self.note_taken(kind, slot),
+                None => self.note_grown(kind),
+            }
+        }
+        let columns = &mut self.columns[kind as usize];
+        match slot {
+            Some(slot) => {
+                columns.reset(slot as usize);
+                slot
+            }
+            None => {
+                assert!(new < ID_SPACE, "`can_add` was asked before adding a {kind}");
+                columns.grow(new + 1);
+                new as u32
+            }
+        }
+    }
+}
+
+/// Writes a record to its slot, which is in the table or the one after its end.
+#[inline]
+fn put<T>(table: &mut Vec<T>, index: usize, record: T) {
+    match table.get_mut(index) {
+        Some(slot) => *slot = record,
+        None => table.push(record),
+    }
+}

@@ -1,0 +1,118 @@
+//! The questions.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::mesh::{Element, ElementKind};
+
+/// A question to a workbench.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "ask", rename_all = "kebab-case", deny_unknown_fields)]
+pub(super) enum Ask {
+    /// Here is a program, and files that it may use.
+    Program {
+        name: String,
+        text: String,
+        #[serde(default)]
+        files: BTreeMap<String, String>,
+    },
+    /// A mesh that has a name: `icosphere`.
+    Shape { name: String },
+    /// A mesh file, whose bytes stand beside it.
+    Mesh {
+        name: String,
+        #[serde(default)]
+        repair: bool,
+    },
+    /// The mesh as arrays; with the values of an attribute, `vertex.height`.
+    View {
+        #[serde(default)]
+        attribute: Option<String>,
+    },
+    /// At which elements an operation would be applied.
+    Places {
+        op: String,
+        #[serde(default)]
+        given: Given,
+    },
+    /// The elements that the names of an operation stand for at a place.
+    Names {
+        op: String,
+        element: At,
+        #[serde(default)]
+        given: Given,
+    },
+    /// Applies an operation at an element.
+    Apply {
+        op: String,
+        element: At,
+        #[serde(default)]
+        given: Given,
+    },
+    /// Runs a script.
+    Run {
+        script: String,
+        #[serde(default)]
+        given: Given,
+    },
+    /// The script that was run last, up to so many applications.
+    Seek { to: u64 },
+    /// One thing back.
+    Undo,
+    /// One thing forward again.
+    Redo,
+    /// The mesh as a file of this name.
+    Save { name: String },
+    /// Operations of the program in another form.
+    Code { op: Option<String>, language: Language },
+    /// The meshes that the operations of the program break.
+    Counterexamples,
+    /// All lessons.
+    Lessons,
+    /// A verdict on a text that is to solve a lesson.
+    Judge { lesson: String, text: String },
+    /// The files of the library.
+    Library,
+}
+
+/// The arguments of a call, by name.
+pub(super) type Given = BTreeMap<String, Value>;
+
+/// An element of the mesh.
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub(super) struct At {
+    kind: Kind,
+    index: u32,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Kind {
+    Vertex,
+    Halfedge,
+    Edge,
+    Face,
+}
+
+impl From<At> for Element {
+    fn from(at: At) -> Self {
+        let kind = match at.kind {
+            Kind::Vertex => ElementKind::Vertex,
+            Kind::Halfedge => ElementKind::Halfedge,
+            Kind::Edge => ElementKind::Edge,
+            Kind::Face => ElementKind::Face,
+        };
+        Element { kind, index: at.index }
+    }
+}
+
+/// The forms in which operations are shown.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Language {
+    Plan,
+    Cpp,
+    Rust,
+}

@@ -1,0 +1,61 @@
+//! The places of elements: what a page needs to point at them.
+
+use glam::DVec3;
+use serde_json::{Value, json};
+
+use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
+
+/// The distance at which a halfedge is drawn from its edge, towards the middle of its face.
+const INSIDE: f64 = 0.14;
+
+/// An element with a place for its name and a line to draw: the corners of a face, the ends of an
+/// edge, a halfedge a little inside its face.
+pub(super) fn shown(mesh: &Mesh, Element { kind, index }: Element) -> Value {
+    let line: Vec<DVec3> = match kind {
+        _ if !mesh.is_alive(kind, index) => Vec::new(),
+        ElementKind::Vertex => vec![mesh.position(VertexId(index))],
+        ElementKind::Edge => ends(mesh, mesh.edge_halfedge(EdgeId(index))).to_vec(),
+        ElementKind::Face => corners(mesh, FaceId(index)),
+        ElementKind::Halfedge => {
+            let halfedge = HalfedgeId(index);
+            let [from, to] = ends(mesh, halfedge);
+            let face = mesh.face(halfedge);
+            let middle = match mesh.is_hole(face) {
+                // Beside the face on the other side: a hole has no inside.
+                true => {
+                    let other = mean(&corners(mesh, mesh.face(mesh.twin(halfedge))));
+                    from + to - other
+                }
+                false => mean(&corners(mesh, face)),
+            };
+            [(from, to), (to, from)]
+                .map(|(near, far)| near.lerp(far, INSIDE).lerp(middle, INSIDE))
+                .to_vec()
+        }
+    };
+    let is_hole =
+        kind == ElementKind::Face && mesh.is_alive(kind, index) && mesh.is_hole(FaceId(index));
+    json!({
+        "kind": kind.name(),
+        "index": index,
+        "hole": is_hole,
+        "at": numbers(mean(&line)),
+        "line": line.iter().map(|&at| numbers(at)).collect::<Vec<_>>(),
+    })
+}
+
+fn ends(mesh: &Mesh, halfedge: HalfedgeId) -> [DVec3; 2] {
+    [halfedge, mesh.twin(halfedge)].map(|of| mesh.position(mesh.vertex(of)))
+}
+
+fn corners(mesh: &Mesh, face: FaceId) -> Vec<DVec3> {
+    mesh.face_vertices(face).map(|vertex| mesh.position(vertex)).collect()
+}
+
+fn mean(points: &[DVec3]) -> DVec3 {
+    points.iter().sum::<DVec3>() / points.len().max(1) as f64
+}
+
+fn numbers(at: DVec3) -> [f64; 3] {
+    at.to_array().map(|part| if part.is_finite() { part } else { 0.0 })
+}

@@ -1,0 +1,137 @@
+//! The picture of a mesh as arrays for a graphics card.
+
+use std::collections::HashMap;
+
+use serde_json::{Value, json};
+
+use super::Message;
+use crate::mesh::{ColumnId, EdgeId, ElementKind, FaceId, HalfedgeId, Mesh};
+
+/// The mesh as arrays, which the answer lists by name, type and length, in their order:
+///
+/// - `positions`: three reals for each slot of a vertex;
+/// - `triangles`: three vertices each; `faces`: the face that each is part of;
+/// - `edges`: the ends of each living edge; `edgeIds`: its number; `halfedges`: its two halfedges, of
+///   which the first starts at the first end; `edgeFaces`: their faces; `edgeIsBoundary`: 1 or 0;
+/// - `loose`: the vertices without an edge;
+/// - `values`: of the attribute, one for each slot of its kind; not a number where there is none.
+pub(super) fn view(mesh: &Mesh, attribute: Option<&str>) -> Message {
+    let mut arrays = Arrays::default();
+    let at = mesh.positions().iter().flat_map(|at| at.to_array());
+    arrays.reals("positions", at.map(|part| if part.is_finite() { part as f32 } else { 0.0 }));
+    let (mut triangles, mut faces) = (Vec::new(), Vec::new());
+    for face in mesh.faces().filter(|&face| !mesh.is_hole(face)) {
+        triangulate(mesh, face, &mut triangles);
+        faces.resize(triangles.len() / 3, face.0);
+    }
+    arrays.ints("triangles", &triangles);
+    arrays.ints("faces", &faces);
+    let edges: Vec<EdgeId> = mesh.edges().collect();
+    let ends = |&edge: &EdgeId| {
+        let halfedge = mesh.edge_halfedge(edge);
+        [mesh.vertex(halfedge).0, mesh.vertex(mesh.twin(halfedge)).0]
+    };
+    arrays.ints("edges", &edges.iter().flat_map(ends).collect::<Vec<_>>());
+    let sides = |&edge: &EdgeId| {
+        let halfedge = mesh.edge_halfedge(edge);
+        [halfedge, mesh.twin(halfedge)]
+    };
+    let halfedges: Vec<HalfedgeId> = edges.iter().flat_map(sides).collect();
+    arrays.ints("halfedges", &halfedges.iter().map(|side| side.0).collect::<Vec<_>>());
+    let faces_of = halfedges.iter().map(|&side| mesh.face(side).0);
+    arrays.ints("edgeFaces", &faces_of.collect::<Vec<_>>());
+    arrays.ints("edgeIds", &edges.iter().map(|edge| edge.0).collect::<Vec<_>>());
+    let on_boundary = |&edge: &EdgeId| u32::from(mesh.is_boundary_edge(edge));
+    arrays.ints("edgeIsBoundary", &edges.iter().map(on_boundary).collect::<Vec<_>>());
+    let loose = mesh.vertices().filter(|&vertex| mesh.vertex_halfedge(vertex).is_none());
+    arrays.ints("loose", &loose.map(|vertex| vertex.0).collect::<Vec<_>>());
+    let column = attribute.and_then(|name| find(mesh, name));
+    let kind = column.map(|column| column.kind.name());
+    if let Some(column) = column {
+        let slots = 0..mesh.capacity(column.kind) as u32;
+        let value = |slot| mesh.value(column, slot).map_or(f64::NAN, |value| value.magnitude());
+        arrays.reals("values", slots.map(|slot| value(slot) as f32));
+    }
+    let attributes = mesh.sayable_columns();
+    let attributes = attributes.map(|(id, column)| format!("{}.{}", id.kind.name(), column.name()));
+    let json = json!({
+        "counts": counts(mesh),
+        "slots": ElementKind::ALL.map(|kind| mesh.capacity(kind)),
+        "attributes": attributes.collect::<Vec<_>>(),
+        "valuesOf": kind,
+        "arrays": arrays.list,
+    });
+    Message { json, bytes: arrays.bytes }
+}
+
+/// The numbers of elements.
+pub(super) fn counts(mesh: &Mesh) -> Value {
+    json!({
+        "vertices": mesh.vertex_count(),
+        "edges": mesh.edge_count(),
+        "faces": mesh.face_count(),
+        "holes": mesh.hole_count(),
+    })
+}
+
+/// The attribute of a name with its kind: `vertex.height`.
+fn find(mesh: &Mesh, name: &str) -> Option<ColumnId> {
+    let (kind, name) = name.split_once('.')?;
+    let mut columns = mesh.sayable_columns();
+    let found = columns.find(|(id, column)| id.kind.name() == kind && column.name() == name);
+    found.map(|(id, _)| id)
+}
+
+/// Appends the triangles of a face.
+fn triangulate(mesh: &Mesh, face: FaceId, to: &mut Vec<u32>) {
+    let sides: Vec<HalfedgeId> = mesh.face_halfedges(face).collect();
+    let corner = |side: HalfedgeId| mesh.vertex(side).0;
+    match sides[..] {
+        [a, b, c] => to.extend([a, b, c].map(corner)),
+        [_, _] | [_] | [] => {}
+        _ => {
+            let count = sides.len();
+            let places: HashMap<_, _> = sides.iter().zip(0..).collect();
+            let mut before: Vec<_> = (0..count).map(|at| (at + count - 1) % count).collect();
+            let mut behind: Vec<_> = (0..count).map(|at| (at + 1) % count).collect();
+            let mut is_cut = vec![false; count];
+            let ears = mesh.ears(face);
+            let mut ears = ears.iter().filter_map(|side| places.get(side).copied());
+            for _ in 2..count {
+                // At last a triangle is left, of which any corner will do.
+                let left = || is_cut.iter().position(|is_cut| !is_cut);
+                let Some(at) = ears.next().or_else(left) else {
+                    break;
+                };
+                let (left, right): (usize, usize) = (before[at], behind[at]);
+                to.extend([left, at, right].map(|at| corner(sides[at])));
+                (behind[left], before[right]) = (right, left);
+                is_cut[at] = true;
+            }
+        }
+    }
+}
+
+/// Arrays, one behind the other.
+#[derive(Default)]
+struct Arrays {
+    list: Vec<Value>,
+    bytes: Vec<u8>,
+}
+
+impl Arrays {
+    fn add(&mut self, name: &str, ty: &str, length: usize) {
+        self.list.push(json!({ "name": name, "type": ty, "length": length }));
+    }
+
+    fn reals(&mut self, name: &str, numbers: impl Iterator<Item = f32>) {
+        let start = self.bytes.len();
+        self.bytes.extend(numbers.flat_map(f32::to_le_bytes));
+        self.add(name, "f32", (self.bytes.len() - start) / 4);
+    }
+
+    fn ints(&mut self, name: &str, numbers: &[u32]) {
+        self.bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+        self.add(name, "u32", numbers.len());
+    }
+}

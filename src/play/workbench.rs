@@ -1,0 +1,462 @@
+//! The workbench, and what it answers.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::ask::{Ask, Given};
+use super::code::code;
+use super::element::shown;
+use super::layout::laid_out;
+use super::message::Message;
+use super::past::Past;
+use super::run::{Ran, run};
+use super::view::{counts, view};
+use crate::analysis::{Analysis, Reader};
+use crate::diagram::Rule;
+use crate::draw::{draw_op, fates};
+use crate::lessons;
+use crate::library;
+use crate::mesh::{
+    Element, ElementKind, FileFormat, Mesh, MeshFile, Repair, read_mesh_from, shape, write_mesh_to,
+};
+use crate::run::{Argument, Report};
+use crate::session::{Op, Outcome, Parameter, Program, Script, Session, Verdict};
+use crate::source::Sources;
+
+/// The surroundings of a workbench: told how far a script is, they may stop it.
+pub trait Host {
+    /// A script has gone through so many turns of its outermost loop, of so many if that is known.
+    fn progress(&mut self, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// The reader of the files that a program uses and a page does not give.
+    fn reader(&self) -> Box<dyn Reader>;
+}
+
+/// A program and a mesh.
+#[derive(Debug)]
+pub struct Workbench {
+    /// The program as it stands, sound or not.
+    source: Source,
+    /// The last one that was sound.
+    program: Program,
+    session: Session,
+    past: Past,
+    /// The script that was run last, if nothing was done since.
+    last_run: Option<LastRun>,
+}
+
+#[derive(Debug, Default)]
+struct Source {
+    name: String,
+    text: String,
+    files: BTreeMap<String, String>,
+}
+
+#[derive(Clone, Debug)]
+struct LastRun {
+    script: Script,
+    arguments: Vec<(String, Argument)>,
+    total: u64,
+}
+
+impl Default for Workbench {
+    fn default() -> Self {
+        let program = Program::parse_with("empty.hedge", "", &mut crate::analysis::Nowhere);
+        let program = program.expect("an empty program is sound");
+        let session = Session::new(&program, shape::icosphere(2));
+        Self { source: Source::default(), program, session, past: Past::default(), last_run: None }
+    }
+}
+
+/// An answer, or in words why there is none.
+type Answer = Result<Message, String>;
+
+impl Workbench {
+    /// Answers a question.
+    pub fn answer(&mut self, question: Message, host: &mut dyn Host) -> Message {
+        let ask = match serde_json::from_value(question.json) {
+            Ok(ask) => ask,
+            Err(error) => return Message::error(format!("the question cannot be read: {error}")),
+        };
+        let answer = self.take(ask, &question.bytes, host);
+        answer.unwrap_or_else(Message::error)
+    }
+
+    fn take(&mut self, ask: Ask, bytes: &[u8], host: &mut dyn Host) -> Answer {
+        match ask {
+            Ask::Program { name, text, files } => {
+                self.source = Source { name, text, files };
+                Ok(self.read_program(host))
+            }
+            Ask::Shape { name } => {
+                let mesh = named_shape(&name).ok_or_else(|| format!("there is no `{name}`"))?;
+                self.replace(mesh);
+                Ok(self.state(json!({})))
+            }
+            Ask::Mesh { name, repair } => self.open(&name, bytes, repair),
+            Ask::View { attribute } => Ok(view(self.session.mesh(), attribute.as_deref())),
+            Ask::Places { op, given } => self.places(&op, &given),
+            Ask::Names { op, element, given } => self.names(&op, element.into(), &given),
+            Ask::Apply { op, element, given } => self.apply(&op, element.into(), &given),
+            Ask::Run { script, given } => self.run(&script, &given, host),
+            Ask::Seek { to } => self.seek(to, host),
+            Ask::Undo => Ok(self.travel(Past::undo)),
+            Ask::Redo => Ok(self.travel(Past::redo)),
+            Ask::Save { name } => self.save(&name),
+            Ask::Code { op, language } => Ok(code(&self.program, op.as_deref(), language)),
+            Ask::Counterexamples => Ok(self.counterexamples(host)),
+            Ask::Lessons => Ok(lessons_as_data()),
+            Ask::Judge { lesson, text } => {
+                let lesson = lessons::lesson(&lesson).ok_or("there is no such lesson")?;
+                let verdict = lessons::judge(&lesson, &text);
+                let solved = verdict.is_ok();
+                Ok(Message::of(json!({ "solved": solved, "said": verdict.err() })))
+            }
+            Ask::Library => {
+                let file = |file: library::LibraryFile| json!([file.name, file.text]);
+                let files: Vec<_> = library::files().map(file).collect();
+                Ok(Message::of(json!({ "files": files })))
+            }
+        }
+    }
+
+    /// An answer, with how the mesh is now.
+    fn state(&self, mut json: Value) -> Message {
+        json["counts"] = counts(self.session.mesh());
+        json["past"] = json!(self.past.depth());
+        Message::of(json)
+    }
+
+    /// Another mesh takes the place of this one, which can be had back.
+    fn replace(&mut self, mesh: Mesh) {
+        self.past.keep(self.session.mesh().clone());
+        self.set(mesh);
+        self.last_run = None;
+    }
+
+    fn set(&mut self, mesh: Mesh) {
+        self.session = Session::new(&self.program, mesh);
+    }
+
+    fn travel(&mut self, way: fn(&mut Past, Mesh) -> Mesh) -> Message {
+        let now = self.session.mesh().clone();
+        let mesh = way(&mut self.past, now);
+        self.set(mesh);
+        self.last_run = None;
+        self.state(json!({}))
+    }
+
+    fn read_program(&mut self, host: &dyn Host) -> Message {
+        let Source { name, text, files } = &self.source;
+        let mut reader = Files { files, rest: host.reader() };
+        match Program::parse_with(name, text, &mut reader) {
+            Ok(program) => {
+                self.program = program;
+                let mesh = self.session.mesh().clone();
+                self.set(mesh);
+                self.last_run = None;
+                self.items(json!({ "sound": true }))
+            }
+            Err(error) => self.items(json!({ "sound": false, "why": error.to_string() })),
+        }
+    }
+
+    /// The operations and scripts that can be called.
+    fn items(&self, mut json: Value) -> Message {
+        let parameters = |parameters: Vec<Parameter<'_>>| {
+            let parameter = |it: &Parameter<'_>| json!([it.name, it.ty, it.default]);
+            parameters.iter().map(parameter).collect::<Vec<_>>()
+        };
+        let ops = self.program.ops().map(|op| {
+            json!({
+                "name": op.name(),
+                "own": self.program.is_own(op.name()),
+                "docs": op.docs().join("\n"),
+                "parameters": parameters(op.parameters()),
+                "level": op.level().name(),
+            })
+        });
+        json["ops"] = ops.collect();
+        let scripts = self.program.scripts().map(|script| {
+            json!({
+                "name": script.name(),
+                "own": self.program.is_own(script.name()),
+                "docs": script.docs().join("\n"),
+                "parameters": parameters(script.parameters()),
+            })
+        });
+        json["scripts"] = scripts.collect();
+        Message::of(json)
+    }
+
+    fn open(&mut self, name: &str, bytes: &[u8], repair: bool) -> Answer {
+        let format = FileFormat::of(Path::new(name)).map_err(|why| why.to_string())?;
+        let repair = repair.then(Repair::default);
+        let file = read_mesh_from(name, format, bytes, repair);
+        let mut file = match file {
+            Ok(file) => file,
+            Err(error) => {
+                let json = json!({ "error": error.to_string(), "mendable": error.is_mendable() });
+                return Ok(Message::of(json));
+            }
+        };
+        if file.mesh.vertex_count() == 0 {
+            return Err(format!("{name}: there is no vertex in it"));
+        }
+        file.bring_all();
+        let steps = file.repaired.map(|report| report.steps());
+        self.replace(file.mesh);
+        Ok(self.state(json!({ "repaired": steps })))
+    }
+
+    fn save(&self, name: &str) -> Answer {
+        let format = FileFormat::of(Path::new(name)).map_err(|why| why.to_string())?;
+        let mut file = MeshFile::from_mesh(self.session.copy().into_mesh());
+        file.bring_all();
+        let mut bytes = Vec::new();
+        write_mesh_to(&mut bytes, format, &file).map_err(|why| why.to_string())?;
+        Ok(Message { json: json!({ "name": name }), bytes })
+    }
+
+    /// The arguments of an operation: what is given, and an element for the first parameter that
+    /// takes one.
+    fn arguments(
+        parameters: &[Parameter<'_>],
+        given: &Given,
+        element: Option<Element>,
+    ) -> Result<Vec<(String, Argument)>, String> {
+        let mut arguments = Vec::new();
+        let mut element = element;
+        for parameter in parameters {
+            let is_element = ElementKind::ALL.iter().any(|kind| kind.name() == parameter.ty);
+            let name = parameter.name.to_owned();
+            match (given.get(parameter.name), element.take_if(|_| is_element)) {
+                (Some(value), _) => {
+                    let argument = argument(value, parameter.ty).ok_or_else(|| {
+                        format!("`{name}` is of type `{}`, not {value}", parameter.ty)
+                    })?;
+                    arguments.push((name, argument));
+                }
+                (None, Some(element)) => {
+                    arguments.push((name, Argument::Element(element.kind, element.index)));
+                }
+                (None, None) => {}
+            }
+        }
+        Ok(arguments)
+    }
+
+    fn op(&self, name: &str) -> Result<Op, String> {
+        self.program.op(name).map_err(|error| error.message().to_owned())
+    }
+
+    fn places(&mut self, op: &str, given: &Given) -> Answer {
+        let op = self.op(op)?;
+        let arguments = Self::arguments(&op.parameters(), given, None)?;
+        let verdicts = self.session.verdicts(&op, arguments).map_err(|error| error.to_string())?;
+        let parameters = op.parameters();
+        let kinds = ElementKind::ALL.map(ElementKind::name);
+        let free = |it: &&Parameter<'_>| kinds.contains(&it.ty) && !given.contains_key(it.name);
+        let kind = parameters.iter().find(free).map_or("", |it| it.ty);
+        let bytes: Vec<u8> = verdicts
+            .iter()
+            .map(|verdict| match verdict {
+                Verdict::Gone => 0,
+                Verdict::Applies => 1,
+                Verdict::Refuses(reason) => u8::try_from(reason + 2).unwrap_or(u8::MAX),
+            })
+            .collect();
+        let reasons: Vec<&str> = op.reasons().iter().map(|reason| &**reason).collect();
+        let applies = bytes.iter().filter(|&&verdict| verdict == 1).count();
+        let asked = bytes.iter().filter(|&&verdict| verdict != 0).count();
+        let json = json!({ "kind": kind, "reasons": reasons, "applies": applies, "asked": asked });
+        Ok(Message { json, bytes })
+    }
+
+    fn names(&mut self, op: &str, element: Element, given: &Given) -> Answer {
+        let op = self.op(op)?;
+        let arguments = Self::arguments(&op.parameters(), given, Some(element))?;
+        let matched = self.session.matched(&op, arguments).map_err(|error| error.to_string())?;
+        let mesh = self.session.mesh();
+        Ok(Message::of(match matched {
+            Err(reason) => json!({ "refused": &*reason.text, "at": shown(mesh, element) }),
+            Ok(found) => {
+                let rule = self.drawn_rule(op.name(), found.rule);
+                let fates = rule.map(fates).unwrap_or_default();
+                let names = found.names.iter().flat_map(|(name, elements)| {
+                    let fate = fates.get(name.as_str()).copied().unwrap_or("kept");
+                    elements.iter().map(move |&element| json!([name, shown(mesh, element), fate]))
+                });
+                let label = rule.and_then(|rule| rule.label.as_deref());
+                json!({ "rule": label, "names": names.collect::<Vec<_>>() })
+            }
+        }))
+    }
+
+    /// A rule of an operation that is drawn.
+    fn drawn_rule(&self, op: &str, rule: usize) -> Option<&Rule> {
+        let analysis = self.program.analysis();
+        analysis.program.ops[analysis.op(op)?].diagram.as_ref()?.rules.get(rule)
+    }
+
+    fn apply(&mut self, op: &str, element: Element, given: &Given) -> Answer {
+        let op = self.op(op)?;
+        let arguments = Self::arguments(&op.parameters(), given, Some(element))?;
+        let before = self.session.mesh().clone();
+        let outcome = self.session.apply(&op, arguments);
+        match outcome.map_err(|error| error.to_string())? {
+            Outcome::Refused(reason) => Ok(Message::of(json!({ "refused": &*reason.text }))),
+            Outcome::Applied(result) => {
+                self.past.keep(before);
+                self.last_run = None;
+                let mesh = self.session.mesh();
+                let result = result.map(|result| shown(mesh, result));
+                let created: Vec<_> =
+                    self.session.created().iter().map(|&element| shown(mesh, element)).collect();
+                Ok(self.state(json!({ "result": result, "created": created })))
+            }
+        }
+    }
+
+    fn run(&mut self, name: &str, given: &Given, host: &mut dyn Host) -> Answer {
+        let script = self.program.script(name).map_err(|error| error.message().to_owned())?;
+        let arguments = Self::arguments(&script.parameters(), given, None)?;
+        self.past.keep(self.session.mesh().clone());
+        let ran = run(&mut self.session, &script, arguments.clone(), u64::MAX, host);
+        self.last_run = Some(LastRun { script, arguments, total: ran.applied });
+        Ok(self.state(told(&ran, ran.applied)))
+    }
+
+    fn seek(&mut self, to: u64, host: &mut dyn Host) -> Answer {
+        let (Some(last), Some(before)) = (self.last_run.clone(), self.past.last()) else {
+            return Err("no script has been run".to_owned());
+        };
+        let before = before.clone();
+        self.set(before);
+        let most = if to >= last.total { u64::MAX } else { to };
+        let ran = run(&mut self.session, &last.script, last.arguments, most, host);
+        Ok(self.state(told(&ran, last.total)))
+    }
+
+    fn counterexamples(&self, host: &dyn Host) -> Message {
+        let Source { name, text, files } = &self.source;
+        let mut reader = Files { files, rest: host.reader() };
+        let mut sources = Sources::new();
+        let file = sources.add(name, text);
+        let analysis = Analysis::with(&mut sources, file, &mut reader);
+        let mut bytes = Vec::new();
+        let examples = analysis.counterexamples.iter().map(|example| {
+            let mesh = laid_out(&example.before);
+            let before = view(&mesh, None);
+            let range = [bytes.len(), before.bytes.len()];
+            bytes.extend(before.bytes);
+            let names = example.names.iter().flat_map(|(name, elements)| {
+                let shown = |&element| json!([name, shown(&mesh, element)]);
+                elements.iter().map(shown).collect::<Vec<_>>()
+            });
+            json!({
+                "op": example.op,
+                "rule": example.rule,
+                "code": example.code,
+                "verdict": example.verdict,
+                "svg": draw_op(&example.drawn()).svg(),
+                "names": names.collect::<Vec<_>>(),
+                "view": before.json,
+                "range": range,
+            })
+        });
+        let examples: Vec<_> = examples.collect();
+        Message { json: json!({ "examples": examples }), bytes }
+    }
+}
+
+/// The outcome of a run, as data.
+fn told(ran: &Ran, total: u64) -> Value {
+    let ops = |report: &Report| {
+        let ops = report
+            .ops
+            .iter()
+            .map(|op| json!({ "op": op.name, "applied": op.applied, "refused": op.refused }));
+        ops.collect::<Vec<_>>()
+    };
+    json!({
+        "at": ran.applied,
+        "total": total,
+        "printed": ran.printed,
+        "ops": ran.report.as_ref().map(ops),
+        "failed": ran.error.as_ref().map(|error| error.to_string()),
+    })
+}
+
+fn lessons_as_data() -> Message {
+    let lesson = |lesson: lessons::Lesson| {
+        json!({
+            "name": lesson.name,
+            "title": lesson.title,
+            "text": lesson.text,
+            "program": lesson.program,
+            "mesh": lesson.mesh,
+        })
+    };
+    Message::of(json!({ "lessons": lessons::all().map(lesson).collect::<Vec<_>>() }))
+}
+
+/// A value of a type.
+fn argument(value: &Value, ty: &str) -> Option<Argument> {
+    let reals = || -> Option<Vec<f64>> { value.as_array()?.iter().map(Value::as_f64).collect() };
+    Some(match ty {
+        "bool" => Argument::Bool(value.as_bool()?),
+        "int" => Argument::Int(value.as_i64()?),
+        "real" => Argument::Real(value.as_f64()?),
+        "text" => Argument::Text(value.as_str()?.to_owned()),
+        "vec2" => Argument::from(<[f64; 2]>::try_from(reals()?).ok()?),
+        "vec3" => Argument::from(<[f64; 3]>::try_from(reals()?).ok()?),
+        "vec4" => Argument::from(<[f64; 4]>::try_from(reals()?).ok()?),
+        _ => {
+            let kind = ElementKind::ALL.into_iter().find(|kind| kind.name() == ty)?;
+            Argument::Element(kind, u32::try_from(value.as_u64()?).ok()?)
+        }
+    })
+}
+
+/// The meshes that have names.
+fn named_shape(name: &str) -> Option<Mesh> {
+    Some(match name {
+        "tetrahedron" => shape::tetrahedron(),
+        "cube" => shape::cube(),
+        "octahedron" => shape::octahedron(),
+        "icosphere" => shape::icosphere(2),
+        "grid" => shape::grid(6, 6),
+        "triangle grid" => shape::triangle_grid(6, 6),
+        "torus" => shape::torus(12, 8),
+        "triangle torus" => shape::triangle_torus(12, 8),
+        "tube" => shape::tube(8, 4),
+        _ => return None,
+    })
+}
+
+/// Files that are given, and those of somebody else.
+struct Files<'g> {
+    files: &'g BTreeMap<String, String>,
+    rest: Box<dyn Reader>,
+}
+
+impl Reader for Files<'_> {
+    fn read(&mut self, name: &str) -> Result<String, String> {
+        match self.files.get(name) {
+            Some(text) => Ok(text.clone()),
+            None => self.rest.read(name),
+        }
+    }
+
+    fn beside(&mut self, name: &str) -> Vec<String> {
+        let mut names = self.rest.beside(name);
+        names.extend(self.files.keys().cloned());
+        names
+    }
+}

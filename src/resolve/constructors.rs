@@ -1,0 +1,106 @@
+//! Vectors and matrices from their parts: `vec3(x, y, z)`, `vec4(p, 1)`, `mat4(0)`.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Binary, Builtin, Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::builtin::CONSTRUCTORS;
+use super::typing::{Typing, to_real, typed};
+use super::words::{a_type, quoted};
+
+/// The type that a constructor of this name makes.
+pub(super) fn constructed(word: &str) -> Option<Type> {
+    CONSTRUCTORS.into_iter().find(|ty| ty.word() == word)
+}
+
+/// The ways to make a value of a type, to show.
+fn ways(ty: Type) -> &'static [&'static str] {
+    match ty {
+        Type::Vec2 => &["vec2(x, y)", "vec2(d)", "vec2(v)"],
+        Type::Vec3 => &["vec3(x, y, z)", "vec3(d)", "vec3(v, z)", "vec3(w)"],
+        Type::Vec4 => &["vec4(x, y, z, w)", "vec4(d)", "vec4(v, w)"],
+        Type::Mat3 => &["mat3(d)", "mat3(x, y, z)", "mat3(m)"],
+        _ => &["mat4(d)", "mat4(x, y, z, w)"],
+    }
+}
+
+impl Typing<'_> {
+    /// The call of a constructor.
+    pub(super) fn construct(
+        &mut self,
+        ty: Type,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<Expr> {
+        let values: Vec<Option<Expr>> = args.iter().map(|arg| self.expression(arg)).collect();
+        let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
+        let values: Vec<Expr> = values.into_iter().map(to_real).collect();
+        let types: Vec<Type> = values.iter().map(|value| value.ty).collect();
+        let kind = match (ty, types.as_slice()) {
+            (Type::Mat3 | Type::Mat4, [Type::Real]) => ExprKind::Call(Builtin::Diagonal, values),
+            (Type::Mat3, [Type::Mat4]) => ExprKind::Call(Builtin::UpperLeft, values),
+            (Type::Mat3, [Type::Vec3, Type::Vec3, Type::Vec3])
+            | (Type::Mat4, [Type::Vec4, Type::Vec4, Type::Vec4, Type::Vec4]) => {
+                ExprKind::Vector(values)
+            }
+            (ty, [Type::Real]) if ty.is_vector() => all_alike(ty, values, span),
+            // The first components.
+            (Type::Vec2, [Type::Vec3 | Type::Vec4]) | (Type::Vec3, [Type::Vec4]) => {
+                let mut values = values;
+                ExprKind::Component(0, Box::new(values.pop()?))
+            }
+            (ty, types) if ty.is_vector() && fills(ty, types) => ExprKind::Vector(values),
+            _ => {
+                self.no_such_value(ty, function, args, &types, span);
+                return None;
+            }
+        };
+        Some(typed(ty, kind, span))
+    }
+
+    /// Says that a value cannot be made of this, and of what it can.
+    fn no_such_value(
+        &mut self,
+        ty: Type,
+        function: &Ident,
+        args: &[tree::Expr],
+        types: &[Type],
+        span: Span,
+    ) {
+        let only_reals = types.iter().all(|ty| *ty == Type::Real);
+        if ty.is_vector() && only_reals {
+            let _ = self.right_count(function, usize::from(ty.size()), args.len(), span);
+            return;
+        }
+        let given: Vec<&str> = types.iter().map(|ty| a_type(*ty)).collect();
+        let given = match given.as_slice() {
+            [] => "nothing".to_owned(),
+            given => given.join(" and "),
+        };
+        let message = format!("{} cannot be made of {given}", a_type(ty));
+        let error = Diagnostic::error("type-mismatch", message, span)
+            .note(format!("it is made by {}", quoted(ways(ty))));
+        self.report.add(error);
+    }
+}
+
+/// The vector with this real in every component.
+fn all_alike(ty: Type, mut real: Vec<Expr>, span: Span) -> ExprKind {
+    let size = usize::from(ty.size());
+    if let [Expr { kind: ExprKind::Real(_), .. }] = real[..] {
+        return ExprKind::Vector(vec![real.remove(0); size]);
+    }
+    // What is not constant is computed once.
+    let one = typed(Type::Real, ExprKind::Real(1.0), span);
+    let ones = typed(ty, ExprKind::Vector(vec![one; size]), span);
+    ExprKind::Binary(Binary::ScaleVector, Box::new(ones), Box::new(real.remove(0)))
+}
+
+/// True if reals and shorter vectors, one after the other, are as long as a vector.
+fn fills(ty: Type, types: &[Type]) -> bool {
+    let part = |ty: &Type| *ty == Type::Real || ty.is_vector();
+    let length: u32 = types.iter().map(|ty| u32::from(ty.size())).sum();
+    types.iter().all(part) && types.len() > 1 && length == u32::from(ty.size())
+}

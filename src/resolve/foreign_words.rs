@@ -1,0 +1,225 @@
+//! Words of other languages and mesh libraries, and what is written for them here.
+//!
+//! A newcomer writes `h.opposite`, `len(faces)` or `float`. Such words are too far from ours to
+//! be taken for misspellings, so they stand in tables. Half of them have an equal here, which
+//! is offered as a fix; for the others a sentence says how it is done.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::Type;
+use crate::source::Span;
+
+use super::suggestion::suggest;
+
+/// The replacement of a foreign word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Here {
+    /// These words in its place.
+    Written(&'static str),
+    /// A sentence.
+    Said(&'static str),
+}
+
+use Here::{Said, Written};
+
+const COUNTED: Here =
+    Said("`count(vertices)` counts a sequence, `degree(v)` what is around an element");
+const REPEATED: Here =
+    Said("there are no ranges and no lists; `repeat n { … }` does something `n` times");
+const PRINTED: Here = Said("`print x, y` stands without parentheses: `print \"{x} of {y}\"`");
+const DECLARED: Here = Said("a variable begins with `let`, or with `var` if it changes");
+const BRANCHED: Here = Said("a choice is `if c { … } else if d { … } else { … }`");
+const ASKED: Here = Said("`if split(e) { … } else { … }` asks whether an op applied");
+const VISITED: Here = Said("a loop is `for v in vertices { … }`");
+const NOTHING: Here = Said("no pointer is missing: beyond the boundary is a hole, `hole(h.face)`");
+const CONVERTED: Here = Said("an int stands wherever a real is wanted; `round(x)` makes an int");
+const NUMBERED: Here = Said("an element has no number to reckon with; `print v` shows it");
+const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
+
+/// The replacement of a foreign name of a type is here.
+pub(super) fn type_word(word: &str) -> Option<&'static str> {
+    Some(match word.to_lowercase().as_str() {
+        "float" | "double" | "number" | "scalar" | "f32" | "f64" => "real",
+        "integer" | "i32" | "i64" | "u32" | "usize" | "long" => "int",
+        "boolean" => "bool",
+        "string" | "str" | "char" => "text",
+        "vector" | "vec" | "vector3" | "float3" | "double3" | "point" | "point3" | "position" => {
+            "vec3"
+        }
+        "vector2" | "float2" | "point2" => "vec2",
+        "matrix4" => "mat4",
+        "matrix3" => "mat3",
+        "he"
+        | "half_edge"
+        | "dart"
+        | "halfedgeref"
+        | "halfedgecref"
+        | "halfedgeiter"
+        | "halfedge_handle"
+        | "halfedge_descriptor"
+        | "halfedgehandle"
+        | "bmloop"
+        | "halfedges" => "halfedge",
+        "vert" | "node" | "vertexref" | "vertexcref" | "vertexiter" | "vertex_handle"
+        | "vertex_descriptor" | "vertexhandle" | "bmvert" | "mvert" | "vertices" => "vertex",
+        "edgeref" | "edgecref" | "edgeiter" | "edge_handle" | "edge_descriptor" | "edgehandle"
+        | "bmedge" | "medge" => "edge",
+        "polygon" | "triangle" | "quad" | "facet" | "cell" | "faceref" | "facecref"
+        | "faceiter" | "face_handle" | "face_descriptor" | "facehandle" | "bmface" | "mface"
+        | "faces" => "face",
+        _ => return None,
+    })
+}
+
+/// The replacement of a foreign field of a type.
+pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
+    let written = match (ty, word) {
+        (Type::Halfedge, "origin" | "source" | "from" | "tail" | "start" | "v") => "vertex",
+        (Type::Halfedge, "to" | "head" | "tip" | "dest" | "destination" | "end") => "target",
+        (Type::Halfedge, "opposite" | "opp" | "pair" | "sym" | "flip" | "mate" | "reverse") => {
+            "twin"
+        }
+        (Type::Halfedge, "previous" | "prev_halfedge") => "prev",
+        (Type::Halfedge, "next_halfedge") => "next",
+        (Type::Halfedge, "left" | "f" | "facet") => "face",
+        (Type::Halfedge, "e") => "edge",
+        (Type::Vertex, "pos" | "point" | "p" | "co" | "coord" | "coords" | "xyz") => "position",
+        (Type::Vertex, "x" | "y" | "z") => {
+            return Some(Said("a vertex has a position: `v.position.x`"));
+        }
+        (Type::Vertex, "neighbours" | "adjacent" | "adjacent_vertices" | "verts") => "neighbors",
+        (Type::Vertex, "outgoing" | "outgoing_halfedges" | "spokes") => "halfedges",
+        (Type::Edge, "v0" | "origin" | "source" | "start" | "from") => "halfedge.vertex",
+        (Type::Edge, "v1" | "end" | "to" | "tip") => "halfedge.target",
+        (Type::Edge, "h1" | "halfedge1" | "twin") => "halfedge.twin",
+        (Type::Edge, "verts") => "vertices",
+        (Type::Vertex | Type::Edge | Type::Face, "he" | "h" | "h0" | "halfedge0") => "halfedge",
+        (Type::Face, "verts" | "corners" | "points") => "vertices",
+        (Type::Vec2 | Type::Vec3 | Type::Vec4, parts)
+            if (2..=4).contains(&parts.len()) && parts.chars().all(|c| "xyzwrgba".contains(c)) =>
+        {
+            return Some(Said("parts of a vector are put together: `vec2(p.x, p.y)`"));
+        }
+        (Type::Vertex | Type::Halfedge | Type::Edge | Type::Face, "index" | "id" | "idx") => {
+            return Some(NUMBERED);
+        }
+        _ => return None,
+    };
+    Some(Written(written))
+}
+
+/// The replacement of a foreign word that is called.
+pub(super) fn function(word: &str) -> Option<Here> {
+    Some(match word {
+        "valence" | "valency" => Written("degree"),
+        "norm" | "magnitude" | "edge_length" => Written("length"),
+        "is_boundary" | "on_boundary" | "is_border" | "is_on_boundary" => Written("boundary"),
+        "is_hole" => Written("hole"),
+        "barycenter" | "barycentre" | "center" | "centre" => Written("centroid"),
+        "lerp" | "interpolate" => Written("mix"),
+        "average" | "avg" => Written("mean"),
+        "total" => Written("sum"),
+        "cot" | "cotan" => Written("cotangent"),
+        "det" => Written("determinant"),
+        "inv" => Written("inverse"),
+        "normalise" | "normalized" | "unit" => Written("normalize"),
+        "arccos" => Written("acos"),
+        "arcsin" => Written("asin"),
+        "fabs" => Written("abs"),
+        "isnan" => Written("is_nan"),
+        "isfinite" => Written("is_finite"),
+        "ln" => Written("log"),
+        "power" => Written("pow"),
+        "ceiling" => Written("ceil"),
+        "dihedral" => Written("dihedral_angle"),
+        "dist" => Written("distance"),
+        "are_adjacent" | "is_adjacent" => Written("adjacent"),
+        "minimum" => Written("min"),
+        "maximum" => Written("max"),
+        "vec" | "vector" | "vector3" | "point" | "Vec3" | "Vector3" => Written("vec3"),
+        "len" | "size" | "num" | "nv" | "ne" | "nf" => COUNTED,
+        "num_vertices" | "n_vertices" | "vertex_count" | "num_faces" | "n_faces" | "face_count"
+        | "num_edges" | "n_edges" | "edge_count" => COUNTED,
+        "range" | "seq" | "list" | "append" | "push" => REPEATED,
+        "int" | "real" | "float" | "double" => CONVERTED,
+        "printf" | "println" | "echo" | "str" | "format" => PRINTED,
+        "exit" | "panic" | "error" | "throw" | "raise" => STOPPED,
+        "assert_eq" | "assertEqual" | "expect" => Said("it is `assert x == y`"),
+        "enumerate" | "zip" | "map" | "filter" | "sorted" => {
+            Said("a loop is `for v in vertices where … { … }`; `drain` takes the least first")
+        }
+        "getattr" | "get" | "at" => {
+            Said("attributes and pointers stand behind a dot: `v.position`")
+        }
+        "clamp" => Said("it is `min(max(x, low), high)`"),
+        "sqr" | "square" => Said("it is `x * x`"),
+        "rand" | "randint" | "rnd" | "uniform" => Written("random"),
+        "permute" | "shuffled" => Written("shuffle"),
+        _ => return sequence_called(word),
+    })
+}
+
+fn sequence_called(word: &str) -> Option<Here> {
+    let is_sequence = matches!(word, "vertices" | "halfedges" | "edges" | "faces" | "holes");
+    is_sequence.then_some(Said("a sequence is written without parentheses: `for v in vertices`"))
+}
+
+/// The replacement of a foreign word among values and statements.
+pub(super) fn name(word: &str) -> Option<Here> {
+    Some(match word {
+        "PI" | "Pi" => Written("pi"),
+        "inf" | "INF" | "Infinity" | "INFINITY" => Written("infinity"),
+        "True" | "TRUE" => Written("true"),
+        "False" | "FALSE" => Written("false"),
+        "null" | "nil" | "None" | "none" | "nullptr" | "NULL" => NOTHING,
+        _ if declares(word) => DECLARED,
+        "switch" | "match" | "case" | "unless" => BRANCHED,
+        "try" | "catch" | "except" => ASKED,
+        "throw" | "raise" | "panic" => STOPPED,
+        "pass" => Said("an empty block is `{ }`"),
+        "import" | "include" => {
+            Said("files are used at the head of a file: `use \"std/smooth.hedge\"`")
+        }
+        "math" | "Math" | "np" | "numpy" | "std" => {
+            Said("functions and constants stand alone: `sqrt(x)`, `pi`")
+        }
+        "self" | "this" => {
+            Said("there are no objects: an op is given its element, `op flip(e: edge)`")
+        }
+        "end" | "done" | "fi" => Said("a block ends with `}`"),
+        "foreach" | "do" | "until" | "loop" => VISITED,
+        "mesh" | "bm" | "bmesh" | "geometry" | "geom" => Said(
+            "a script has one mesh, which has no name: `vertices` and `edges` are its own; a test \
+             begins with `mesh = cube()`",
+        ),
+        "num_vertices" | "n_vertices" | "num_faces" | "n_faces" | "num_edges" | "n_edges" => {
+            COUNTED
+        }
+        _ => return None,
+    })
+}
+
+/// True if a variable is declared with this word elsewhere: `int x = 3`, `const x = 3`.
+pub(super) fn declares(word: &str) -> bool {
+    matches!(word, "const" | "auto" | "mut")
+        || Type::ALL.iter().any(|ty| ty.word() == word)
+        || type_word(word).is_some()
+}
+
+/// Says at the primary place of `diagnostic`, where `word` stands, what is written here for
+/// it; if that is not known, what it was perhaps meant to be.
+pub(super) fn tell<'a>(
+    diagnostic: Diagnostic,
+    (word, span): (&str, Span),
+    here: Option<Here>,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Diagnostic {
+    match here {
+        Some(Written(ours)) => diagnostic.saying(format!("here it is written `{ours}`")).fix(
+            format!("write `{ours}`"),
+            span,
+            ours,
+        ),
+        Some(Said(sentence)) => diagnostic.note(sentence),
+        None => suggest(diagnostic, word, span, candidates),
+    }
+}

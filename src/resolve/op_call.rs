@@ -1,0 +1,273 @@
+//! Calls of ops in scripts.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Expr, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::foreign_words;
+use super::op::Returned;
+use super::program::{Block, Statement, StatementKind};
+use super::scopes::{Binding, Local};
+use super::script::Scripting;
+use super::sequence::is_sequence;
+use super::testing::mesh_maker;
+use super::typing::Typing;
+use super::words::a_type;
+
+/// `must split(e)` as a value.
+pub(super) struct Applied {
+    op: usize,
+    args: Vec<Expr>,
+    /// The name of the op.
+    name: String,
+    /// The type of what it returns.
+    pub(super) result: Type,
+    span: Span,
+}
+
+impl Applied {
+    /// The statement that stores the result and goes on with `then`, or stops the script at a
+    /// refusal.
+    pub(super) fn into_variable(self, variable: u32, then: Block) -> StatementKind {
+        let refused = Statement { kind: StatementKind::Refused { op: self.op }, span: self.span };
+        StatementKind::IfApply {
+            op: self.op,
+            args: self.args,
+            variable: Some(variable),
+            then,
+            otherwise: vec![refused],
+        }
+    }
+}
+
+/// `let m = split(e)` behind `if`.
+struct Asked {
+    op: usize,
+    args: Vec<Expr>,
+    variable: Option<u32>,
+}
+
+impl Asked {
+    fn choosing(self, [then, otherwise]: [Block; 2]) -> StatementKind {
+        StatementKind::IfApply {
+            op: self.op,
+            args: self.args,
+            variable: self.variable,
+            then,
+            otherwise,
+        }
+    }
+}
+
+impl Scripting<'_> {
+    /// True if an expression is the call of an op of this file.
+    pub(super) fn is_op_call(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            tree::ExprKind::Call { function, .. } => {
+                self.typing.declared.op(&function.text).is_some()
+            }
+            _ => false,
+        }
+    }
+
+    /// The value of an op, if `expr` calls one: `must split(e)`. The inner `None` has its
+    /// reason in the report.
+    pub(super) fn applied_value(&mut self, expr: &tree::Expr) -> Option<Option<Applied>> {
+        match &expr.kind {
+            tree::ExprKind::Must(inner) => match &inner.kind {
+                tree::ExprKind::Call { function, args } => {
+                    Some(self.applied(function, args, inner.span))
+                }
+                _ => None,
+            },
+            tree::ExprKind::Call { function, .. } if self.is_op_call(expr) => {
+                let word = &function.text;
+                let message = format!("`{word}` may be refused, and then there is no value");
+                let error = Diagnostic::error("needs-must", message, expr.span).note(format!(
+                    "`if let x = {word}(…)` asks, `must {word}(…)` stops the script"
+                ));
+                let called = self.typing.declared.op(word).and_then(|op| self.ops.get(op));
+                let gives = called.filter(|op| op.result != Returned::Nothing);
+                self.typing.report.add(match gives {
+                    Some(_) => error.fix("write `must`", expr.span.before(), "must "),
+                    None => error.note(format!(
+                        "`{word}` returns nothing; whether it applied is asked by `if {word}(…) {{ … }}`"
+                    )),
+                });
+                Some(None)
+            }
+            _ => None,
+        }
+    }
+
+    fn applied(&mut self, function: &Ident, args: &[tree::Expr], span: Span) -> Option<Applied> {
+        let (op, args) = self.application(function, args, span)?;
+        let result = self.result(op, span)?;
+        Some(Applied { op, args, name: function.text.clone(), result, span })
+    }
+
+    /// The type of what an op returns, where a value is wanted.
+    fn result(&mut self, op: usize, span: Span) -> Option<Type> {
+        let signature = &self.ops[op];
+        match signature.result {
+            Returned::Element(ty) => Some(ty),
+            Returned::Unknown => {
+                self.typing.report.fail();
+                None
+            }
+            Returned::Nothing => {
+                let message = format!("`{}` returns nothing", signature.name);
+                let error = Diagnostic::error("returns-nothing", message, span);
+                self.typing.report.add(error);
+                None
+            }
+        }
+    }
+
+    /// True if the result of an op can be stored in a variable.
+    pub(super) fn result_fits(
+        &mut self,
+        applied: &Applied,
+        wanted: Option<Type>,
+        variable: &Ident,
+        span: Span,
+    ) -> bool {
+        let Some(wanted) = wanted.filter(|wanted| *wanted != applied.result) else {
+            return true;
+        };
+        let message = format!(
+            "`{}` wants {}, but `{}` returns {}",
+            variable.text,
+            a_type(wanted),
+            applied.name,
+            a_type(applied.result)
+        );
+        self.typing.report.add(Diagnostic::error("type-mismatch", message, span));
+        false
+    }
+
+    /// `if let m = split(e) { … } else { … }`, `if split(e) { … }`
+    pub(super) fn if_applied(
+        &mut self,
+        binding: Option<&Ident>,
+        condition: &tree::Expr,
+        [then, otherwise]: [Option<&tree::Block>; 2],
+    ) -> Option<StatementKind> {
+        let asked = self.asked(binding, condition);
+        let then = then.map(|block| self.block(block)).unwrap_or_default();
+        self.typing.scopes.leave();
+        let otherwise = otherwise.map(|block| self.block(block)).unwrap_or_default();
+        Some(asked?.choosing([then, otherwise]))
+    }
+
+    /// The same at the end of a function, where the blocks may end with its value.
+    pub(super) fn if_applied_at_end(
+        &mut self,
+        binding: Option<&Ident>,
+        condition: &tree::Expr,
+        [then, otherwise]: [&tree::Block; 2],
+    ) -> Option<StatementKind> {
+        let asked = self.asked(binding, condition);
+        let then = self.body(then);
+        self.typing.scopes.leave();
+        let otherwise = self.body(otherwise);
+        Some(asked?.choosing([then, otherwise]))
+    }
+
+    /// The call of an op behind `if`, and its variable in a scope that stays open.
+    fn asked(&mut self, binding: Option<&Ident>, condition: &tree::Expr) -> Option<Asked> {
+        let applied = match &condition.kind {
+            tree::ExprKind::Call { function, args } => {
+                self.application(function, args, condition.span)
+            }
+            tree::ExprKind::Must(_) => {
+                let message = "`if let` asks whether the op is refused, so `must` has no place";
+                let error = Diagnostic::error("misplaced-must", message, condition.span);
+                self.typing.report.add(error);
+                None
+            }
+            tree::ExprKind::Broken => {
+                self.typing.report.fail();
+                None
+            }
+            _ => {
+                let message = "`if let` wants the call of an op";
+                let error = Diagnostic::error("not-an-op", message, condition.span);
+                self.typing.report.add(error);
+                None
+            }
+        };
+        self.typing.scopes.enter();
+        let variable = binding.map(|binding| {
+            let op = applied.as_ref().map(|(op, _)| *op);
+            let ty = op.and_then(|op| self.result(op, condition.span));
+            self.typing.scopes.declare(Local {
+                name: binding.text.clone(),
+                span: binding.span,
+                ty,
+                binding: Binding::Head,
+            })
+        });
+        let (op, args) = applied?;
+        Some(Asked { op, args, variable })
+    }
+
+    /// An op and its arguments, those left out as well.
+    pub(super) fn application(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<(usize, Vec<Expr>)> {
+        self.typing.application(function, args, span)
+    }
+}
+
+impl Typing<'_> {
+    /// An op and its arguments, those left out as well.
+    pub(super) fn application(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<(usize, Vec<Expr>)> {
+        let number = self.declared.op(&function.text);
+        let ops = self.ops;
+        let found = number.and_then(|number| Some((number, ops.get(number)?)));
+        let Some((number, op)) = found else {
+            self.unknown_op(function);
+            for arg in args.iter().filter(|arg| !is_sequence(arg)) {
+                self.expression(arg);
+            }
+            return None;
+        };
+        self.declared.expect_one(function, self.report)?;
+        let values = self.arguments(&op.name, &op.params, args, span)?;
+        Some((number, values))
+    }
+
+    fn unknown_op(&mut self, function: &Ident) {
+        let declared = self.declared;
+        let word = function.text.as_str();
+        if declared.lacks_files() {
+            // What declares it has been refused already.
+            self.report.fail();
+            return;
+        }
+        if declared.is_called(word) {
+            let message = match declared.is_script(word) {
+                true => format!("`{word}` is a script, not an op"),
+                false => format!("`{word}` is a function, not an op"),
+            };
+            let error = Diagnostic::error("not-an-op", message, function.span);
+            self.report.add(error);
+            return;
+        }
+        let message = format!("there is no op `{word}`");
+        let error = Diagnostic::error("unknown-op", message, function.span);
+        let here = foreign_words::function(word).or_else(|| mesh_maker(word));
+        let place = (word, function.span);
+        self.report.add(foreign_words::tell(error, place, here, declared.op_names()));
+    }
+}

@@ -1,0 +1,247 @@
+//! Calls of functions: choosing an overload by the types of the arguments.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::{Access, Expr, ExprKind, Type};
+use crate::source::Span;
+use crate::syntax::tree::{self, Ident};
+
+use super::builtin::{Overload, SHUFFLE, Wanted, function_names, overloads};
+use super::constructors::constructed;
+use super::foreign_words;
+use super::sequence::{fold_names, is_sequence};
+use super::testing::mesh_maker;
+use super::typing::{Place, Typing, to_real, typed};
+use super::vocabulary::signatures;
+use super::words::{a_type, arguments, either, subject};
+
+/// The fit of a type to what is wanted.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Fit {
+    No,
+    Converted,
+    Exact,
+}
+
+fn fit(wanted: Wanted, ty: Type) -> Fit {
+    match (wanted, ty) {
+        (Wanted::Is(wanted), ty) if wanted == ty => Fit::Exact,
+        (Wanted::Is(Type::Real), Type::Int) => Fit::Converted,
+        (Wanted::Point, Type::Vec3) => Fit::Exact,
+        (Wanted::Point, Type::Vertex) => Fit::Converted,
+        _ => Fit::No,
+    }
+}
+
+/// The fit of all arguments.
+fn fit_all(overload: &Overload, args: &[Expr]) -> Fit {
+    let each = overload.wanted.iter().zip(args);
+    let fits = each.map(|(wanted, arg)| fit(*wanted, arg.ty));
+    fits.min().unwrap_or(Fit::Exact)
+}
+
+/// An argument as the function wants it.
+fn convert(wanted: Wanted, arg: Expr) -> Expr {
+    match (wanted, arg.ty) {
+        (Wanted::Is(Type::Real), Type::Int) => to_real(arg),
+        (Wanted::Point, Type::Vertex) => {
+            let span = arg.span;
+            let kind = ExprKind::Read(Access::Position, Box::new(arg));
+            typed(Type::Vec3, kind, span)
+        }
+        _ => arg,
+    }
+}
+
+impl Typing<'_> {
+    /// `f(x, y)`
+    pub(super) fn call(
+        &mut self,
+        function: &Ident,
+        args: &[tree::Expr],
+        span: Span,
+    ) -> Option<Expr> {
+        let word = function.text.as_str();
+        if let Some(ty) = constructed(word) {
+            return self.construct(ty, function, args, span);
+        }
+        if word == "count" || (fold_names().any(|known| known == word) && args.len() == 1) {
+            return self.count(function, args, span);
+        }
+        if let Some(value) = self.invoked(function, args, span) {
+            return value;
+        }
+        if word == SHUFFLE {
+            let message =
+                "`shuffle` gives an order to what `for` visits, and stands behind its `in`";
+            self.report.add(Diagnostic::error("not-a-value", message, span));
+            return None;
+        }
+        let known = overloads(word);
+        if word == "random" && !matches!(self.place, Place::Script) {
+            let message =
+                "an op or a default does the same each time, so nothing is by chance here";
+            let error = Diagnostic::error("misplaced-random", message, span);
+            self.report.add(error.note("give the number to it as an argument"));
+            return None;
+        }
+        if known.is_empty() {
+            self.unknown_function(function, span);
+            // The arguments may hold more that is wrong; but such a function may well have
+            // been thought to take a sequence.
+            for arg in args.iter().filter(|arg| !is_sequence(arg)) {
+                self.expression(arg);
+            }
+            return None;
+        }
+        let values: Vec<Option<Expr>> = args.iter().map(|arg| self.expression(arg)).collect();
+        let counts = known.iter().map(|way| way.wanted.len());
+        let given = counts.clone().find(|count| *count == args.len());
+        let count = given.or(counts.max()).unwrap_or(0);
+        self.right_count(function, count, args.len(), span)?;
+        let values: Vec<Expr> = values.into_iter().collect::<Option<_>>()?;
+        // The best fit wins, and of several the first.
+        let known: Vec<&Overload> =
+            known.iter().filter(|way| way.wanted.len() == values.len()).collect();
+        let ranked = known.iter().rev().map(|way| (fit_all(way, &values), way));
+        match ranked.max_by_key(|(fit, _)| *fit) {
+            Some((fit, way)) if fit > Fit::No => {
+                let wanted = way.wanted.iter();
+                let values = wanted.zip(values).map(|(w, arg)| convert(*w, arg));
+                let kind = ExprKind::Call(way.builtin, values.collect());
+                Some(typed(way.result, kind, span))
+            }
+            _ => {
+                self.no_overload(function, &known, args, &values);
+                None
+            }
+        }
+    }
+
+    /// Complains about a wrong number of arguments.
+    pub(super) fn right_count(
+        &mut self,
+        function: &Ident,
+        wanted: usize,
+        given: usize,
+        span: Span,
+    ) -> Option<()> {
+        if wanted == given {
+            return Some(());
+        }
+        let verb = if given == 1 { "is" } else { "are" };
+        let given = match given {
+            0 => "none".to_owned(),
+            given => given.to_string(),
+        };
+        let message =
+            format!("`{}` takes {}, but {given} {verb} given", function.text, arguments(wanted));
+        let ways = signatures(&function.text).into_iter();
+        let ways: Vec<_> =
+            ways.map(|way| format!("`{}({})`", function.text, way.takes.join(", "))).collect();
+        let error = Diagnostic::error("wrong-count", message, span);
+        let error = match ways.is_empty() {
+            true => error,
+            false => error.note(format!("it is {}", either(&ways))),
+        };
+        let is_distance = function.text == "length" && given == "2";
+        self.report.add(match is_distance {
+            true => error.note("how far two points are apart is `distance(v, w)`"),
+            false => error,
+        });
+        None
+    }
+
+    /// Says which argument leaves no way to call the function.
+    fn no_overload(
+        &mut self,
+        function: &Ident,
+        known: &[&Overload],
+        args: &[tree::Expr],
+        values: &[Expr],
+    ) {
+        let mut left: Vec<&Overload> = known.to_vec();
+        for (place, (written, value)) in args.iter().zip(values).enumerate() {
+            let fits = |way: &&&Overload| fit(way.wanted[place], value.ty) > Fit::No;
+            let still: Vec<&Overload> = left.iter().filter(fits).copied().collect();
+            if still.is_empty() {
+                let mut words = Vec::new();
+                for way in &left {
+                    let word = match way.wanted[place] {
+                        Wanted::Is(ty) => a_type(ty),
+                        Wanted::Point => "a vertex or a vector",
+                    };
+                    if !words.contains(&word) {
+                        words.push(word);
+                    }
+                }
+                let message = format!(
+                    "`{}` wants {}, but {} is {}",
+                    function.text,
+                    either(&words),
+                    subject(written),
+                    a_type(value.ty)
+                );
+                let error = Diagnostic::error("type-mismatch", message, written.span)
+                    .saying(format!("this is {}", a_type(value.ty)));
+                self.report.add(error);
+                return;
+            }
+            left = still;
+        }
+        // Unreachable while every overload fits if each of its places does.
+        self.report.fail();
+    }
+
+    /// Says that an expression cannot call this.
+    fn unknown_function(&mut self, function: &Ident, span: Span) {
+        let word = function.text.as_str();
+        if self.declared.op(word).is_some() {
+            self.op_in_expression(word, span);
+            return;
+        }
+        if self.declared.called(word).is_some() {
+            let message = format!("`{word}` cannot be called in the default of a function");
+            let error = Diagnostic::error("unknown-function", message, function.span);
+            self.report.add(error);
+            return;
+        }
+        if self.declared.lacks_files() {
+            // What declares it has been refused already.
+            self.report.fail();
+            return;
+        }
+        let message = format!("there is no function `{word}`");
+        let error = Diagnostic::error("unknown-function", message, function.span);
+        let declared = self.declared;
+        let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
+        candidates.extend(declared.called_names());
+        let here = foreign_words::function(word).or_else(|| mesh_maker(word));
+        let place = (word, function.span);
+        self.report.add(foreign_words::tell(error, place, here, candidates));
+    }
+
+    /// An op rewrites the mesh, so it has no place inside of a computation.
+    fn op_in_expression(&mut self, op: &str, span: Span) {
+        let message = format!("`{op}` is an op; it cannot be called inside of an expression");
+        let error = Diagnostic::error("op-in-expression", message, span).note(format!(
+            "an op stands as a statement `{op}(…)`, as the condition of `if` or `if let x =`, \
+             or after `let x = must`"
+        ));
+        self.report.add(error);
+    }
+
+    /// `must f(x)` where a value is wanted.
+    pub(super) fn misplaced_must(&mut self, inner: &tree::Expr, span: Span) -> Option<Expr> {
+        match &inner.kind {
+            tree::ExprKind::Call { function, .. } if self.declared.op(&function.text).is_some() => {
+                self.op_in_expression(&function.text, span);
+            }
+            tree::ExprKind::Broken => self.report.fail(),
+            _ => {
+                let message = "`must` stands before the call of an op";
+                self.report.add(Diagnostic::error("misplaced-must", message, span));
+            }
+        }
+        None
+    }
+}

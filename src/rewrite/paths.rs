@@ -1,0 +1,340 @@
+//! The paths by which a key reaches what it reads, and the walk back along them.
+//!
+//! A key is an expression in one element: what it reads lies at the end of paths of pointers and
+//! of loops around orbits that begin at that element. Each step can be taken backwards on a valid
+//! mesh:
+//!
+//! ```text
+//! h.next  <- its prev         h.vertex <- the spokes of the vertex    v.halfedge <- its vertex
+//! h.prev  <- its next         h.face   <- the loop of the face        f.halfedge <- its face
+//! h.twin  <- its twin         h.edge   <- both halves of the edge     e.halfedge <- its edge
+//! a loop around an orbit <- the orbit
+//! ```
+//!
+//! So from an element in which a field was written, the walk back along each path that ends at
+//! that field finds the elements whose keys may have changed. All others have the key that they
+//! had.
+//!
+//! This is complete though the walk goes over the mesh as it is after the writing. Take a key that
+//! changes, and the first of its reads that returns something else than before. All reads before it
+//! returned the same, so the path up to it is the same now as then: what the read looks at is
+//! reached by it on the mesh as it is now, and the walk back from there finds the key. What was
+//! erased is looked at by no path but that of a variable that still holds it, and an element that
+//! was created counts as written in every field.
+//!
+//! The paths of a key form a tree: its root is the element, its nodes are sets of elements, and
+//! each step leads from one to the next. A key that follows pointers without bound has none.
+
+use std::fmt;
+
+use super::{ElementField, HalfedgeField, Reg, Walk};
+use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
+
+/// The greatest number of steps of a path.
+const MOST_STEPS: u16 = 32;
+
+/// The greatest number of nodes of a tree.
+const MOST_NODES: usize = 500;
+
+/// Why a key has no tree of paths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unbounded {
+    /// It follows pointers for as long as a condition says, or along very many paths.
+    Endless,
+    /// It reads all of the mesh.
+    WholeMesh,
+    /// A function in it calls itself.
+    Recursion,
+    /// It takes numbers by chance.
+    Chance,
+    /// It asks an operation.
+    Asks,
+    /// It does more than to compute a value.
+    Effects,
+}
+
+impl fmt::Display for Unbounded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Endless => "the key follows pointers without bound",
+            Self::WholeMesh => "the key reads all of the mesh",
+            Self::Recursion => "a function in the key calls itself",
+            Self::Chance => "the key takes numbers by chance",
+            Self::Asks => "the key asks an op",
+            Self::Effects => "the key does more than to compute a value",
+        })
+    }
+}
+
+/// Fields of an element of some kind: a bit for each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Fields(u32);
+
+impl Fields {
+    pub(super) const NONE: Self = Self(0);
+    pub(super) const ALL: Self = Self(u32::MAX);
+    /// The `halfedge` of a vertex, an edge or a face.
+    pub(super) const FIRST: Self = Self(1 << 6);
+    pub(super) const HOLE: Self = Self(1 << 7);
+    pub(super) const POSITION: Self = Self(1 << 8);
+    /// The field that says if the element exists.
+    pub(super) const LIFE: Self = Self(1 << 9);
+    /// All declared attributes.
+    pub(super) const ATTRIBUTES: Self = Self(!0 << Self::BEFORE_ATTRIBUTES);
+    const BEFORE_ATTRIBUTES: u16 = 10;
+
+    /// A pointer of a halfedge.
+    pub(super) fn pointer(field: HalfedgeField) -> Self {
+        Self(
+            1 << match field {
+                HalfedgeField::Next => 0,
+                HalfedgeField::Prev => 1,
+                HalfedgeField::Twin => 2,
+                HalfedgeField::Vertex => 3,
+                HalfedgeField::Edge => 4,
+                HalfedgeField::Face => 5,
+            },
+        )
+    }
+
+    /// True if they are attributes alone.
+    pub(super) fn are_attributes(self) -> bool {
+        self.0 != 0 && self.0 & !Self::ATTRIBUTES.0 == 0
+    }
+
+    /// A declared attribute. Those with high numbers share a bit.
+    pub(super) fn attribute(number: u16) -> Self {
+        Self(1 << number.saturating_add(Self::BEFORE_ATTRIBUTES).min(31))
+    }
+
+    #[inline]
+    pub(super) fn meets(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    #[inline]
+    fn add(&mut self, other: Self) {
+        self.0 |= other.0;
+    }
+}
+
+/// A step of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Step {
+    /// The element whose key it is.
+    Start,
+    /// The element that a variable holds.
+    Variable(Reg),
+    Pointer(HalfedgeField),
+    /// To the `halfedge` of an element.
+    First(ElementField),
+    /// To each halfedge of the loop or star.
+    Orbit(Walk),
+}
+
+/// The number of a node.
+pub(super) type Node = u16;
+
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    parent: Node,
+    step: Step,
+    depth: u16,
+    /// None where it is not told: a variable may be of any.
+    kind: Option<ElementKind>,
+    /// The fields of the elements there that are read.
+    reads: Fields,
+}
+
+/// The tree of the paths of a key.
+#[derive(Clone, Debug)]
+pub(super) struct Paths {
+    places: Vec<Place>,
+    /// By kind the places where something is read.
+    readers: [Vec<Node>; 4],
+    /// By kind all that is read.
+    read: [Fields; 4],
+}
+
+/// The root.
+pub(super) const START: Node = 0;
+
+impl Paths {
+    /// Those of a key that reads nothing of an element of some kind.
+    pub(super) fn new(kind: ElementKind) -> Self {
+        let (kind, reads) = (Some(kind), Fields::NONE);
+        let start = Place { parent: START, step: Step::Start, depth: 0, kind, reads };
+        Self { places: vec![start], readers: Default::default(), read: Default::default() }
+    }
+
+    /// The node to which a step leads from another.
+    pub(super) fn child(&mut self, parent: Node, step: Step) -> Result<Node, Unbounded> {
+        let known = |place: &Place| place.parent == parent && place.step == step;
+        if let Some(known) = self.places.iter().skip(1).position(known) {
+            return Ok(known as Node + 1);
+        }
+        let from = self.places[usize::from(parent)];
+        let kind = match step {
+            Step::Pointer(HalfedgeField::Vertex) => Some(ElementKind::Vertex),
+            Step::Pointer(HalfedgeField::Edge) => Some(ElementKind::Edge),
+            Step::Pointer(HalfedgeField::Face) => Some(ElementKind::Face),
+            Step::Pointer(_) | Step::First(_) | Step::Orbit(_) => Some(ElementKind::Halfedge),
+            Step::Start | Step::Variable(_) => None,
+        };
+        if from.depth >= MOST_STEPS || self.places.len() >= MOST_NODES {
+            return Err(Unbounded::Endless);
+        }
+        self.places.push(Place { parent, step, depth: from.depth + 1, kind, reads: Fields::NONE });
+        Ok(self.places.len() as Node - 1)
+    }
+
+    /// The node of what a variable holds.
+    pub(super) fn variable(&mut self, variable: Reg) -> Result<Node, Unbounded> {
+        self.child(START, Step::Variable(variable))
+    }
+
+    /// Notes that fields are read of the elements at a node.
+    pub(super) fn read(&mut self, node: Node, fields: Fields) {
+        self.places[usize::from(node)].reads.add(fields);
+    }
+
+    /// Sorts the places by what is read there; nothing is noted after that.
+    pub(super) fn finish(&mut self) {
+        for (node, place) in (0..).zip(&self.places) {
+            let of = |kind: &ElementKind| place.kind.is_none_or(|this| this == *kind);
+            for kind in ElementKind::ALL.into_iter().filter(of) {
+                if place.reads != Fields::NONE {
+                    self.readers[kind as usize].push(node);
+                    self.read[kind as usize].add(place.reads);
+                }
+            }
+        }
+    }
+
+    /// True if any of the fields is read of any element of the kind.
+    #[inline]
+    pub(super) fn concern(&self, kind: ElementKind, fields: Fields) -> bool {
+        self.read[kind as usize].meets(fields)
+    }
+}
+
+/// An element in which fields were written.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Written {
+    pub(super) kind: ElementKind,
+    pub(super) id: u32,
+    pub(super) fields: Fields,
+}
+
+/// The buffers of a walk back, besides the paths; kept for the next one.
+#[derive(Debug, Default)]
+pub(super) struct WalkBack {
+    /// By node the elements there from which the walk goes on.
+    found: Vec<Vec<u32>>,
+    orbits: Vec<u32>,
+}
+
+/// Whose keys may have changed.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Candidates<'w> {
+    All,
+    These(&'w [u32]),
+}
+
+impl WalkBack {
+    /// Walks back from what was written. `held` tells what a variable holds.
+    pub(super) fn candidates(
+        &mut self,
+        mesh: &Mesh,
+        paths: &Paths,
+        written: &[Written],
+        held: impl Fn(Reg) -> u32,
+    ) -> Candidates<'_> {
+        self.found.iter_mut().for_each(Vec::clear);
+        if self.found.len() < paths.places.len() {
+            self.found.resize_with(paths.places.len(), Vec::new);
+        }
+        for one in written {
+            for &node in &paths.readers[one.kind as usize] {
+                if paths.places[usize::from(node)].reads.meets(one.fields) {
+                    self.found[usize::from(node)].push(one.id);
+                }
+            }
+        }
+        // Every node comes behind its parent.
+        for (node, place) in paths.places.iter().enumerate().skip(1).rev() {
+            if self.found[node].is_empty() {
+                continue;
+            }
+            let (before, from) = self.found.split_at_mut(node);
+            let from = &mut from[0];
+            if let Step::Variable(variable) = place.step {
+                if from.contains(&held(variable)) {
+                    return Candidates::All;
+                }
+                continue;
+            }
+            let to = &mut before[usize::from(place.parent)];
+            from.sort_unstable();
+            from.dedup();
+            step_back(mesh, place.step, from, to, &mut self.orbits);
+        }
+        let start = &mut self.found[usize::from(START)];
+        start.sort_unstable();
+        start.dedup();
+        Candidates::These(start)
+    }
+}
+
+/// From where a step leads to the elements.
+fn step_back(mesh: &Mesh, step: Step, from: &[u32], to: &mut Vec<u32>, orbits: &mut Vec<u32>) {
+    let halfedges = || from.iter().filter_map(|&id| Some((id, mesh.get_halfedge(HalfedgeId(id))?)));
+    let vertices = |all: &[u32], to: &mut Vec<u32>| {
+        for &vertex in all {
+            to.extend(mesh.spokes(VertexId(vertex)).map(|h| h.0));
+        }
+    };
+    let faces = |all: &[u32], to: &mut Vec<u32>| {
+        for &face in all {
+            to.extend(mesh.face_halfedges(FaceId(face)).map(|h| h.0));
+        }
+    };
+    match step {
+        Step::Start | Step::Variable(_) => {}
+        Step::Pointer(HalfedgeField::Next) => to.extend(halfedges().map(|(_, h)| h.prev.0)),
+        Step::Pointer(HalfedgeField::Prev) => to.extend(halfedges().map(|(_, h)| h.next.0)),
+        Step::Pointer(HalfedgeField::Twin) => to.extend(halfedges().map(|(_, h)| h.twin.0)),
+        Step::Pointer(HalfedgeField::Vertex) => vertices(from, to),
+        Step::Pointer(HalfedgeField::Face) => faces(from, to),
+        Step::Pointer(HalfedgeField::Edge) => {
+            for &edge in from {
+                if let Some(half) = mesh.get_edge_halfedge(EdgeId(edge)) {
+                    to.push(half.0);
+                    to.extend(mesh.get_twin(half).map(|twin| twin.0));
+                }
+            }
+        }
+        Step::First(ElementField::Vertex) => to.extend(halfedges().filter_map(|(id, h)| {
+            (mesh.get_vertex_halfedge(h.vertex) == Some(HalfedgeId(id))).then_some(h.vertex.0)
+        })),
+        Step::First(ElementField::Edge) => to.extend(halfedges().filter_map(|(id, h)| {
+            (mesh.get_edge_halfedge(h.edge) == Some(HalfedgeId(id))).then_some(h.edge.0)
+        })),
+        Step::First(ElementField::Face) => to.extend(halfedges().filter_map(|(id, h)| {
+            (mesh.get_face_halfedge(h.face) == Some(HalfedgeId(id))).then_some(h.face.0)
+        })),
+        Step::Orbit(walk) => {
+            orbits.clear();
+            orbits.extend(halfedges().map(|(_, h)| match walk {
+                Walk::Star => h.vertex.0,
+                Walk::Loop => h.face.0,
+            }));
+            orbits.sort_unstable();
+            orbits.dedup();
+            match walk {
+                Walk::Star => vertices(orbits, to),
+                Walk::Loop => faces(orbits, to),
+            }
+        }
+    }
+}

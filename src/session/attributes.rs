@@ -1,0 +1,90 @@
+//! Attributes and positions as arrays, from outside.
+//!
+//! They change no pointers, so that the level of the mesh stays known.
+
+use super::{Error, Session};
+use crate::mesh::{AttributeType, ColumnData, ElementKind, Value, glam::DVec3};
+
+impl Session {
+    /// Gives an attribute its values, one for each slot of a kind, living or dead. If there is none
+    /// of that name, it is added; new elements have zero then, until a program says otherwise.
+    ///
+    /// # Errors
+    /// There are too many values or too few (`wrong-argument`), or there is an attribute of that
+    /// name with values of another type (`attribute-conflict`). Nothing has changed.
+    pub fn set_attribute(
+        &mut self,
+        kind: ElementKind,
+        name: &str,
+        values: ColumnData,
+    ) -> Result<(), Error> {
+        let slots = self.mesh.capacity(kind);
+        if values.len() != slots {
+            let what = format!("values for the attribute `{name}`");
+            return Err(self.wrong_length(&what, values.len(), (kind, slots)));
+        }
+        let zero = zero(values.attribute_type());
+        let column = self.mesh.add_column(kind, name, zero).map_err(|conflict| {
+            self.wrong("attribute-conflict", format!("{conflict} on this mesh"))
+        })?;
+        self.mesh.set_values(column, values);
+        self.masks.forget();
+        Ok(())
+    }
+
+    /// Takes an attribute away; whether there was one of that name.
+    pub fn remove_attribute(&mut self, kind: ElementKind, name: &str) -> bool {
+        let Some(column) = self.mesh.find_column(kind, name) else {
+            return false;
+        };
+        self.mesh.remove_column(column);
+        self.engine.unbind();
+        self.masks.forget();
+        true
+    }
+
+    /// Gives all slots of vertices, living or dead, a position.
+    ///
+    /// # Errors
+    /// There are too many positions or too few, or that of a living vertex is not finite
+    /// (`wrong-argument`). Nothing has changed.
+    pub fn set_positions(&mut self, positions: &[DVec3]) -> Result<(), Error> {
+        let slots = self.mesh.capacity(ElementKind::Vertex);
+        if positions.len() != slots {
+            let of = (ElementKind::Vertex, slots);
+            return Err(self.wrong_length("positions", positions.len(), of));
+        }
+        let living: Vec<_> = self.mesh.vertices().collect();
+        if let Some(stray) = living.iter().find(|v| !positions[v.index()].is_finite()) {
+            let message = format!("the position of {stray} is not finite");
+            return Err(self.wrong("wrong-argument", message));
+        }
+        for vertex in living {
+            self.mesh.set_position(vertex, positions[vertex.index()]);
+        }
+        self.masks.forget();
+        Ok(())
+    }
+
+    fn wrong_length(&self, what: &str, given: usize, (kind, slots): (ElementKind, usize)) -> Error {
+        let message = format!(
+            "there are {given} {what}, and {slots} places for {} (the number of the last and one \
+             more)",
+            kind.plural()
+        );
+        self.wrong("wrong-argument", message)
+    }
+
+    fn wrong(&self, code: &'static str, message: String) -> Error {
+        Error::nowhere(code, message, &self.engine.program.0.sources)
+    }
+}
+
+/// The value of new elements in an attribute of which no program says.
+fn zero(ty: AttributeType) -> Value {
+    match ty {
+        AttributeType::Bool => Value::Bool(false),
+        AttributeType::Int => Value::Int(0),
+        _ => Value::from_reals(ty, &[0.0; 16][..ty.width()]).expect("so many reals make one"),
+    }
+}

@@ -1,0 +1,178 @@
+//! Masks that are kept current while operations change the mesh.
+
+use super::questions::Free;
+use super::{Arguments, Error, Op, Session, Verdict};
+use crate::mesh::{Bookmark, ElementKind, Level, Mesh};
+use crate::rewrite::{Asked, Unwatched};
+use crate::run::Argument;
+
+/// A mask that a session keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct KeptMask(u64);
+
+/// The masks that a session keeps.
+#[derive(Debug, Default)]
+pub(super) struct Masks {
+    all: Vec<Kept>,
+    made: u64,
+}
+
+#[derive(Debug)]
+struct Kept {
+    name: KeptMask,
+    op: Op,
+    /// The arguments, without the one that is asked for all elements.
+    values: Vec<Option<Argument>>,
+    at: usize,
+    kind: ElementKind,
+    slot: usize,
+    /// The level that the mesh was known to have when the answers were given.
+    level: Level,
+    asked: Asked,
+    verdicts: Vec<Verdict>,
+    applies: Vec<bool>,
+}
+
+impl Masks {
+    pub(super) fn are_kept(&self) -> bool {
+        !self.all.is_empty()
+    }
+
+    /// Notes what was written since a mark; or, if that is about to be undone, that it was.
+    pub(super) fn note(&mut self, mesh: &Mesh, mark: &Bookmark) {
+        for kept in &mut self.all {
+            mesh.each_written(mark, |written| kept.asked.note(written));
+        }
+    }
+
+    /// The mesh may be any other from now on.
+    pub(super) fn forget(&mut self) {
+        self.all.iter_mut().for_each(|kept| kept.asked.forget());
+    }
+}
+
+impl Session {
+    /// Keeps a mask: at which elements an operation would be applied. What operations change later
+    /// is noted, and only what depends on it is asked again, where
+    /// [`kept_mask`](Self::kept_mask) or [`kept_verdicts`](Self::kept_verdicts) wants to know. After
+    /// a script that may change the mesh, and after changes by hand, all is asked anew.
+    ///
+    /// ```
+    /// # use hedgerow::{Program, Session, mesh::shape};
+    /// # fn main() -> Result<(), hedgerow::Error> {
+    /// let program = Program::load("std/triangle.hedge")?;
+    /// let mut session = Session::new(&program, shape::icosphere(1));
+    /// let flip = program.op("flip")?;
+    /// let mask = session.keep_mask(&flip, ())?;
+    /// for _ in 0..10 {
+    ///     let edge = session.kept_mask(mask)?.iter().position(|&can| can).expect("one can flip");
+    ///     assert!(session.apply(&flip, hedgerow::mesh::EdgeId(edge as u32))?.is_applied());
+    ///     assert_eq!(session.kept_mask(mask)?.to_vec(), session.mask(&flip, ())?);
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As of [`mask`](Self::mask).
+    pub fn keep_mask(&mut self, op: &Op, arguments: impl Arguments) -> Result<KeptMask, Error> {
+        let Free { at, kind, slot, .. } = self.free_parameter(op, arguments)?;
+        self.masks.made += 1;
+        let name = KeptMask(self.masks.made);
+        self.masks.all.push(Kept {
+            name,
+            op: op.clone(),
+            values: self.values.clone(),
+            at,
+            kind,
+            slot,
+            level: self.known.level(),
+            asked: Asked::new(kind),
+            verdicts: Vec::new(),
+            applies: Vec::new(),
+        });
+        match self.bring_up_to_date(name) {
+            Ok(_) => Ok(name),
+            Err(error) => {
+                self.drop_mask(name);
+                Err(error)
+            }
+        }
+    }
+
+    /// A mask that is kept, as [`mask`](Self::mask) would give it.
+    ///
+    /// # Errors
+    /// It is not kept (`unknown-mask`), or as of [`mask`](Self::mask).
+    pub fn kept_mask(&mut self, mask: KeptMask) -> Result<&[bool], Error> {
+        let at = self.bring_up_to_date(mask)?;
+        Ok(&self.masks.all[at].applies)
+    }
+
+    /// The same as [`verdicts`](Self::verdicts) would give it.
+    ///
+    /// # Errors
+    /// As of [`kept_mask`](Self::kept_mask).
+    pub fn kept_verdicts(&mut self, mask: KeptMask) -> Result<&[Verdict], Error> {
+        let at = self.bring_up_to_date(mask)?;
+        Ok(&self.masks.all[at].verdicts)
+    }
+
+    /// Keeps a mask no longer.
+    pub fn drop_mask(&mut self, mask: KeptMask) {
+        self.masks.all.retain(|kept| kept.name != mask);
+    }
+
+    /// Asks again what may have changed; the place of the mask.
+    fn bring_up_to_date(&mut self, mask: KeptMask) -> Result<usize, Error> {
+        let Some(at) = self.masks.all.iter().position(|kept| kept.name == mask) else {
+            let message = "this mask is not kept, or belongs to another session".to_owned();
+            return Err(Error::nowhere("unknown-mask", message, &self.engine.program.0.sources));
+        };
+        let mut kept = self.masks.all.swap_remove(at);
+        let done = self.ask_again(&mut kept);
+        self.masks.all.push(kept);
+        done.map(|()| self.masks.all.len() - 1)
+    }
+
+    fn ask_again(&mut self, kept: &mut Kept) -> Result<(), Error> {
+        self.use_program(&kept.op.program);
+        let Kept { op, values, at, kind, slot, level, asked, verdicts, applies, .. } = kept;
+        let (at, kind, slot) = (*at, *kind, *slot);
+        let application = op.application()?;
+        let ids = 0..self.mesh.capacity(kind) as u32;
+        let first = ids.into_iter().find(|&id| self.mesh.is_alive(kind, id));
+        if let Some(first) = first {
+            self.values.clone_from(values);
+            self.values[at] = Some(Argument::Element(kind, first));
+            self.make_ready(op, application)?;
+        }
+        if std::mem::replace(level, self.known.level()) != self.known.level() {
+            asked.forget();
+        }
+        let capacity = self.mesh.capacity(kind);
+        verdicts.resize(capacity, Verdict::Gone);
+        applies.resize(capacity, false);
+        while let Some(id) = asked.next_stale(&self.mesh) {
+            let verdict = match self.mesh.is_alive(kind, id) {
+                false => Verdict::Gone,
+                true => {
+                    self.slots[slot] = u64::from(id);
+                    let question = (application.plan(), self.slots.as_slice());
+                    let machine = &mut self.engine.machine;
+                    let noted = (&mut *asked, id);
+                    let answer =
+                        machine.ask_noting(&mut self.mesh, question, noted, &mut Unwatched);
+                    let answer = answer.map_err(|trap| {
+                        asked.make_stale(id);
+                        self.trapped_at(application, trap, (kind, id))
+                    })?;
+                    op.verdict(answer)
+                }
+            };
+            verdicts[id as usize] = verdict;
+            applies[id as usize] = verdict == Verdict::Applies;
+        }
+        Ok(())
+    }
+}

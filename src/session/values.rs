@@ -1,0 +1,237 @@
+//! Functions, called at one place or at all elements.
+
+use super::questions::free_parameter;
+use super::{Arguments, Error, Function, Session};
+use crate::diagnostic::Diagnostic;
+use crate::diagram::Type;
+use crate::mesh::ElementKind;
+use crate::rewrite::{Message, Trap, Unwatched, Watch};
+use crate::run::{self, Argument};
+
+/// The number of elements between two looks at who looks on.
+const IDS_PER_LOOK: u32 = 1024;
+
+/// The values of a function at all elements of a kind, by their numbers. Where there is no element,
+/// they are `false`, 0, not a number, empty, or none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Truths.
+    Bool(Vec<bool>),
+    /// Whole numbers.
+    Int(Vec<i64>),
+    /// Numbers.
+    Real(Vec<f64>),
+    /// Vectors or matrices: so many numbers each, matrices column by column.
+    Reals(usize, Vec<f64>),
+    /// Texts.
+    Text(Vec<String>),
+    /// Elements of a kind.
+    Element(ElementKind, Vec<Option<u32>>),
+}
+
+impl Values {
+    /// Room for values of a type, of each slot one.
+    fn new(ty: Type, slots: usize) -> Self {
+        match ty {
+            Type::Bool => Self::Bool(vec![false; slots]),
+            Type::Int => Self::Int(vec![0; slots]),
+            Type::Real => Self::Real(vec![f64::NAN; slots]),
+            Type::Text => Self::Text(vec![String::new(); slots]),
+            Type::Vec2 | Type::Vec3 | Type::Vec4 | Type::Mat3 | Type::Mat4 => {
+                let width = usize::from(crate::compile::width(ty));
+                Self::Reals(width, vec![f64::NAN; slots * width])
+            }
+            Type::Vertex => Self::Element(ElementKind::Vertex, vec![None; slots]),
+            Type::Halfedge => Self::Element(ElementKind::Halfedge, vec![None; slots]),
+            Type::Edge => Self::Element(ElementKind::Edge, vec![None; slots]),
+            Type::Face => Self::Element(ElementKind::Face, vec![None; slots]),
+        }
+    }
+
+    /// Puts the value in some slots of a window, and the text of that number, to a place.
+    fn put(&mut self, at: usize, window: &[u64], text: Option<&str>) {
+        let first = window.first().copied().unwrap_or(0);
+        match self {
+            Self::Bool(values) => values[at] = first != 0,
+            Self::Int(values) => values[at] = first as i64,
+            Self::Real(values) => values[at] = f64::from_bits(first),
+            Self::Reals(width, values) => {
+                let values = &mut values[at * *width..(at + 1) * *width];
+                for (value, &bits) in values.iter_mut().zip(window) {
+                    *value = f64::from_bits(bits);
+                }
+            }
+            Self::Text(values) => text.unwrap_or_default().clone_into(&mut values[at]),
+            Self::Element(_, values) => values[at] = Some(first as u32),
+        }
+    }
+
+    /// The value at a place; `None` if there is none.
+    fn get(&self, at: usize, ty: Type) -> Option<Argument> {
+        Some(match self {
+            Self::Bool(values) => Argument::Bool(*values.get(at)?),
+            Self::Int(values) => Argument::Int(*values.get(at)?),
+            Self::Real(values) => Argument::Real(*values.get(at)?),
+            Self::Reals(width, values) => {
+                Argument::Reals(ty, values.get(at * width..(at + 1) * width)?.to_vec())
+            }
+            Self::Text(values) => Argument::Text(values.get(at)?.clone()),
+            Self::Element(kind, values) => Argument::Element(*kind, (*values.get(at)?)?),
+        })
+    }
+}
+
+impl Session {
+    /// Calls a function; its value, if it gives one.
+    ///
+    /// # Errors
+    /// As of [`run`](Self::run).
+    pub fn call(
+        &mut self,
+        function: &Function,
+        arguments: impl Arguments,
+    ) -> Result<Option<Argument>, Error> {
+        self.call_watched(function, arguments, &mut Unwatched)
+    }
+
+    /// Calls a function while somebody looks on.
+    ///
+    /// # Errors
+    /// As of [`run_watched`](Self::run_watched).
+    pub fn call_watched(
+        &mut self,
+        function: &Function,
+        arguments: impl Arguments,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Argument>, Error> {
+        self.enter_function(function, arguments)?;
+        let prepared = function.prepared()?;
+        match prepared.changes() {
+            true => self.go(prepared, watch).map(drop)?,
+            false => self.look(function, watch)?,
+        }
+        Ok(function.result_type().and_then(|ty| {
+            let mut value = Values::new(ty, 1);
+            self.take_value(function, &mut value, 0);
+            value.get(0, ty)
+        }))
+    }
+
+    /// The values of a function at all elements: of the first parameter that is an element and not
+    /// among the arguments, by number, holes among faces.
+    ///
+    /// # Errors
+    /// No such parameter is left, the function gives no value, it may change the mesh
+    /// (`changing-function`), or it fails at an element.
+    pub fn values(
+        &mut self,
+        function: &Function,
+        arguments: impl Arguments,
+        watch: &mut dyn Watch,
+    ) -> Result<Values, Error> {
+        self.enter_function(function, arguments)?;
+        let prepared = function.prepared()?;
+        let (name, nowhere) = (function.name(), super::error::NOWHERE);
+        let Some(ty) = function.result_type() else {
+            let message = format!("`{name}` gives no value");
+            return Err(self.error(Diagnostic::error("wrong-argument", message, nowhere)));
+        };
+        let Some((at, kind, slot)) = free_parameter(prepared, &self.values) else {
+            return Err(self.no_free_parameter(name));
+        };
+        if prepared.changes() {
+            let message = format!("`{name}` may change the mesh: call it at one element");
+            return Err(self.error(Diagnostic::error("changing-function", message, nowhere)));
+        }
+        let mut values = Values::new(ty, self.mesh.capacity(kind));
+        let ids = 0..self.mesh.capacity(kind) as u32;
+        let mut living =
+            ids.filter(|&id| self.mesh.is_alive(kind, id)).collect::<Vec<_>>().into_iter();
+        let Some(first) = living.next() else {
+            return Ok(values);
+        };
+        // The first call looks at the arguments, and finds out which level the mesh has.
+        self.values[at] = Some(Argument::Element(kind, first));
+        self.look(function, watch)?;
+        self.take_value(function, &mut values, first as usize);
+        let known = self.known;
+        let mark = self.mesh.open_journal();
+        let done = self.look_everywhere((function, slot), living, &mut values, watch);
+        self.mesh.keep(mark);
+        self.known = known;
+        done.map(|()| values)
+    }
+
+    /// Calls a function that does not change the mesh at some elements, whose numbers come into a
+    /// slot; the others are filled.
+    fn look_everywhere(
+        &mut self,
+        (function, slot): (&Function, usize),
+        elements: impl Iterator<Item = u32>,
+        values: &mut Values,
+        watch: &mut dyn Watch,
+    ) -> Result<(), Error> {
+        let prepared = function.prepared()?;
+        let code = prepared.code();
+        let drains = code.drains();
+        for id in elements {
+            self.slots[slot] = u64::from(id);
+            let machine = &mut self.engine.machine;
+            let ran = match drains {
+                true => machine.run(&mut self.mesh, code, &self.slots, watch),
+                false => machine.run_without_drains(&mut self.mesh, code, &self.slots, watch),
+            };
+            if let Err(trap) = ran {
+                let diagnostic = run::diagnostic(prepared, trap);
+                return Err(self.error(diagnostic.note(format!("asked at number {id}"))));
+            }
+            if id % IDS_PER_LOOK == 0 && watch.tick().is_break() {
+                let trap = Trap { message: Message::Interrupted, trace: Vec::new() };
+                return Err(self.error(run::diagnostic(prepared, trap)));
+            }
+            self.take_value(function, values, id as usize);
+        }
+        Ok(())
+    }
+
+    fn enter_function(
+        &mut self,
+        function: &Function,
+        arguments: impl Arguments,
+    ) -> Result<(), Error> {
+        self.expect_own(&function.program)?;
+        let prepared = function.prepared()?;
+        self.give(prepared, arguments)?;
+        let level = prepared.wanted();
+        self.known.seek(level, &self.mesh);
+        if !std::mem::replace(&mut self.engine.bound_functions[function.index], true) {
+            self.bind(prepared.columns())?;
+        }
+        Ok(())
+    }
+
+    /// Runs a function that does not change the mesh with the values that are given: what is known
+    /// stays, and no id is given out again.
+    fn look(&mut self, function: &Function, watch: &mut dyn Watch) -> Result<(), Error> {
+        let known = self.known;
+        let mark = self.mesh.open_journal();
+        let done = self.go(function.prepared()?, watch);
+        self.mesh.keep(mark);
+        self.known = known;
+        done.map(drop)
+    }
+
+    /// Takes the value of the function that has run to a place.
+    fn take_value(&self, function: &Function, values: &mut Values, at: usize) {
+        let Ok(prepared) = function.prepared() else { return };
+        let machine = &self.engine.machine;
+        let window = machine.window().get(prepared.value()..).unwrap_or_default();
+        let text = match values {
+            Values::Text(_) => {
+                window.first().and_then(|&number| machine.text(prepared.code(), number))
+            }
+            _ => None,
+        };
+        values.put(at, window, text);
+    }
+}

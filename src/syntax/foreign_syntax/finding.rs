@@ -1,0 +1,194 @@
+//! A foreign way of writing that was found in one place.
+
+use super::pattern::{Class, What};
+use super::place::Item;
+use super::table::{Habit, Piece};
+use crate::diagnostic::Edit;
+use crate::source::Span;
+use crate::syntax::token::{Token, TokenKind as T};
+use std::ops::Range;
+
+/// A way of writing from elsewhere, found in a text.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Its number, so that the same is told once: a number of the table, or a sign.
+    pub what: usize,
+    /// The place that is reported.
+    pub span: Span,
+    /// The message.
+    pub says: String,
+    /// The text in its place, if that is sure.
+    pub edits: Option<Vec<Edit>>,
+    /// True if what is behind it in the item cannot be read as it was meant.
+    pub ends: bool,
+    /// True if it is a sign that the language does not have.
+    pub is_sign: bool,
+}
+
+/// A match of a pattern of the table.
+pub(super) struct Match<'t, 'i> {
+    pub habit: &'static Habit,
+    pub item: &'i Item<'t>,
+    /// The tokens of each element.
+    pub parts: Vec<Range<usize>>,
+}
+
+impl<'t> Match<'t, '_> {
+    fn hole(&self, name: &str) -> Option<Range<usize>> {
+        let elements = &self.habit.seen().elements;
+        let at = elements
+            .iter()
+            .position(|element| matches!(&element.what, What::Hole(known, _) if *known == name))?;
+        self.parts.get(at).cloned()
+    }
+
+    fn is_end(&self, at: usize) -> bool {
+        let element = self.habit.seen().elements.get(at);
+        element.is_some_and(|of| matches!(of.what, What::Hole(_, Class::End)))
+    }
+
+    /// All tokens that were matched.
+    pub(super) fn all(&self) -> Range<usize> {
+        let start = self.parts.first().map_or(0, |part| part.start);
+        let end = self.parts.last().map_or(start, |part| part.end);
+        start..end
+    }
+
+    /// A template with what the holes stand for.
+    fn filled(&self, pieces: &[Piece], template: &str) -> String {
+        let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
+            return String::new();
+        };
+        let mut text = String::new();
+        let mut at = first.place.start;
+        for piece in pieces {
+            text.push_str(template.get(at..piece.place.start).unwrap_or(""));
+            match piece.hole.and_then(|hole| self.hole(hole)) {
+                Some(range) => text.push_str(self.item.slice(range)),
+                None => text.push_str(template.get(piece.place.clone()).unwrap_or("")),
+            }
+            at = piece.place.end;
+        }
+        text.push_str(template.get(at..last.place.end).unwrap_or(""));
+        text
+    }
+
+    /// The numbers of elements and pieces that are the same at both ends.
+    fn shared(&self, pieces: &[Piece]) -> (usize, usize) {
+        let elements = &self.habit.seen().elements;
+        let count = elements.len() - usize::from(self.is_end(elements.len().wrapping_sub(1)));
+        let same = |element: usize, piece: usize| match (&elements[element].what, &pieces[piece]) {
+            (What::Hole(hole, _), piece) => piece.hole == Some(*hole),
+            (What::Written(ways), piece) => {
+                piece.hole.is_none() && matches!(ways.as_slice(), [only] if *only == piece.word)
+            }
+        };
+        let most = count.min(pieces.len());
+        let front = (0..most).take_while(|&at| same(at, at)).count();
+        let back =
+            (0..most - front).take_while(|&at| same(count - 1 - at, pieces.len() - 1 - at)).count();
+        (front, back)
+    }
+
+    /// The place that differs, and the edit that mends it.
+    fn difference(&self, pieces: &[Piece], template: &str) -> (Span, Edit) {
+        let elements = self.habit.seen().elements.len();
+        let count = elements - usize::from(self.is_end(elements.wrapping_sub(1)));
+        let (front, back) = self.shared(pieces);
+        let text = self.filled(&pieces[front..pieces.len() - back], template);
+        let tokens = self.parts[front..count - back].iter().cloned();
+        let tokens = tokens.filter(|range| !range.is_empty());
+        let (first, last) = tokens.fold((usize::MAX, 0), |(first, last), range| {
+            (first.min(range.start), last.max(range.end))
+        });
+        let token = |at: usize| self.item.token(at).map(|token| token.span);
+        match (token(first), last.checked_sub(1).and_then(token)) {
+            (Some(first), Some(last)) => {
+                let span = first.to(last);
+                (span, self.spaced(Edit { span, text }))
+            }
+            _ => {
+                // Something is only missing: it comes behind what is there.
+                let before = self.parts[..front].iter().map(|range| range.end).max();
+                let before = before.and_then(|end| end.checked_sub(1)).and_then(token);
+                let span = before.unwrap_or_default();
+                (span, self.spaced(Edit { span: span.after(), text }))
+            }
+        }
+    }
+
+    /// An edit that does not grow together with what is beside it.
+    fn spaced(&self, edit: Edit) -> Edit {
+        let Edit { span, mut text } = edit;
+        let (before, behind) = self.item.around(span.start, span.end);
+        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '"');
+        let ends = |text: &str| text.chars().next_back().is_some_and(|c| is_word(c) || c == ')');
+        let begins = |text: &str| text.chars().next().is_some_and(is_word);
+        let apart = begins(&text) || text.starts_with(['{', '=', '!']);
+        if ends(before) && (apart || before.ends_with(')') && text.starts_with('-')) {
+            text.insert(0, ' ');
+        }
+        if ends(&text) && (begins(behind) || behind.starts_with('=')) {
+            text.push(' ');
+        }
+        Edit { span, text }
+    }
+
+    /// The tokens in place of those that were matched.
+    pub(super) fn written(&self) -> Vec<Token> {
+        let kept: Vec<&str> = self.habit.ours().iter().filter_map(|piece| piece.hole).collect();
+        let elements = self.habit.seen().elements.iter().zip(&self.parts);
+        // What is written anew takes the places of what is not kept.
+        let places = elements
+            .filter(
+                |(element, _)| !matches!(element.what, What::Hole(name, _) if kept.contains(&name)),
+            )
+            .flat_map(|(_, range)| self.item.tokens[range.clone()].iter().map(|token| token.span));
+        let mut places = places.peekable();
+        let start = self.item.token(self.all().start).map(|token| token.span.before());
+        let mut last = start.unwrap_or_default();
+        let mut tokens = Vec::new();
+        for piece in self.habit.ours() {
+            match piece.hole.and_then(|hole| self.hole(hole)) {
+                Some(range) => tokens.extend_from_slice(&self.item.tokens[range]),
+                None => {
+                    let place =
+                        std::iter::from_fn(|| places.next_if(|place| place.start < last.end));
+                    place.for_each(drop);
+                    let span = places.next().unwrap_or(last.after());
+                    tokens.push(Token { kind: piece.kind, span });
+                }
+            }
+            last = tokens.last().map_or(last, |token| token.span);
+        }
+        tokens
+    }
+
+    /// The finding with its message.
+    pub(super) fn found(&self, what: usize) -> Found {
+        let (pieces, template) = self.habit.fix();
+        let (span, edit) = self.difference(pieces, template);
+        let first = self.item.token(self.all().start);
+        let seen = self.seen_word();
+        let says = self.habit.says.replace("{}", seen);
+        let says = self.habit.holes_of_says().fold(says, |says, hole| {
+            let range = self.hole(hole).unwrap_or_default();
+            says.replace(&format!("${hole}"), self.item.slice(range))
+        });
+        Found {
+            what,
+            span,
+            says,
+            edits: self.habit.is_sure().then(|| vec![edit]),
+            ends: self.habit.ends(),
+            is_sign: first.is_some_and(|token| token.kind == T::Foreign),
+        }
+    }
+
+    /// The first word of a pattern that is not kept.
+    fn seen_word(&self) -> &'t str {
+        let elements = self.habit.seen().elements.iter().zip(&self.parts);
+        let mut literal = elements.filter(|(element, _)| matches!(element.what, What::Written(_)));
+        literal.next().map_or("", |(_, range)| self.item.slice(range.clone()))
+    }
+}

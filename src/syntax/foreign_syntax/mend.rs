@@ -1,0 +1,154 @@
+//! The pass over the tokens of an item.
+
+use super::finding::{Found, Match};
+use super::place::{Braces, CODE, DRAWING, HEAD, Item, PARTS, Places};
+use super::sign::{Sign, sign};
+use super::table::{Habit, habits};
+use crate::diagnostic::Edit;
+use crate::syntax::token::{Token, TokenKind as T};
+use std::ops::Range;
+use strsim::damerau_levenshtein;
+
+/// The number of times something may be put into other words in one item, for each token of it.
+const MOST: usize = 4;
+
+/// The words with which something begins, by where they do.
+const BEGINNINGS: &[(Places, &[T])] = &[
+    (HEAD, &[T::Op, T::Script, T::Fn, T::Attr, T::Use, T::Test, T::Private]),
+    (PARTS, &[T::Before, T::After, T::Require, T::Guard, T::Alias, T::Rule, T::Steps]),
+    (DRAWING, &[T::Face, T::Hole, T::Loop, T::Edge, T::Vertex, T::New, T::Keep, T::Erase]),
+    (
+        CODE,
+        &[
+            T::Let,
+            T::Var,
+            T::If,
+            T::For,
+            T::While,
+            T::Repeat,
+            T::Drain,
+            T::Update,
+            T::Print,
+            T::Assert,
+            T::Require,
+            T::Return,
+            T::Must,
+        ],
+    ),
+];
+
+/// The tokens of an item in the words of the language.
+pub struct Mended {
+    /// The tokens.
+    pub tokens: Vec<Token>,
+    /// The findings, in the order of the text.
+    pub found: Vec<Found>,
+}
+
+/// Puts an item that cannot be read into the words of the language.
+pub fn mend(text: &str, tokens: &[Token]) -> Mended {
+    let mut item = Item::new(text, tokens);
+    let mut braces = Braces::new();
+    let mut found = Vec::new();
+    let mut left = tokens.len().saturating_mul(MOST).saturating_add(MOST);
+    let mut at = 0;
+    while let Some(kind) = item.kind(at) {
+        let place = braces.place();
+        let known = matching(&item, at, place, braces.begins(&item, at)).filter(|_| left > 0);
+        if let Some((number, parts)) = known {
+            let hit = Match { habit: &habits()[number], item: &item, parts };
+            found.push(hit.found(number));
+            let (range, written) = (hit.all(), hit.written());
+            item.tokens.splice(range, written);
+            left -= 1;
+            continue;
+        }
+        if kind == T::Foreign {
+            found.push(foreign(&mut item, at));
+            continue;
+        }
+        let begins = braces.begins(&item, at);
+        if let Some((meant, told)) = misspelt(&item, at, place).filter(|_| begins) {
+            item.tokens[at].kind = meant;
+            found.push(told);
+        }
+        braces.pass(item.tokens[at].kind);
+        at += 1;
+    }
+    found.sort_by_key(|found| (found.span.start, found.span.end));
+    Mended { tokens: item.tokens, found }
+}
+
+/// The first line of the table that matches at a token.
+fn matching(
+    item: &Item,
+    at: usize,
+    place: Places,
+    begins: bool,
+) -> Option<(usize, Vec<Range<usize>>)> {
+    let here = |habit: &&Habit| habit.place & place != 0;
+    let numbered = habits().iter().enumerate().filter(|(_, habit)| here(habit));
+    let mut matches = numbered.filter_map(|(number, habit)| {
+        let parts = habit.seen().matched(item, at, begins)?;
+        parts.last().is_some_and(|last| last.end > at).then_some((number, parts))
+    });
+    matches.next()
+}
+
+/// A foreign sign of which the table knows nothing.
+fn foreign(item: &mut Item, at: usize) -> Found {
+    let span = item.tokens[at].span;
+    let (span, written) = item.comment(at).unwrap_or((span, item.word(at)));
+    let Sign { kind, says, fix } = sign(written, span, item.is_last(at));
+    let first = item.word(at).chars().next().map_or(0, u32::from);
+    match kind {
+        Some(kind) => item.tokens[at].kind = kind,
+        None => drop(item.tokens.remove(at)),
+    }
+    Found {
+        what: usize::MAX - first as usize,
+        span,
+        says,
+        edits: fix.map(|(span, text)| vec![Edit { span, text }]),
+        ends: false,
+        is_sign: true,
+    }
+}
+
+/// A word that is nearly one with which something begins here.
+fn misspelt(item: &Item, at: usize, place: Places) -> Option<(T, Found)> {
+    if item.kind(at) != Some(T::Word) {
+        return None;
+    }
+    let word = item.word(at);
+    let next = item.kind(at + 1);
+    let goes_on = match place {
+        PARTS => true,
+        DRAWING | HEAD => next.is_some_and(|next| next.is_wordlike() || next == T::Text),
+        _ => {
+            let starts_value = |kind: T| {
+                kind.is_wordlike() || matches!(kind, T::Int | T::Real | T::Text | T::TextHead)
+            };
+            next.is_some_and(starts_value) && !item.ends_line(at + 1)
+        }
+    };
+    let (_, beginnings) = BEGINNINGS.iter().find(|(here, _)| *here == place)?;
+    let lower = word.to_lowercase();
+    let far = word.chars().count() / 3;
+    let distance = |kind: &T| damerau_levenshtein(&lower, kind.spelling().unwrap_or(""));
+    let meant = beginnings.iter().min_by_key(|kind| distance(kind))?;
+    if !goes_on || distance(meant) > far {
+        return None;
+    }
+    let ours = meant.spelling()?;
+    let span = item.token(at)?.span;
+    let found = Found {
+        what: usize::MAX / 2 + span.start as usize,
+        span,
+        says: format!("`{word}` is written `{ours}`"),
+        edits: Some(vec![Edit { span, text: ours.to_owned() }]),
+        ends: false,
+        is_sign: false,
+    };
+    Some((*meant, found))
+}

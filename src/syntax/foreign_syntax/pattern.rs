@@ -1,0 +1,264 @@
+//! Patterns over tokens, written as text.
+//!
+//! A pattern is a list of elements with spaces between them:
+//!
+//! | element | stands for |
+//! | --- | --- |
+//! | `face`, `del/remove` | a token that is written so, or one of several |
+//! | `$a` | a name, perhaps with a subscript |
+//! | `$a=(/,` | a token that is written in one of these ways, kept |
+//! | `$a:word` | a name or a keyword |
+//! | `$a:vertex` | a name to which an arrow leads somewhere in the item |
+//! | `$a:text` | a text in quotes |
+//! | `$a:number` | a number |
+//! | `$a:names` | names, perhaps with commas between them, also none |
+//! | `$a:part` | anything on the line whose brackets are paired, up to what follows |
+//! | `$a:some` | the same, at least a token |
+//! | `$a:line` | the same, up to the end of the statement |
+//! | `$a:plain` | the same, without the arrow of a path |
+//! | `$a:inside` | the same over several lines: what stands between brackets |
+//! | `$:end` | nothing, at the end of a line |
+//!
+//! With `~` before it an element touches the one before, with `_` it stands on the same line. A pattern that begins with `^` matches
+//! only where a statement begins.
+
+use super::place::Item;
+use crate::syntax::token::{Token, TokenKind as T};
+use std::ops::Range;
+
+/// The greatest number of tokens of a hole.
+const LONGEST: usize = 400;
+
+/// A pattern, taken apart.
+#[derive(Debug)]
+pub(super) struct Pattern {
+    begins: bool,
+    pub elements: Vec<Element>,
+}
+
+/// One element.
+#[derive(Debug)]
+pub(super) struct Element {
+    touches: bool,
+    same_line: bool,
+    pub what: What,
+}
+
+/// The meaning of an element.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum What {
+    /// A token that is written in one of these ways.
+    Written(Vec<&'static str>),
+    /// Something that keeps its name.
+    Hole(&'static str, Class),
+}
+
+/// The class of a hole.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Class {
+    Name,
+    OneOf(Vec<&'static str>),
+    Word,
+    Number,
+    Vertex,
+    Text,
+    Names,
+    Part,
+    Some,
+    Line,
+    Plain,
+    Inside,
+    End,
+}
+
+impl Pattern {
+    /// Takes a pattern apart.
+    pub(super) fn of(written: &'static str) -> Self {
+        let (begins, written) = match written.strip_prefix('^') {
+            Some(rest) if !rest.is_empty() => (true, rest),
+            _ => (false, written),
+        };
+        Self { begins, elements: written.split_whitespace().map(Element::of).collect() }
+    }
+
+    /// The tokens of each element, if the pattern matches at a token; `begins` says whether a
+    /// statement can begin there.
+    pub(super) fn matched(
+        &self,
+        item: &Item,
+        at: usize,
+        begins: bool,
+    ) -> Option<Vec<Range<usize>>> {
+        if self.begins && !begins {
+            return None;
+        }
+        let mut found = Vec::with_capacity(self.elements.len());
+        rest_matches(&self.elements, item, at, &mut found).then_some(found)
+    }
+}
+
+impl Element {
+    fn of(written: &'static str) -> Self {
+        let (touches, written) = match written.strip_prefix('~') {
+            Some(rest) if !rest.is_empty() => (true, rest),
+            _ => (false, written),
+        };
+        let (same_line, written) = match written.strip_prefix('_') {
+            Some(rest) if !rest.is_empty() => (true, rest),
+            _ => (false, written),
+        };
+        let what = match written.strip_prefix('$') {
+            Some(hole) => hole_of(hole),
+            None => What::Written(ways(written)),
+        };
+        Self { touches, same_line, what }
+    }
+}
+
+fn hole_of(written: &'static str) -> What {
+    if let Some((name, of)) = written.split_once('=') {
+        return What::Hole(name, Class::OneOf(ways(of)));
+    }
+    let (name, class) = written.split_once(':').unwrap_or((written, "name"));
+    let class = match class {
+        "word" => Class::Word,
+        "number" => Class::Number,
+        "vertex" => Class::Vertex,
+        "text" => Class::Text,
+        "names" => Class::Names,
+        "part" => Class::Part,
+        "some" => Class::Some,
+        "line" => Class::Line,
+        "plain" => Class::Plain,
+        "inside" => Class::Inside,
+        "end" => Class::End,
+        _ => Class::Name,
+    };
+    What::Hole(name, class)
+}
+
+/// `a/b` are two ways; `/` is one.
+fn ways(written: &'static str) -> Vec<&'static str> {
+    match written {
+        "/" => vec!["/"],
+        several => several.split('/').collect(),
+    }
+}
+
+/// True if the elements match from a token on; what each stands for is added to `found`.
+fn rest_matches(
+    elements: &[Element],
+    item: &Item,
+    at: usize,
+    found: &mut Vec<Range<usize>>,
+) -> bool {
+    let Some((element, rest)) = elements.split_first() else {
+        return true;
+    };
+    if element.touches && !item.touches(at) {
+        return false;
+    }
+    if element.same_line && item.ends_line(at) {
+        return false;
+    }
+    let known = found.len();
+    for end in ends(&element.what, item, at) {
+        found.push(at..end);
+        if rest_matches(rest, item, end, found) {
+            return true;
+        }
+        found.truncate(known);
+    }
+    false
+}
+
+/// The ends of an element that begins at a token may end, the first that is tried first.
+fn ends(what: &What, item: &Item, at: usize) -> Vec<usize> {
+    let kind = item.kind(at);
+    let one = |is: bool| if is { vec![at + 1] } else { Vec::new() };
+    match what {
+        What::Written(ways) => one(kind.is_some() && ways.contains(&item.word(at))),
+        What::Hole(_, class) => match class {
+            Class::OneOf(ways) => one(kind.is_some() && ways.contains(&item.word(at))),
+            Class::Name => item.name_end(at).into_iter().collect(),
+            Class::Vertex => {
+                let is_vertex = item.leads_to(item.word(at));
+                item.name_end(at).filter(|_| is_vertex).into_iter().collect()
+            }
+            Class::Word => one(kind.is_some_and(T::is_wordlike)),
+            Class::Number => one(matches!(kind, Some(T::Int | T::Real))),
+            Class::Text => text_end(item, at).into_iter().collect(),
+            Class::Names => names_ends(item, at),
+            Class::Part => paired(item, at, |end| item.ends_line(end)),
+            Class::Some => {
+                let ends = paired(item, at, |end| item.ends_line(end));
+                ends.into_iter().filter(|&end| end > at).collect()
+            }
+            Class::Line => paired(item, at, |end| item.ends_line(end)).pop().into_iter().collect(),
+            Class::Plain => {
+                let line = paired(item, at, |end| item.ends_line(end)).pop();
+                let is_plain =
+                    |end: &usize| (at..*end).all(|at| item.kind(at) != Some(T::FatArrow));
+                line.filter(is_plain).into_iter().collect()
+            }
+            Class::Inside => paired(item, at, |_| false),
+            Class::End => {
+                if item.ends_line(at) {
+                    vec![at]
+                } else {
+                    Vec::new()
+                }
+            }
+        },
+    }
+}
+
+fn text_end(item: &Item, at: usize) -> Option<usize> {
+    match item.kind(at)? {
+        T::Text => Some(at + 1),
+        T::TextHead => {
+            let tail = (at..at + LONGEST).find(|&at| item.kind(at) == Some(T::TextTail))?;
+            Some(tail + 1)
+        }
+        _ => None,
+    }
+}
+
+fn names_ends(item: &Item, at: usize) -> Vec<usize> {
+    let mut ends = vec![at];
+    let mut end = at;
+    while end < at + LONGEST {
+        match item.name_end(end) {
+            Some(next) => end = next,
+            None if item.kind(end) == Some(T::Comma) && end > at => end += 1,
+            None => break,
+        }
+        ends.push(end);
+    }
+    ends
+}
+
+/// The ends of a run that begins at a token and whose brackets are paired, from the nearest place
+/// to where it is over.
+fn paired(item: &Item, at: usize, over: impl Fn(usize) -> bool) -> Vec<usize> {
+    let mut ends = vec![at];
+    let mut depth = 0_usize;
+    for end in at..at + LONGEST {
+        let Some(Token { kind, .. }) = item.token(end) else {
+            break;
+        };
+        if depth == 0 && over(end) {
+            break;
+        }
+        match kind {
+            T::LeftParen | T::LeftBrace | T::LeftBracket => depth += 1,
+            T::RightParen | T::RightBrace | T::RightBracket if depth == 0 => break,
+            T::RightParen | T::RightBrace | T::RightBracket => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            ends.push(end + 1);
+        }
+    }
+    ends
+}

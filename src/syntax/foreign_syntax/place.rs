@@ -1,0 +1,230 @@
+//! The tokens of an item, and where each of them stands.
+
+use crate::source::Span;
+use crate::syntax::token::{Token, TokenKind as T};
+use std::collections::HashSet;
+use std::ops::Range;
+
+/// Places in a program, as bits: several may be wanted.
+pub(super) type Places = u8;
+
+/// Outside of all items, or in the head of one.
+pub(super) const HEAD: Places = 1;
+/// Among the parts of an op or a rule.
+pub(super) const PARTS: Places = 2;
+/// In `before` or `after`.
+pub(super) const DRAWING: Places = 4;
+/// In a block of statements.
+pub(super) const CODE: Places = 8;
+/// Anywhere.
+pub(super) const ANY: Places = HEAD | PARTS | DRAWING | CODE;
+
+/// The tokens of an item, with the text they stand in.
+pub(super) struct Item<'t> {
+    text: &'t str,
+    pub tokens: Vec<Token>,
+    targets: HashSet<&'t str>,
+}
+
+impl<'t> Item<'t> {
+    pub(super) fn new(text: &'t str, tokens: &[Token]) -> Self {
+        let word = |token: &Token| text.get(token.span.range()).unwrap_or("");
+        let arrows =
+            tokens.windows(2).filter(|pair| matches!(pair[0].kind, T::Arrow | T::FatArrow));
+        let targets = arrows.map(|pair| word(&pair[1])).collect();
+        Self { text, tokens: tokens.to_vec(), targets }
+    }
+
+    pub(super) fn token(&self, at: usize) -> Option<&Token> {
+        self.tokens.get(at)
+    }
+
+    pub(super) fn kind(&self, at: usize) -> Option<T> {
+        self.token(at).map(|token| token.kind)
+    }
+
+    /// The text of a token.
+    pub(super) fn word(&self, at: usize) -> &'t str {
+        let token = self.tokens.get(at);
+        // What was put in stands for other words than its place has.
+        if let Some(spelling) = token.and_then(|token| token.kind.spelling()) {
+            return spelling;
+        }
+        token.and_then(|token| self.text.get(token.span.range())).unwrap_or("")
+    }
+
+    /// The text from one token to another.
+    pub(super) fn slice(&self, range: Range<usize>) -> &'t str {
+        let (Some(first), Some(last)) =
+            (self.tokens.get(range.start), range.end.checked_sub(1).and_then(|at| self.token(at)))
+        else {
+            return "";
+        };
+        self.text.get(first.span.start as usize..last.span.end as usize).unwrap_or("")
+    }
+
+    /// True if an arrow leads to this name somewhere.
+    pub(super) fn leads_to(&self, word: &str) -> bool {
+        self.targets.contains(word)
+    }
+
+    /// The end of the name that begins at a token, if there is one.
+    pub(super) fn name_end(&self, at: usize) -> Option<usize> {
+        const LONGEST_SUBSCRIPT: usize = 5;
+        self.kind(at).filter(|kind| kind.is_name())?;
+        if self.kind(at + 1) == Some(T::LeftBracket) && self.touches(at + 1) {
+            let mut inside = at + 2..at + 2 + LONGEST_SUBSCRIPT;
+            return inside
+                .find(|&at| self.kind(at) == Some(T::RightBracket))
+                .map(|closing| closing + 1);
+        }
+        Some(at + 1)
+    }
+
+    fn between(&self, at: usize) -> &str {
+        let before = at.checked_sub(1).and_then(|before| self.token(before));
+        let (Some(before), Some(here)) = (before, self.token(at)) else {
+            return "\n";
+        };
+        self.text.get(before.span.end as usize..here.span.start as usize).unwrap_or("")
+    }
+
+    /// True if nothing stands between a token and the one before.
+    pub(super) fn touches(&self, at: usize) -> bool {
+        at > 0 && at < self.tokens.len() && self.between(at).is_empty()
+    }
+
+    /// A comment as other languages write it, of which the token is the first line.
+    pub(super) fn comment(&self, at: usize) -> Option<(Span, &'t str)> {
+        let span = self.token(at)?.span;
+        let rest = self.text.get(span.start as usize..)?;
+        let end = rest.strip_prefix("/*")?.find("*/")? + 4;
+        Some((Span { end: span.start + end as u32, ..span }, rest.get(..end)?))
+    }
+
+    /// True if nothing follows a token on its line.
+    pub(super) fn is_last(&self, at: usize) -> bool {
+        at + 1 >= self.tokens.len() || self.between(at + 1).contains('\n')
+    }
+
+    /// The text before and behind a place.
+    pub(super) fn around(&self, start: u32, end: u32) -> (&'t str, &'t str) {
+        let before = self.text.get(..start as usize);
+        (before.unwrap_or(""), self.text.get(end as usize..).unwrap_or(""))
+    }
+
+    /// True if a line ends before a token.
+    pub(super) fn ends_line(&self, at: usize) -> bool {
+        at >= self.tokens.len()
+            || self.between(at).contains('\n')
+            || self.kind(at) == Some(T::RightBrace)
+            || self.word(at) == ";"
+    }
+
+    /// True if a statement can begin at a token that stands in no parentheses.
+    fn begins_statement(&self, at: usize) -> bool {
+        let Some(before) = at.checked_sub(1) else {
+            return true;
+        };
+        match self.kind(before) {
+            Some(T::LeftBrace | T::RightBrace) => true,
+            Some(before) if goes_on(before) => false,
+            _ => self.between(at).contains('\n') || self.word(before) == ";",
+        }
+    }
+}
+
+/// True if a statement surely goes on behind a token.
+fn goes_on(kind: T) -> bool {
+    matches!(
+        kind,
+        T::Comma
+            | T::Plus
+            | T::Minus
+            | T::Slash
+            | T::Equals
+            | T::Equal
+            | T::NotEqual
+            | T::Less
+            | T::LessEqual
+            | T::Greater
+            | T::GreaterEqual
+            | T::And
+            | T::Or
+            | T::Not
+            | T::Div
+            | T::Mod
+            | T::Bar
+            | T::Colon
+            | T::Dot
+            | T::LeftParen
+    )
+}
+
+/// The brackets that are open at a token.
+pub(super) struct Braces {
+    open: Vec<Places>,
+    /// For each of them, and for none, how many parentheses are open inside.
+    parentheses: Vec<usize>,
+    /// The last word that tells what a brace opens.
+    word: Option<T>,
+}
+
+impl Braces {
+    pub(super) fn new() -> Self {
+        Self { open: Vec::new(), parentheses: vec![0], word: None }
+    }
+
+    /// The place of one.
+    pub(super) fn place(&self) -> Places {
+        self.open.last().copied().unwrap_or(HEAD)
+    }
+
+    /// True if a statement can begin at a token.
+    pub(super) fn begins(&self, item: &Item, at: usize) -> bool {
+        self.parentheses.last() == Some(&0) && item.begins_statement(at)
+    }
+
+    /// Passes a token.
+    pub(super) fn pass(&mut self, kind: T) {
+        match kind {
+            T::Op
+            | T::Script
+            | T::Fn
+            | T::Test
+            | T::Before
+            | T::After
+            | T::Steps
+            | T::Rule
+            | T::Each
+            | T::If
+            | T::Else => self.word = Some(kind),
+            T::LeftBrace => {
+                self.open.push(match (self.place(), self.word) {
+                    (HEAD, Some(T::Op)) | (PARTS, Some(T::Rule)) => PARTS,
+                    (PARTS, Some(T::Before | T::After)) | (DRAWING, Some(T::Each)) => DRAWING,
+                    _ => CODE,
+                });
+                self.word = None;
+                self.parentheses.push(0);
+            }
+            T::RightBrace => {
+                if self.open.pop().is_some() {
+                    self.parentheses.pop();
+                }
+                self.word = None;
+            }
+            T::LeftParen => {
+                if let Some(open) = self.parentheses.last_mut() {
+                    *open += 1;
+                }
+            }
+            T::RightParen => {
+                if let Some(open) = self.parentheses.last_mut() {
+                    *open = open.saturating_sub(1);
+                }
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Reports of findings: the same once, with all its places in one fix, and all that is on one line
+//! in one error.
+
+use super::finding::Found;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::source::Span;
+use std::ops::Range;
+
+/// The greatest length of a line that a title shows.
+const LONGEST: usize = 72;
+
+/// Tells what was found in a text, in the order of the text.
+pub(in crate::syntax) fn tell(text: &str, mut found: Vec<Found>) -> Vec<Diagnostic> {
+    found.sort_by_key(|found| found.span.start);
+    let mut groups: Vec<Group> = Vec::new();
+    for one in found {
+        match groups.iter_mut().find(|group| group.is_same(&one)) {
+            Some(group) => group.again(one),
+            None => groups.push(Group::new(one)),
+        }
+    }
+    let mut lines: Vec<Group> = Vec::new();
+    for group in groups {
+        let line = line_of(text, group.span.start);
+        match lines.last_mut().filter(|last| line.contains(&(last.span.start as usize))) {
+            Some(last) => last.join(group),
+            None => lines.push(group),
+        }
+    }
+    lines.into_iter().map(|group| group.told(text)).collect()
+}
+
+/// All that is told in one error.
+struct Group {
+    what: usize,
+    span: Span,
+    says: Vec<String>,
+    edits: Option<Vec<Edit>>,
+    more: usize,
+    is_sign: bool,
+}
+
+impl Group {
+    fn new(found: Found) -> Self {
+        let Found { what, span, says, edits, is_sign, .. } = found;
+        Self { what, span, says: vec![says], edits, more: 0, is_sign }
+    }
+
+    /// True if the same is to be told of it.
+    fn is_same(&self, found: &Found) -> bool {
+        self.what == found.what || self.says.contains(&found.says)
+    }
+
+    /// The same in another place.
+    fn again(&mut self, found: Found) {
+        self.more += 1;
+        self.add(found.edits);
+    }
+
+    /// Something else on the same line.
+    fn join(&mut self, other: Self) {
+        self.says.extend(other.says);
+        self.more = self.more.max(other.more);
+        self.add(other.edits);
+    }
+
+    /// More edits, as far as they do not overlap the others; none if there is no fix of one.
+    fn add(&mut self, more: Option<Vec<Edit>>) {
+        let (Some(edits), Some(more)) = (&mut self.edits, more) else {
+            self.edits = None;
+            return;
+        };
+        for edit in more {
+            let apart = |other: &Edit| {
+                edit.span.end < other.span.start
+                    || other.span.end < edit.span.start
+                    || (edit.span.end == other.span.start || other.span.end == edit.span.start)
+                        && edit.span.start != edit.span.end
+                        && other.span.start != other.span.end
+            };
+            if edits.iter().all(apart) {
+                edits.push(edit);
+            }
+        }
+    }
+
+    fn told(self, text: &str) -> Diagnostic {
+        let Self { span, says, edits, more, is_sign, .. } = self;
+        let code = if is_sign { "unknown-character" } else { "syntax-error" };
+        let (first, others) =
+            says.split_first().map_or(("", &[][..]), |(first, others)| (first.as_str(), others));
+        let told = Diagnostic::error(code, first, span);
+        let told = others.iter().fold(told, |told, also| told.note(also.clone()));
+        let places = if more == 1 { "place" } else { "places" };
+        let again = format!("and so in {more} more {places}");
+        let mut told = match more {
+            0 => told,
+            _ if edits.is_none() => told.note(again.clone()),
+            _ => told,
+        };
+        if let Some(edits) = edits {
+            let edits: Vec<_> = edits.into_iter().map(|edit| whole_line(text, edit)).collect();
+            let title = title(text, span, &edits);
+            let title = if more > 0 { format!("{title}, {again}") } else { title };
+            told.fixes.push(Fix { title, edits });
+        }
+        told
+    }
+}
+
+/// The line that the edits make.
+fn title(text: &str, span: Span, edits: &[Edit]) -> String {
+    let line = line_of(text, span.start);
+    let mut here: Vec<&Edit> = edits
+        .iter()
+        .filter(|edit| line.start <= edit.span.start as usize && edit.span.end as usize <= line.end)
+        .collect();
+    here.sort_by_key(|edit| edit.span.start);
+    let old = |edit: &Edit| text.get(edit.span.range()).unwrap_or("").trim().to_owned();
+    let is_word =
+        |text: &str| text.len() > 2 && text.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let mut mended = String::new();
+    let mut at = line.start;
+    for edit in &here {
+        mended.push_str(text.get(at..edit.span.start as usize).unwrap_or(""));
+        mended.push_str(&edit.text);
+        at = edit.span.end as usize;
+    }
+    mended.push_str(text.get(at..line.end).unwrap_or(""));
+    let mended = mended.split_whitespace().collect::<Vec<_>>().join(" ");
+    let new = edits.first().map_or("", |edit| edit.text.trim());
+    if let [only] = here.as_slice()
+        && is_word(only.text.trim())
+        && is_word(&old(only))
+    {
+        return format!("write `{}`", only.text.trim());
+    }
+    match (here.is_empty(), mended.is_empty()) {
+        (true, _) | (_, true) if new.is_empty() => {
+            format!("leave out `{}`", edits.first().map(old).unwrap_or_default())
+        }
+        (false, false) if mended.len() <= LONGEST => format!("write `{mended}`"),
+        _ if !new.is_empty() && new.len() <= LONGEST && !new.contains('\n') => {
+            format!("write `{new}`")
+        }
+        _ => "write it so".to_owned(),
+    }
+}
+
+/// The line that holds a byte.
+fn line_of(text: &str, at: u32) -> Range<usize> {
+    let at = (at as usize).min(text.len());
+    let start = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
+    let end = text.get(at..).and_then(|rest| rest.find('\n')).map_or(text.len(), |end| at + end);
+    start..end
+}
+
+/// An edit that leaves nothing takes the blanks before it along, and its line if that is then
+/// empty.
+fn whole_line(text: &str, edit: Edit) -> Edit {
+    if !edit.text.is_empty() {
+        return edit;
+    }
+    let Edit { span, text: written } = edit;
+    let line = line_of(text, span.start);
+    let before = text.get(line.start..span.start as usize).unwrap_or("");
+    let behind = text.get(span.end as usize..).unwrap_or("");
+    let to_line_end = behind.find('\n').unwrap_or(behind.len());
+    let alone = before.trim().is_empty() && behind[..to_line_end].trim().is_empty();
+    let blanks = before.len() - before.trim_end().len();
+    let after = behind.len() - behind.trim_start_matches([' ', '\t']).len();
+    let (start, end) = match alone {
+        true => (line.start, span.end as usize + (to_line_end + 1).min(behind.len())),
+        false if before.trim().is_empty() => (span.start as usize, span.end as usize + after),
+        // What follows at once stays apart from what is before.
+        false if after == 0 && to_line_end > 0 => (span.start as usize, span.end as usize),
+        false => (span.start as usize - blanks, span.end as usize),
+    };
+    Edit { span: Span::new(span.file, start, end), text: written }
+}

@@ -1,0 +1,115 @@
+//! The page that is served on this machine: to nobody but who has its address.
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Stdio};
+
+use crate::bench::{Bench, example};
+
+/// A server that ends with the test.
+struct Served {
+    child: Child,
+    port: String,
+    token: String,
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Served {
+    /// Starts one; nothing if the page had not been built, which is said then.
+    fn start(bench: &Bench, files: &[&str]) -> Option<Self> {
+        let arguments = [&["play", "--no-browser"][..], files].concat();
+        let mut command = bench.command(&arguments);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut address = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut address).unwrap();
+        if address.is_empty() {
+            let output = child.wait_with_output().unwrap();
+            let err = String::from_utf8_lossy(&output.stderr);
+            assert!(err.contains("was built without its page"), "{err}");
+            assert_eq!(output.status.code(), Some(2));
+            return None;
+        }
+        let rest = address.trim().strip_prefix("http://127.0.0.1:").expect("it is on loopback");
+        let (port, token) = rest.split_once('/').expect("a token follows");
+        let token = token.trim_end_matches('/');
+        assert_eq!(token.len(), 32);
+        Some(Self { child, port: port.to_owned(), token: token.to_owned() })
+    }
+
+    /// Asks; the status and the body.
+    fn ask(&self, request: &str, headers: &[(&str, &str)], body: &[u8]) -> (u16, Vec<u8>) {
+        let mut stream = TcpStream::connect(format!("127.0.0.1:{}", self.port)).unwrap();
+        let own = format!("127.0.0.1:{}", self.port);
+        let mut text = format!("{request} HTTP/1.1\r\nConnection: close\r\n");
+        if !headers.iter().any(|(name, _)| *name == "Host") {
+            text += &format!("Host: {own}\r\n");
+        }
+        for (name, value) in headers {
+            text += &format!("{name}: {value}\r\n");
+        }
+        text += &format!("Content-Length: {}\r\n\r\n", body.len());
+        stream.write_all(text.as_bytes()).unwrap();
+        stream.write_all(body).unwrap();
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
+        let status = String::from_utf8_lossy(&answer[9..12]).parse().unwrap();
+        let gap = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
+        (status, answer[gap + 4..].to_vec())
+    }
+}
+
+#[test]
+fn the_page_is_served_to_its_owner_only() {
+    let bench = Bench::with_square();
+    bench.write("mine.hedge", std::fs::read_to_string(example("flip.hedge")).unwrap());
+    let Some(served) = Served::start(&bench, &["mine.hedge", "square.obj"]) else {
+        return;
+    };
+    let token = &served.token;
+    let page = format!("GET /{token}/");
+    let (status, body) = served.ask(&page, &[], b"");
+    assert_eq!(status, 200);
+    assert!(String::from_utf8_lossy(&body).contains("hedgerow-local"));
+    assert_eq!(served.ask(&format!("GET /{token}/main.js"), &[], b"").0, 200);
+    assert_eq!(served.ask(&format!("GET /{token}/../Cargo.toml"), &[], b"").0, 404);
+    for (request, headers) in [
+        ("GET /".to_owned(), vec![]),
+        ("GET /00000000000000000000000000000000/".to_owned(), vec![]),
+        (page.clone(), vec![("Host", "evil.example")]),
+        (page.clone(), vec![("Origin", "http://evil.example")]),
+        (format!("POST /{token}/save"), vec![("Origin", "null")]),
+    ] {
+        assert_eq!(served.ask(&request, &headers, b"").0, 403, "{request} {headers:?}");
+    }
+    let (status, body) = served.ask(&format!("POST /{token}/start"), &[], b"");
+    assert_eq!(status, 200);
+    assert!(String::from_utf8_lossy(&body).contains("op flip"));
+    let question = br#"{"ask":"shape","name":"cube"}"#;
+    let mut message = (question.len() as u32).to_le_bytes().to_vec();
+    message.extend(question);
+    let (status, body) = served.ask(&format!("POST /{token}/ask"), &[], &message);
+    assert_eq!(status, 200);
+    assert!(String::from_utf8_lossy(&body).contains("\"faces\":6"));
+    for broken in [&b""[..], b"\x05\0\0\0{", b"\xff\xff\xff\xff"] {
+        assert_eq!(served.ask(&format!("POST /{token}/ask"), &[], broken).0, 400);
+        assert_eq!(served.ask(&format!("POST /{token}/lsp"), &[], broken).0, 400);
+    }
+    let (status, _) = served.ask(&format!("POST /{token}/save"), &[], b"// mine\n");
+    assert_eq!(status, 200);
+    assert_eq!(bench.read("mine.hedge"), "// mine\n");
+}
+
+#[test]
+fn what_cannot_be_opened_is_told() {
+    let bench = Bench::with_square();
+    for arguments in [&["play", "nowhere.hedge"][..], &["play", "square.obj", "square.obj"]] {
+        let output = bench.command(arguments).arg("--no-browser").output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+}

@@ -1,0 +1,129 @@
+//! The protocol below the answers: messages on a stream, paths, positions, and texts for people.
+
+use std::path::{Path, PathBuf};
+
+use gen_lsp_types::{Position, Uri};
+use hedgerow::lsp::Encoding;
+use hedgerow::lsp::markdown::{fenced, prose, quoted};
+use hedgerow::lsp::message::{Heard, read};
+use hedgerow::lsp::position::Lines;
+use hedgerow::lsp::uri::{of_path, path};
+use lsp_server::Message;
+
+fn first(text: &str) -> Result<Option<Heard>, String> {
+    read(&mut text.as_bytes()).map_err(|error| error.to_string())
+}
+
+#[test]
+fn messages_are_read_and_nothing_else() {
+    let exit = r#"{"jsonrpc":"2.0","method":"exit"}"#;
+    let length = exit.len();
+    let text = format!("content-length: {length}\r\nContent-Type: x\r\n\r\n{exit}{exit}");
+    let Ok(Some(Heard::Message(Message::Notification(told)))) = first(&text) else {
+        panic!("it is a notification");
+    };
+    assert_eq!(told.method, "exit");
+    assert!(matches!(first(""), Ok(None)));
+    for (text, wanted) in [
+        ("Content-Length: 99999999999999\r\n\r\n{}", "unexpected end"),
+        ("Content-Length: -1\r\n\r\n{}", "malformed header"),
+        ("Content-Length: 2\n\n{}", "malformed header"),
+        ("hello\r\n\r\n", "malformed header"),
+        ("Content-Type: x\r\n\r\n{}", "no Content-Length"),
+    ] {
+        let told = first(text).expect_err(text);
+        assert!(told.contains(wanted), "{told}");
+    }
+    let endless = "x".repeat(10_000);
+    assert!(first(&endless).is_err());
+}
+
+#[test]
+fn what_is_no_message_is_answered() {
+    for (body, wanted) in [
+        ("{]", r#""code":-32700"#),
+        ("\u{0}", r#""code":-32700"#),
+        (&"[".repeat(9000), r#""id":null"#),
+        ("17", "a message is an object"),
+        ("[]", "batches are not taken"),
+        (r#"[{"id":1,"method":"shutdown"}]"#, r#""id":null"#),
+        (r#"{"id":1.5,"method":"shutdown"}"#, r#""id":1.5"#),
+        (r#"{"id":5000000000,"method":"shutdown"}"#, r#""id":5000000000"#),
+        (r#"{"id":null,"method":"shutdown"}"#, "an id is a text"),
+        (r#"{"id":[1],"method":"shutdown"}"#, r#""id":null"#),
+        (r#"{"id":7,"method":8}"#, r#""id":7"#),
+        (r#"{"id":"a"}"#, r#""id":"a""#),
+    ] {
+        let text = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+        let Ok(Some(Heard::Refused(answer))) = first(&text) else {
+            panic!("{body} is no message");
+        };
+        let mut told = Vec::new();
+        answer.write(&mut told).expect("there is room");
+        let told = String::from_utf8(told).expect("it is a text");
+        assert!(told.contains(wanted), "{told}");
+    }
+}
+
+#[test]
+fn paths_survive_the_way_there_and_back() {
+    let there = of_path(Path::new("/tmp/a b/é#%.hedge"));
+    assert_eq!(there.0, "file:///tmp/a%20b/%C3%A9%23%25.hedge");
+    assert_eq!(path(&there), Some(PathBuf::from("/tmp/a b/é#%.hedge")));
+    let drive = Uri("file:///c%3A/x.hedge".into());
+    assert_eq!(path(&drive), Some(PathBuf::from("c:/x.hedge")));
+    assert_eq!(path(&Uri("untitled:Untitled-1".into())), None);
+}
+
+#[test]
+fn positions_and_bytes_are_inverse_in_every_encoding() {
+    let text = "a𝄞b\r\né\rz\n\n";
+    for encoding in [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32] {
+        let lines = Lines::new(text, encoding);
+        for (offset, character) in text.char_indices() {
+            if text[..offset].ends_with('\r') && character == '\n' {
+                continue; // inside a line end
+            }
+            let position = lines.position(text, offset);
+            assert_eq!(lines.offset(text, position), offset, "{encoding:?} {offset}");
+        }
+    }
+    let lines = Lines::new(text, Encoding::Utf16);
+    let at = |line, character| lines.offset(text, Position { line, character });
+    assert_eq!(at(0, 2), 1, "inside a pair of surrogates");
+    assert_eq!(at(0, 99), 6, "the end of the line, before its end mark");
+    assert_eq!(at(2, 0), 11);
+    assert_eq!(at(99, 0), text.len());
+}
+
+#[test]
+fn only_what_arranges_text_is_left() {
+    for (told, wanted) in [
+        ("see [it](command:x)", "see \\[it](command:x)"),
+        ("![p](https://x/y.png) <img src=x>", "!\\[p](https\\://x/y.png) \\<img src=x>"),
+        ("a@b.c or WWW.x.y: no", "a\\@b.c or WWW\\.x.y: no"),
+        ("*so* `v[i]` and ``a`b[0]``", "*so* `v[i]` and ``a`b[0]``"),
+        ("` [x](command:x)", "\\` \\[x](command:x)"),
+        ("`` [x](command:x) `", "\\`\\` \\[x](command:x) \\`"),
+        ("\\`[x](command:x)`", "\\\\`[x](command:x)`"),
+        ("| --- | --- |", "\\| --- | --- |"),
+        ("- an item, a -> b", "- an item, a -> b"),
+    ] {
+        assert_eq!(prose(told), wanted);
+    }
+}
+
+#[test]
+fn fences_end_where_every_client_ends_them() {
+    let lines = |text: &str| text.split('\n').map(str::to_owned).collect::<Vec<_>>();
+    let same = "a\n\n```text\n .-[x]-.\n```\nb";
+    assert_eq!(quoted(&lines(same)), lines(same));
+    // In a list the fence would end with the list.
+    let listed = "- a\n  ```\n[x](command:x)";
+    assert_eq!(quoted(&lines(listed)), lines("- a\n```\n[x](command:x)\n```"));
+    let open = "```\n````\n[x](command:x)";
+    assert_eq!(quoted(&lines(open)), lines("```\n```\n\\[x](command:x)"));
+    let returned = "```\na\r```\r[x](command:x)";
+    assert_eq!(quoted(&lines(returned)), lines("```\na ``` [x](command:x)\n```"));
+    assert_eq!(fenced("x", "a ```` b"), "`````x\na ```` b\n`````\n");
+}

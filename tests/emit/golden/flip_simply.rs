@@ -1,0 +1,321 @@
+use std::collections::HashMap;
+use hedgerow::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
+
+/// The same, and edges stay told by their ends.
+#[allow(non_snake_case)]
+pub fn flip_simply(mesh: &mut Mesh, e: EdgeId) -> bool {
+    // 1. Collect: nothing is written before all of this has passed.
+    // Both directions of e are tried.
+    for a in [mesh.edge_halfedge(e), mesh.twin(mesh.edge_halfedge(e))] {
+        let b = mesh.next(a);
+        let d = mesh.twin(a);
+        let g = mesh.next(d);
+        let f0 = mesh.face(a);
+        let v0 = mesh.vertex(a);
+        let v1 = mesh.vertex(d);
+        let v2 = mesh.vertex(mesh.next(b));
+        let f1 = mesh.face(d);
+        let v3 = mesh.vertex(mesh.next(g));
+        let P_first = mesh.next(b);
+        let P_last = mesh.prev(a);
+        let Q_first = mesh.next(g);
+        let Q_last = mesh.prev(d);
+        if mesh.is_hole(f0) {
+            continue; // `f0` is a hole
+        }
+        if mesh.is_hole(f1) {
+            continue; // `f1` is a hole
+        }
+        if v0 == v1 {
+            continue; // `v0` and `v1` are one vertex
+        }
+        if v0 == v2 {
+            continue; // `v0` and `v2` are one vertex
+        }
+        if v0 == v3 {
+            continue; // `v0` and `v3` are one vertex
+        }
+        if v1 == v2 {
+            continue; // `v1` and `v2` are one vertex
+        }
+        if v1 == v3 {
+            continue; // `v1` and `v3` are one vertex
+        }
+        if f0 == f1 {
+            continue; // `f0` and `f1` are one face
+        }
+        // The guard looks at what there would be, on a preview of the mesh.
+        {
+            let mut preview = Preview::new(mesh);
+            preview.set_next(a, P_first);
+            preview.set_vertex(a, v3);
+            preview.set_next(b, d);
+            preview.set_face(b, f1);
+            preview.set_next(P_last, g);
+            preview.set_next(d, Q_first);
+            preview.set_vertex(d, v2);
+            preview.set_next(g, a);
+            preview.set_face(g, f0);
+            preview.set_next(Q_last, b);
+            preview.set_vertex_halfedge(v0, g);
+            preview.set_vertex_halfedge(v1, b);
+            preview.set_face_halfedge(f0, a);
+            preview.set_face_halfedge(f1, d);
+            if !preview.two_spokes(v0) {
+                continue; // `v0` would keep a single edge
+            }
+            if !preview.two_spokes(v1) {
+                continue; // `v1` would keep a single edge
+            }
+            if !preview.corner_once(f0, v3) {
+                continue; // `f0` would meet `v3` twice
+            }
+            if !preview.corner_once(f1, v2) {
+                continue; // `f1` would meet `v2` twice
+            }
+            if !preview.single_edge(a) {
+                continue; // two edges would join `v2` and `v3`
+            }
+            if !preview.corners_own(f0, v3) {
+                continue; // another face has the corners that `f0` would have
+            }
+            if !preview.corners_own(f1, v2) {
+                continue; // another face has the corners that `f1` would have
+            }
+            if !preview.meets_once(f0) {
+                continue; // `f0` would meet a vertex twice
+            }
+            if !preview.meets_once(f1) {
+                continue; // `f1` would meet a vertex twice
+            }
+            if !preview.corners_own(f0, v2) {
+                continue; // another face has the corners that `f0` would have
+            }
+        }
+
+        // 3. Reassign every pointer that changes.
+        mesh.set_next(a, P_first);
+        mesh.set_prev(a, g);
+        mesh.set_vertex(a, v3);
+        mesh.set_next(b, d);
+        mesh.set_prev(b, Q_last);
+        mesh.set_face(b, f1);
+        mesh.set_next(P_last, g);
+        mesh.set_prev(P_first, a);
+        mesh.set_next(d, Q_first);
+        mesh.set_prev(d, b);
+        mesh.set_vertex(d, v2);
+        mesh.set_next(g, a);
+        mesh.set_prev(g, P_last);
+        mesh.set_face(g, f0);
+        mesh.set_next(Q_last, b);
+        mesh.set_prev(Q_first, d);
+        mesh.set_vertex_halfedge(v0, g);
+        mesh.set_vertex_halfedge(v1, b);
+        mesh.set_face_halfedge(f0, a);
+        mesh.set_face_halfedge(f1, d);
+        return true;
+    }
+    false
+}
+
+/// The mesh as it will be: what is noted here counts, and of all else what the mesh says. An
+/// operation looks at its result on it before anything is written.
+struct Preview<'m> {
+    mesh: &'m Mesh,
+    new: u32,
+    next: HashMap<HalfedgeId, HalfedgeId>,
+    twin: HashMap<HalfedgeId, HalfedgeId>,
+    vertex: HashMap<HalfedgeId, VertexId>,
+    face: HashMap<HalfedgeId, FaceId>,
+    vertex_halfedge: HashMap<VertexId, HalfedgeId>,
+    face_halfedge: HashMap<FaceId, HalfedgeId>,
+    holes: HashMap<FaceId, bool>,
+}
+
+#[allow(dead_code)]
+impl<'m> Preview<'m> {
+    fn new(mesh: &'m Mesh) -> Self {
+        Self {
+            mesh,
+            new: u32::MAX,
+            next: HashMap::new(),
+            twin: HashMap::new(),
+            vertex: HashMap::new(),
+            face: HashMap::new(),
+            vertex_halfedge: HashMap::new(),
+            face_halfedge: HashMap::new(),
+            holes: HashMap::new(),
+        }
+    }
+
+    /// A number from the top of the range, where the mesh has none.
+    fn number(&mut self) -> u32 {
+        self.new -= 1;
+        self.new
+    }
+
+    fn add_vertex(&mut self) -> VertexId {
+        VertexId(self.number())
+    }
+
+    fn add_halfedge(&mut self) -> HalfedgeId {
+        HalfedgeId(self.number())
+    }
+
+    /// A new face is no hole.
+    fn add_face(&mut self) -> FaceId {
+        let face = FaceId(self.number());
+        self.set_hole(face, false);
+        face
+    }
+
+    fn set_next(&mut self, h: HalfedgeId, to: HalfedgeId) {
+        self.next.insert(h, to);
+    }
+
+    fn set_twin(&mut self, h: HalfedgeId, to: HalfedgeId) {
+        self.twin.insert(h, to);
+    }
+
+    fn set_vertex(&mut self, h: HalfedgeId, to: VertexId) {
+        self.vertex.insert(h, to);
+    }
+
+    fn set_face(&mut self, h: HalfedgeId, to: FaceId) {
+        self.face.insert(h, to);
+    }
+
+    fn set_vertex_halfedge(&mut self, v: VertexId, to: HalfedgeId) {
+        self.vertex_halfedge.insert(v, to);
+    }
+
+    fn set_face_halfedge(&mut self, f: FaceId, to: HalfedgeId) {
+        self.face_halfedge.insert(f, to);
+    }
+
+    fn set_hole(&mut self, f: FaceId, hole: bool) {
+        self.holes.insert(f, hole);
+    }
+
+    fn next(&self, h: HalfedgeId) -> HalfedgeId {
+        self.next.get(&h).copied().unwrap_or_else(|| self.mesh.next(h))
+    }
+
+    fn twin(&self, h: HalfedgeId) -> HalfedgeId {
+        self.twin.get(&h).copied().unwrap_or_else(|| self.mesh.twin(h))
+    }
+
+    fn vertex(&self, h: HalfedgeId) -> VertexId {
+        self.vertex.get(&h).copied().unwrap_or_else(|| self.mesh.vertex(h))
+    }
+
+    fn face(&self, h: HalfedgeId) -> FaceId {
+        self.face.get(&h).copied().unwrap_or_else(|| self.mesh.face(h))
+    }
+
+    fn is_hole(&self, f: FaceId) -> bool {
+        self.holes.get(&f).copied().unwrap_or_else(|| self.mesh.is_hole(f))
+    }
+
+    /// The halfedges that start at a vertex.
+    fn star(&self, v: VertexId) -> Vec<HalfedgeId> {
+        let first = self.vertex_halfedge.get(&v).copied();
+        let first = first.unwrap_or_else(|| self.mesh.vertex_halfedge(v));
+        let mut around = Vec::new();
+        let mut h = first;
+        while !h.is_none() {
+            around.push(h);
+            h = self.next(self.twin(h));
+            if h == first {
+                break;
+            }
+        }
+        around
+    }
+
+    /// The corners of a face.
+    fn corners(&self, f: FaceId) -> Vec<VertexId> {
+        let first = self.face_halfedge.get(&f).copied();
+        let first = first.unwrap_or_else(|| self.mesh.face_halfedge(f));
+        let mut around = vec![self.vertex(first)];
+        let mut h = self.next(first);
+        while h != first {
+            around.push(self.vertex(h));
+            h = self.next(h);
+        }
+        around
+    }
+
+    /// The corners of a face, in an order that tells whether two have the same.
+    fn sorted_corners(&self, f: FaceId) -> Vec<VertexId> {
+        let mut corners = self.corners(f);
+        corners.sort_unstable();
+        corners
+    }
+
+    fn differ<T: PartialEq>(all: &[T]) -> bool {
+        (1..all.len()).all(|at| !all[..at].contains(&all[at]))
+    }
+
+    /// Whether a face or hole has three sides or more.
+    fn three_sides(&self, f: FaceId) -> bool {
+        self.corners(f).len() > 2
+    }
+
+    /// Whether no vertex is two corners of a face.
+    fn meets_once(&self, f: FaceId) -> bool {
+        Self::differ(&self.corners(f))
+    }
+
+    /// Whether a face has no more than one corner at a vertex.
+    fn corner_once(&self, f: FaceId, v: VertexId) -> bool {
+        self.star(v).into_iter().filter(|&h| self.face(h) == f).count() <= 1
+    }
+
+    /// Whether a vertex has two edges or more, or none.
+    fn two_spokes(&self, v: VertexId) -> bool {
+        self.star(v).len() != 1
+    }
+
+    /// Whether no more than one corner of a vertex lies in a hole.
+    fn one_hole(&self, v: VertexId) -> bool {
+        self.star(v).into_iter().filter(|&h| self.is_hole(self.face(h))).count() <= 1
+    }
+
+    /// Whether no face has two corners at a vertex.
+    fn faces_differ(&self, v: VertexId) -> bool {
+        let faces: Vec<_> = self.star(v).into_iter().map(|h| self.face(h)).collect();
+        Self::differ(&faces)
+    }
+
+    fn target(&self, h: HalfedgeId) -> VertexId {
+        self.vertex(self.twin(h))
+    }
+
+    /// Whether no two edges lead from a vertex to one neighbor.
+    fn neighbors_differ(&self, v: VertexId) -> bool {
+        let neighbors: Vec<_> = self.star(v).into_iter().map(|h| self.target(h)).collect();
+        Self::differ(&neighbors)
+    }
+
+    /// Whether no other edge joins the ends of a halfedge.
+    fn single_edge(&self, h: HalfedgeId) -> bool {
+        let (star, end) = (self.star(self.vertex(h)), self.target(h));
+        star.into_iter().filter(|&h| self.target(h) == end).count() <= 1
+    }
+
+    /// Whether no two faces around a vertex have the same corners.
+    fn corners_differ(&self, v: VertexId) -> bool {
+        let faces = self.star(v).into_iter().map(|h| self.face(h));
+        let faces = faces.filter(|&f| !self.is_hole(f));
+        Self::differ(&faces.map(|f| self.sorted_corners(f)).collect::<Vec<_>>())
+    }
+
+    /// Whether no other face around a vertex has the corners of a face.
+    fn corners_own(&self, f: FaceId, v: VertexId) -> bool {
+        let others = self.star(v).into_iter().map(|h| self.face(h));
+        let mut others = others.filter(|&other| other != f && !self.is_hole(other));
+        self.is_hole(f) || others.all(|other| self.sorted_corners(other) != self.sorted_corners(f))
+    }
+}

@@ -1,0 +1,16 @@
+//! Texts: the parser, names and types, the formatter, the grammars beside the parser, the pages
+//! that explain messages, and the layers of the source.
+
+mod diagnostic;
+mod explain;
+mod files;
+mod foreign;
+mod format;
+mod grammar;
+mod layers;
+mod library;
+mod resolve;
+mod source;
+mod syntax;
+mod words;
+mod written;

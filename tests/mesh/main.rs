@@ -1,0 +1,19 @@
+//! The halfedge mesh: built, held to its laws, changed, compared, read and written.
+
+mod arrays;
+mod binary;
+mod build;
+mod compare;
+mod displaced;
+mod dump;
+mod ears;
+mod files;
+mod journal;
+mod laws;
+mod link;
+mod measure;
+mod memory;
+mod obj;
+mod repair;
+mod shapes;
+mod walk;

@@ -1,0 +1,209 @@
+//! At every place of every small mesh of the level: refused exactly when the literal result
+//! is not of the level.
+
+use std::collections::BTreeMap;
+
+use hedgerow::mesh::{HalfedgeId, Level, Mesh, identical, validate, validate_level};
+use hedgerow::rewrite::{Machine, Outcome, Phase, Plan};
+
+use support::guarded::{OPS, Op, try_compiled};
+use support::meshes::{Dice, meshes, shuffle_pointers};
+
+/// What was seen of an op at a level.
+#[derive(Default)]
+struct Tally {
+    places: usize,
+    applied: usize,
+    refused: BTreeMap<String, usize>,
+}
+
+/// The two plans of an op, run side by side.
+struct Pair<'o> {
+    op: &'o Op,
+    level: Level,
+    guarded: Plan,
+    bare: Plan,
+}
+
+impl<'o> Pair<'o> {
+    fn new(op: &'o Op, level: Level) -> Self {
+        Self { op, level, guarded: op.guarded(level.name()), bare: op.bare() }
+    }
+
+    /// One place; the result, if the guard lets it pass.
+    fn compare(&self, mesh: &Mesh, args: &[u64], tally: &mut Tally) -> Option<Mesh> {
+        let mut machine = Machine::default();
+        let (mut literal, mut careful) = (mesh.clone(), mesh.clone());
+        let matched = machine.apply(&mut literal, &self.bare, args).unwrap();
+        let outcome = machine.apply(&mut careful, &self.guarded, args).unwrap();
+        let name = self.op.name;
+        if matches!(matched, Outcome::Refused { .. }) {
+            assert!(matches!(outcome, Outcome::Refused { .. }), "{name}");
+            return None;
+        }
+        validate(&literal).unwrap();
+        let verdict = validate_level(&literal, self.level);
+        tally.places += 1;
+        match outcome {
+            Outcome::Applied { .. } => {
+                if let Err(why) = verdict {
+                    panic!("{name} {}: let pass, but {why}\n{}", self.level, dump(mesh, args));
+                }
+                assert!(identical(&literal, &careful), "{name}");
+                tally.applied += 1;
+                Some(careful)
+            }
+            Outcome::Refused { reason } => {
+                let reason = &self.guarded.refusals[usize::from(reason.unwrap())];
+                assert_eq!(reason.phase, Phase::Guard);
+                assert!(
+                    verdict.is_err(),
+                    "{name} {}: refused for nothing: {}\n{}",
+                    self.level,
+                    reason.reason,
+                    dump(mesh, args)
+                );
+                assert!(identical(mesh, &careful), "{name} wrote before it refused");
+                *tally.refused.entry(reason.reason.clone()).or_default() += 1;
+                None
+            }
+        }
+    }
+
+    fn arguments(&self, mesh: &Mesh) -> Vec<Vec<u64>> {
+        let all: Vec<HalfedgeId> = mesh.halfedges().collect();
+        let mut arguments = Vec::new();
+        for a in &all {
+            match self.op.two {
+                false => arguments.push(vec![u64::from(a.0)]),
+                true => arguments.extend(
+                    all.iter()
+                        .filter(|b| {
+                            mesh.face(**b) == mesh.face(*a) || mesh.vertex(**b) == mesh.vertex(*a)
+                        })
+                        .map(|b| vec![u64::from(a.0), u64::from(b.0)]),
+                ),
+            }
+        }
+        arguments
+    }
+}
+
+fn dump(mesh: &Mesh, args: &[u64]) -> String {
+    let mut text = format!("at {args:?}\n");
+    for face in mesh.faces() {
+        let corners: Vec<_> = mesh.face_halfedges(face).map(|h| (h.0, mesh.vertex(h).0)).collect();
+        text += &format!("{} hole {}: {corners:?}\n", face, mesh.is_hole(face));
+    }
+    text
+}
+
+/// Everywhere on the meshes, and on those that a few random steps lead to.
+fn battle(level: Level) {
+    let mut dice = Dice(7 + level as u64);
+    let pairs: Vec<Pair> = OPS.iter().map(|op| Pair::new(op, level)).collect();
+    let mut tallies: Vec<Tally> = OPS.iter().map(|_| Tally::default()).collect();
+    for mut mesh in meshes(level, &mut dice) {
+        for round in 0..4 {
+            shuffle_pointers(&mut mesh, &mut dice);
+            let mut results = Vec::new();
+            for (pair, tally) in pairs.iter().zip(&mut tallies) {
+                let mut results_of_op = Vec::new();
+                for args in pair.arguments(&mesh) {
+                    results_of_op.extend(pair.compare(&mesh, &args, tally));
+                }
+                if !results_of_op.is_empty() {
+                    let pick = dice.below(results_of_op.len());
+                    results.push(results_of_op.swap_remove(pick));
+                }
+            }
+            // Onwards from one of the results, but not to meshes that are large.
+            results.retain(|result| result.halfedge_count() < 80);
+            if results.is_empty() || round == 3 {
+                break;
+            }
+            let pick = dice.below(results.len());
+            mesh = results.swap_remove(pick);
+        }
+    }
+    for (op, tally) in OPS.iter().zip(&tallies) {
+        println!("{level} {}: {} places, {} applied", op.name, tally.places, tally.applied);
+        for (reason, times) in &tally.refused {
+            println!("    {times:6} {reason}");
+        }
+        assert!(tally.places > 100, "{}: only {} places", op.name, tally.places);
+        assert!(tally.applied > 0, "{} was never applied", op.name);
+    }
+    let guards = pairs.iter().zip(&tallies);
+    for (pair, tally) in guards {
+        for refusal in &pair.guarded.refusals {
+            if refusal.phase == Phase::Guard && !tally.refused.contains_key(&refusal.reason) {
+                println!("never: {level} {}: {}", pair.op.name, refusal.reason);
+            }
+        }
+    }
+}
+
+#[test]
+fn surface_guards_are_weakest() {
+    battle(Level::Surface);
+}
+
+#[test]
+fn simple_guards_are_weakest() {
+    battle(Level::Simple);
+}
+
+/// The ops with other kinds of loops: every way for few loops, some ways for many.
+fn variants(op: &Op, dice: &mut Dice) -> Vec<String> {
+    const KINDS: [&str; 3] = ["face ", "hole ", "loop "];
+    let places: Vec<usize> = (0..op.text.len())
+        .filter(|&at| KINDS.iter().any(|kind| op.text[at..].starts_with(kind)))
+        .collect();
+    let ways = 3_usize.pow(places.len() as u32);
+    let mut texts = Vec::new();
+    for turn in 0..ways.min(96) {
+        let mut way = if ways > 96 { dice.below(ways) } else { turn };
+        let mut text = op.text.to_owned();
+        for &at in &places {
+            text.replace_range(at..at + 5, KINDS[way % 3]);
+            way /= 3;
+        }
+        texts.push(text);
+    }
+    texts.sort_unstable();
+    texts.dedup();
+    texts
+}
+
+#[test]
+fn guards_are_weakest_whatever_the_kinds_of_loops() {
+    let mut dice = Dice(99);
+    let (mut kept, mut total) = (0, Tally::default());
+    for level in [Level::Surface, Level::Simple] {
+        let meshes = meshes(level, &mut dice);
+        for op in OPS {
+            for text in variants(op, &mut dice) {
+                let with = |guard: &str| try_compiled(&text.replace("GUARD", guard));
+                let (Some(bare), Some(guarded)) = (with(""), with(&format!("guard {level}")))
+                else {
+                    continue;
+                };
+                kept += 1;
+                let pair = Pair { op, level, guarded, bare };
+                for _ in 0..24 {
+                    let mesh = &meshes[dice.below(meshes.len())];
+                    for args in pair.arguments(mesh) {
+                        pair.compare(mesh, &args, &mut total);
+                    }
+                }
+            }
+        }
+    }
+    let refused: usize = total.refused.values().sum();
+    println!(
+        "{kept} variants: {} places, {} applied, {refused} refused",
+        total.places, total.applied
+    );
+    assert!(kept > 100 && total.applied > 20_000 && refused > 5_000);
+}

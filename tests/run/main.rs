@@ -1,0 +1,16 @@
+//! Operations and scripts on meshes: the machine, against literal readings and tables.
+
+mod everywhere;
+mod guard;
+mod lessons;
+mod live;
+mod local_ops;
+mod machine;
+mod masks;
+mod planar_actions;
+mod programs;
+mod script;
+mod sequences;
+mod session;
+mod steps;
+mod workbench;

@@ -1,0 +1,213 @@
+//! Masks that are kept are those that would be asked anew, whatever happens in between.
+
+use hedgerow::mesh::{Element, ElementKind, Mesh, Value, identical, shape};
+use hedgerow::{Argument, KeptMask, Op, Program, Session, Verdict};
+use support::dice::Dice;
+
+/// Operations that read what others write: attributes, positions, counts of elements, holes, the
+/// pointers of halfedges, steps.
+const OPS: &str = "
+use \"std/triangle.hedge\"
+attr heat: vertex real = 0
+attr mark: halfedge bool = false
+op warm(v: vertex, by: real = 1) {
+  before { face f: v -a-> w =P=> v }
+  require v.heat <= 3 else \"it is hot\"
+  after {
+    face f: v -a-> w =P=> v
+    v.heat = v.heat + by
+  }
+}
+op tag(h: halfedge) {
+  before { loop f: v -h-> w =P=> v }
+  require not h.mark and h.twin.mark == h.next.mark else \"it is tagged\"
+  after {
+    loop f: v -h-> w =P=> v
+    h.mark = true
+  }
+}
+op lift(f: face) {
+  before { face f: v0 -a-> v1 -b-> v2 -c-> v0 }
+  require area(f) < 0.6 and degree(v0) > 3 else \"it is large\"
+  after {
+    face f: v0 -a-> v1 -b-> v2 -c-> v0
+    v0.position = v0.position + vec3(0, 0, 0.1)
+  }
+}
+op split_and_flip(e: edge) {
+  steps {
+    let h = e.halfedge
+    let around = h.next.edge
+    must split(e)
+    if flip(around) { }
+  }
+}
+fn gain(e: edge) -> int { degree(e.halfedge.vertex) - degree(e.halfedge.target) }
+script smooth() { for v in vertices { v.position = 0.9 * v.position } }
+script look() { print count(faces) }
+";
+
+struct Wanderer {
+    session: Session,
+    ops: Vec<Op>,
+    kept: Vec<(Op, KeptMask)>,
+    dice: Dice,
+    applied: usize,
+}
+
+impl Wanderer {
+    fn new(mesh: Mesh, seed: u64) -> Self {
+        let program = Program::parse("masks.hedge", OPS).unwrap();
+        let mut session = Session::new(&program, mesh);
+        let ops: Vec<Op> = program.ops().collect();
+        let keep = |op: &Op| (op.clone(), session.keep_mask(op, ()).unwrap());
+        let kept = ops.iter().map(keep).collect();
+        Self { session, ops, kept, dice: Dice(seed), applied: 0 }
+    }
+
+    fn compare(&mut self, after: &str) {
+        for (op, mask) in &self.kept {
+            let anew = self.session.verdicts(op, ()).unwrap();
+            let kept = self.session.kept_verdicts(*mask).unwrap();
+            let differs = anew.iter().zip(kept).position(|(a, b)| a != b);
+            assert_eq!(kept, anew, "{} after {after}, first at {differs:?}", op.name());
+            let can: Vec<bool> = anew.iter().map(|&one| one == Verdict::Applies).collect();
+            assert_eq!(self.session.kept_mask(*mask).unwrap(), can);
+        }
+    }
+
+    /// Applies an operation somewhere, most often where it can be.
+    fn act(&mut self) -> String {
+        let op = self.ops[self.dice.below(self.ops.len())].clone();
+        let kind = match op.parameters()[0].ty {
+            "vertex" => ElementKind::Vertex,
+            "edge" => ElementKind::Edge,
+            "face" => ElementKind::Face,
+            _ => ElementKind::Halfedge,
+        };
+        let can = self.session.mask(&op, ()).unwrap();
+        let places: Vec<usize> = (0..can.len()).filter(|&at| can[at]).collect();
+        let number = match places.as_slice() {
+            [] => self.dice.below(can.len()),
+            places => places[self.dice.below(places.len())],
+        };
+        let element = Element { kind, index: number as u32 };
+        if self.session.is_alive(element) {
+            let outcome = self.session.apply(&op, element).unwrap();
+            self.applied += usize::from(outcome.is_applied());
+        }
+        format!("{} at {element}", op.name())
+    }
+}
+
+#[test]
+fn a_kept_mask_is_what_would_be_asked_anew() {
+    let meshes = [shape::icosphere(1), shape::triangle_grid(4, 3), shape::triangle_torus(4, 3)];
+    for (at, mesh) in meshes.into_iter().enumerate() {
+        let mut wanderer = Wanderer::new(mesh, 5 + at as u64);
+        let mut marks = Vec::new();
+        for step in 0..90 {
+            let done = match wanderer.dice.below(20) {
+                0 => {
+                    wanderer.session.recycle();
+                    "recycling".to_owned()
+                }
+                1 => {
+                    marks.push((wanderer.session.mark(), wanderer.session.copy_mesh()));
+                    "a mark".to_owned()
+                }
+                2 if !marks.is_empty() => {
+                    let at = wanderer.dice.below(marks.len());
+                    let (mark, before) = marks.drain(at..).next().unwrap();
+                    wanderer.session.undo(mark).unwrap();
+                    assert!(identical(&before, &wanderer.session.copy_mesh()));
+                    "undoing".to_owned()
+                }
+                3 if !marks.is_empty() => {
+                    let at = wanderer.dice.below(marks.len());
+                    let (mark, _) = marks.drain(at..).next().unwrap();
+                    wanderer.session.keep(mark).unwrap();
+                    "keeping".to_owned()
+                }
+                4 => {
+                    let program = wanderer.session.program().clone();
+                    let name = ["smooth", "look"][wanderer.dice.below(2)];
+                    wanderer.session.run(&program.script(name).unwrap(), ()).unwrap();
+                    name.to_owned()
+                }
+                5 => {
+                    let mesh = wanderer.session.mesh_mut();
+                    let first = mesh.vertices().next().unwrap();
+                    let there = mesh.position(first);
+                    mesh.set_position(first, 0.5 * there);
+                    "a change by hand".to_owned()
+                }
+                _ => wanderer.act(),
+            };
+            // Several changes may come before the mask is wanted.
+            if step % 3 != 1 {
+                wanderer.compare(&done);
+            }
+        }
+        wanderer.compare("all");
+        assert!(wanderer.applied > 45, "{}", wanderer.applied);
+    }
+}
+
+#[test]
+fn masks_have_arguments_and_end() {
+    let program = Program::parse("masks.hedge", OPS).unwrap();
+    let mut session = Session::new(&program, shape::icosphere(0));
+    let warm = program.op("warm").unwrap();
+    let mask = session.keep_mask(&warm, [("by", Argument::Real(2.0))]).unwrap();
+    assert_eq!(session.kept_mask(mask).unwrap(), vec![true; 12]);
+    for _ in 0..2 {
+        let vertex = hedgerow::mesh::VertexId(4);
+        assert!(session.apply(&warm, (vertex, 2.0)).unwrap().is_applied());
+    }
+    assert_eq!(session.kept_mask(mask).unwrap().iter().filter(|&&can| !can).count(), 1);
+    session.set_attribute(ElementKind::Vertex, "heat", heat(vec![9.0; 12])).unwrap();
+    assert_eq!(session.kept_mask(mask).unwrap(), vec![false; 12]);
+    session.drop_mask(mask);
+    assert_eq!(session.kept_mask(mask).unwrap_err().code(), "unknown-mask");
+    assert_eq!(
+        session.keep_mask(&warm, hedgerow::mesh::VertexId(1)).unwrap_err().code(),
+        "wrong-argument"
+    );
+}
+
+fn heat(values: Vec<f64>) -> hedgerow::mesh::ColumnData {
+    hedgerow::mesh::ColumnData::Real(values)
+}
+
+#[test]
+fn attributes_come_as_arrays() {
+    let program = Program::parse("masks.hedge", OPS).unwrap();
+    let mut session = Session::new(&program, shape::icosphere(0));
+    let code = |error: hedgerow::Error| error.code();
+    let vertex = ElementKind::Vertex;
+    assert_eq!(
+        code(session.set_attribute(vertex, "heat", heat(vec![1.0])).unwrap_err()),
+        "wrong-argument"
+    );
+    session.set_attribute(vertex, "heat", heat(vec![1.0; 12])).unwrap();
+    let ints = hedgerow::mesh::ColumnData::Int(vec![1; 12]);
+    assert_eq!(
+        code(session.set_attribute(vertex, "heat", ints).unwrap_err()),
+        "attribute-conflict"
+    );
+    let column = session.mesh().find_column(vertex, "heat").unwrap();
+    assert_eq!(session.mesh().value(column, 3), Some(Value::Real(1.0)));
+    let mark = session.mark();
+    session.set_attribute(vertex, "heat", heat(vec![2.0; 12])).unwrap();
+    assert!(session.remove_attribute(vertex, "heat") && !session.remove_attribute(vertex, "heat"));
+    session.undo(mark).unwrap();
+    let column = session.mesh().find_column(vertex, "heat").unwrap();
+    assert_eq!(session.mesh().value(column, 3), Some(Value::Real(1.0)));
+    let mut places = session.mesh().positions().to_vec();
+    places[2].x = f64::NAN;
+    assert_eq!(code(session.set_positions(&places).unwrap_err()), "wrong-argument");
+    places[2].x = 5.0;
+    session.set_positions(&places).unwrap();
+    assert_eq!(session.mesh().positions()[2].x, 5.0);
+}

@@ -1,0 +1,276 @@
+//! The workbench of a page: a program and a mesh, asked by messages.
+
+use std::ops::ControlFlow;
+
+use hedgerow::analysis::{Nowhere, Reader};
+use hedgerow::play::{Host, Message, Workbench};
+use serde_json::{Value, json};
+use support::dice::Dice;
+
+/// A page without files.
+#[derive(Default)]
+struct Page {
+    looks: u64,
+}
+
+impl Host for Page {
+    fn progress(&mut self, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        self.looks += 1;
+        ControlFlow::Continue(())
+    }
+
+    fn reader(&self) -> Box<dyn Reader> {
+        Box::new(Nowhere)
+    }
+}
+
+fn ask_with(workbench: &mut Workbench, json: Value, bytes: &[u8]) -> Message {
+    let question = Message { json, bytes: bytes.to_vec() };
+    let question = Message::read(&question.write()).expect("what is written is read");
+    workbench.answer(question, &mut Page::default())
+}
+
+fn ask(workbench: &mut Workbench, json: Value) -> Value {
+    ask_with(workbench, json, &[]).json
+}
+
+const PROGRAM: &str = r#"
+/// Turns an edge.
+op flip(e: edge) {
+  before {
+    face f0: v0 -a-> v1 -b-> v2 -c-> v0
+    face f1: v1 -d-> v0 -g-> v3 -h-> v1
+    edge e: a | d
+  }
+  guard simple
+  after {
+    face f0: v3 -a-> v2 -c-> v0 -g-> v3
+    face f1: v2 -d-> v3 -h-> v1 -b-> v2
+    edge e: a | d
+  }
+}
+attr height: vertex real
+script turn(times: int = 1) {
+  repeat times { for e in edges { flip(e) } }
+  update v in vertices { v.height = v.position.y }
+  print "done"
+}
+"#;
+
+fn with_program() -> Workbench {
+    let mut workbench = Workbench::default();
+    let answer =
+        ask(&mut workbench, json!({ "ask": "program", "name": "p.hedge", "text": PROGRAM }));
+    assert_eq!(answer["sound"], true);
+    assert_eq!(answer["ops"][0]["name"], "flip");
+    assert_eq!(answer["ops"][0]["parameters"], json!([["e", "edge", null]]));
+    assert_eq!(answer["scripts"][0]["parameters"], json!([["times", "int", "1"]]));
+    workbench
+}
+
+#[test]
+fn an_operation_is_asked_applied_and_undone() {
+    let mut workbench = with_program();
+    let shape = ask(&mut workbench, json!({ "ask": "shape", "name": "octahedron" }));
+    assert_eq!(shape["counts"], json!({ "vertices": 6, "edges": 12, "faces": 8, "holes": 0 }));
+    let places = ask_with(&mut workbench, json!({ "ask": "places", "op": "flip" }), &[]);
+    assert_eq!((&places.json["kind"], &places.json["applies"]), (&json!("edge"), &json!(12)));
+    assert_eq!(places.bytes, [1; 12]);
+    let at = json!({ "kind": "edge", "index": 3 });
+    let names = ask(&mut workbench, json!({ "ask": "names", "op": "flip", "element": at }));
+    let fate = |name: &str| {
+        let names = names["names"].as_array().expect("there are names").iter();
+        let mut found = names.filter(|it| it[0] == name);
+        found.next().map(|it| (it[1]["kind"].clone(), it[2].clone()))
+    };
+    assert_eq!(fate("e"), Some((json!("edge"), json!("reassigned"))));
+    assert_eq!(fate("v0"), Some((json!("vertex"), json!("kept"))));
+    assert_eq!(names["names"].as_array().map(Vec::len), Some(13));
+    let before = ask_with(&mut workbench, json!({ "ask": "view" }), &[]);
+    let applied = ask(&mut workbench, json!({ "ask": "apply", "op": "flip", "element": at }));
+    assert_eq!(applied["past"], json!([2, 0]));
+    let refused = ask(&mut workbench, json!({ "ask": "apply", "op": "flip", "element": at }));
+    assert!(refused["refused"].is_string() || refused["past"] == json!([3, 0]), "{refused}");
+    ask(&mut workbench, json!({ "ask": "undo" }));
+    if refused["refused"].is_null() {
+        ask(&mut workbench, json!({ "ask": "undo" }));
+    }
+    let after = ask_with(&mut workbench, json!({ "ask": "view" }), &[]);
+    assert_eq!(before.bytes, after.bytes);
+    let redone = ask(&mut workbench, json!({ "ask": "redo" }));
+    assert_ne!(redone["past"][0], json!(0));
+    let changed = ask_with(&mut workbench, json!({ "ask": "view" }), &[]);
+    assert_ne!(before.bytes, changed.bytes);
+}
+
+#[test]
+fn a_refusal_says_why_and_where() {
+    let mut workbench = with_program();
+    ask(&mut workbench, json!({ "ask": "shape", "name": "tetrahedron" }));
+    let at = json!({ "kind": "edge", "index": 0 });
+    let names = ask(&mut workbench, json!({ "ask": "names", "op": "flip", "element": at }));
+    assert!(names["refused"].as_str().is_some_and(|why| !why.is_empty()), "{names}");
+    assert_eq!(names["at"]["kind"], "edge");
+    let places = ask(&mut workbench, json!({ "ask": "places", "op": "flip" }));
+    assert_eq!((&places["applies"], &places["asked"]), (&json!(0), &json!(6)));
+}
+
+#[test]
+fn a_script_runs_and_is_stepped_through() {
+    let mut workbench = with_program();
+    ask(&mut workbench, json!({ "ask": "shape", "name": "icosphere" }));
+    let start = ask_with(&mut workbench, json!({ "ask": "view" }), &[]);
+    let ran =
+        ask(&mut workbench, json!({ "ask": "run", "script": "turn", "given": { "times": 2 } }));
+    let total = ran["total"].as_u64().expect("it has applied some");
+    assert!(total > 100, "{ran}");
+    assert_eq!(ran["printed"], json!(["done"]));
+    assert_eq!(ran["ops"][0]["applied"], ran["total"]);
+    let view = json!({ "ask": "view", "attribute": "vertex.height" });
+    let end = ask_with(&mut workbench, view.clone(), &[]);
+    assert_eq!(end.json["valuesOf"], "vertex");
+    // Each step differs from the one before, and the last is the end of the script.
+    let mut seen = vec![start.bytes.clone()];
+    for to in 1..=5 {
+        let answer = ask(&mut workbench, json!({ "ask": "seek", "to": to }));
+        assert_eq!((&answer["at"], &answer["failed"]), (&json!(to), &Value::Null));
+        let now = ask_with(&mut workbench, json!({ "ask": "view" }), &[]).bytes;
+        assert_ne!(seen.last(), Some(&now));
+        seen.push(now);
+    }
+    ask(&mut workbench, json!({ "ask": "seek", "to": 2 }));
+    assert_eq!(ask_with(&mut workbench, json!({ "ask": "view" }), &[]).bytes, seen[2]);
+    ask(&mut workbench, json!({ "ask": "seek", "to": 0 }));
+    assert_eq!(ask_with(&mut workbench, json!({ "ask": "view" }), &[]).bytes, start.bytes);
+    ask(&mut workbench, json!({ "ask": "seek", "to": total }));
+    assert_eq!(ask_with(&mut workbench, view, &[]).bytes, end.bytes);
+    ask(&mut workbench, json!({ "ask": "undo" }));
+    assert_eq!(ask_with(&mut workbench, json!({ "ask": "view" }), &[]).bytes, start.bytes);
+}
+
+#[test]
+fn arrays_say_what_the_mesh_is() {
+    let mut workbench = Workbench::default();
+    for (name, triangles) in [("cube", 12), ("grid", 72), ("icosphere", 320)] {
+        ask(&mut workbench, json!({ "ask": "shape", "name": name }));
+        let view = ask_with(&mut workbench, json!({ "ask": "view" }), &[]);
+        let arrays = view.json["arrays"].as_array().expect("there are arrays");
+        let length = |name: &str| {
+            let found = arrays.iter().find(|array| array["name"] == name);
+            found.and_then(|array| array["length"].as_u64()).expect("it is there")
+        };
+        let all: u64 = arrays.iter().filter_map(|array| array["length"].as_u64()).sum();
+        assert_eq!(view.bytes.len() as u64, 4 * all);
+        assert_eq!(length("triangles"), 3 * triangles, "{name}");
+        assert_eq!(length("faces"), triangles);
+        assert_eq!(length("edges"), length("halfedges"));
+        assert_eq!(json!(length("edgeIds")), view.json["counts"]["edges"]);
+    }
+}
+
+#[test]
+fn code_counterexamples_and_files() {
+    let mut workbench = with_program();
+    for (language, word) in [("cpp", "twin"), ("rust", "pub fn")] {
+        let code =
+            ask(&mut workbench, json!({ "ask": "code", "op": "flip", "language": language }));
+        assert!(code["text"].as_str().is_some_and(|text| text.contains(word)), "{code}");
+    }
+    let plan = ask(&mut workbench, json!({ "ask": "code", "op": "flip", "language": "plan" }));
+    assert_eq!(plan["rules"][0]["phases"][2]["phase"], "reassign");
+    let none = ask(&mut workbench, json!({ "ask": "counterexamples" }));
+    assert_eq!(none["examples"], json!([]));
+    // Broken: the last sound program stays.
+    let text = PROGRAM
+        .replace("face f1: v2 -d-> v3 -h-> v1 -b-> v2", "face f1: v2 -d-> v3 -b-> v1 -h-> v2");
+    let broken = ask(&mut workbench, json!({ "ask": "program", "name": "p.hedge", "text": text }));
+    assert_eq!((&broken["sound"], &broken["ops"][0]["name"]), (&json!(false), &json!("flip")));
+    let examples = ask_with(&mut workbench, json!({ "ask": "counterexamples" }), &[]);
+    let example = &examples.json["examples"][0];
+    assert!(example["svg"].as_str().is_some_and(|svg| svg.starts_with("<svg")), "{example}");
+    assert!(example["names"].as_array().is_some_and(|names| names.len() > 8));
+    let saved = ask_with(&mut workbench, json!({ "ask": "save", "name": "m.obj" }), &[]);
+    let text = String::from_utf8(saved.bytes.clone()).expect("it is text");
+    assert_eq!(text.lines().filter(|line| line.starts_with("f ")).count(), 320);
+    let opened = ask_with(&mut workbench, json!({ "ask": "mesh", "name": "m.obj" }), &saved.bytes);
+    assert_eq!(opened.json["counts"]["faces"], 320);
+    let bow = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n";
+    let refused = ask_with(&mut workbench, json!({ "ask": "mesh", "name": "b.obj" }), bow);
+    assert_eq!(refused.json["mendable"], true);
+    let question = json!({ "ask": "mesh", "name": "b.obj", "repair": true });
+    let mended = ask_with(&mut workbench, question, bow);
+    assert_eq!(mended.json["repaired"], json!(["split off 1 vertex"]));
+}
+
+#[test]
+fn whatever_is_asked_there_is_an_answer() {
+    let mut workbench = with_program();
+    ask(&mut workbench, json!({ "ask": "shape", "name": "cube" }));
+    let mut dice = Dice(11);
+    let words = [
+        "ask", "program", "shape", "mesh", "view", "places", "names", "apply", "run", "seek",
+        "undo", "redo", "save", "code", "judge", "library", "flip", "turn", "cube", "m.obj",
+        "x.ply", "03_flip", "op", "script", "element", "given", "to", "name", "text", "kind",
+        "edge", "face", "vertex", "index", "language", "cpp", "lesson", "times", "e", "", "é",
+    ];
+    let mut errors = 0;
+    for _ in 0..4000 {
+        let json = value(&mut dice, &words, 0);
+        let bytes: Vec<u8> = (0..dice.below(40)).map(|_| dice.below(256) as u8).collect();
+        let answer = ask_with(&mut workbench, json, &bytes);
+        errors += usize::from(answer.json.get("error").is_some());
+    }
+    assert!((100..4000).contains(&errors), "{errors}");
+    for short in [&b""[..], &[1, 0], &[9, 0, 0, 0, b'{'], &[2, 0, 0, 0, b'{', b'{']] {
+        assert!(Message::read(short).is_err());
+    }
+}
+
+/// JSON by chance, most of it almost a question.
+fn value(dice: &mut Dice, words: &[&str], depth: usize) -> Value {
+    let word = |dice: &mut Dice| words[dice.below(words.len())];
+    match dice.below(if depth == 0 { 2 } else { 9 }) {
+        0 | 1 => {
+            let mut object = serde_json::Map::new();
+            if depth == 0 {
+                object.insert("ask".into(), json!(words[1 + dice.below(15)]));
+            }
+            let fields: &[(&str, &str)] = match object.get("ask").and_then(Value::as_str) {
+                Some("shape" | "save" | "mesh") => &[("name", "word")],
+                Some("places") => &[("op", "word")],
+                Some("names" | "apply") => &[("op", "flip"), ("element", "element")],
+                Some("run") => &[("script", "turn"), ("given", "given")],
+                Some("seek") => &[("to", "number")],
+                Some("code") => &[("op", "word"), ("language", "cpp")],
+                _ => &[],
+            };
+            for &(name, kind) in fields {
+                let field = match kind {
+                    "element" => {
+                        let kind = ["vertex", "edge", "face", "halfedge"][dice.below(4)];
+                        json!({ "kind": kind, "index": dice.below(40) })
+                    }
+                    "number" => json!(dice.below(50)),
+                    "given" => json!({ "times": dice.below(3) }),
+                    "word" => json!(word(dice)),
+                    kind => json!(kind),
+                };
+                if dice.below(12) > 0 {
+                    object.insert(name.into(), field);
+                }
+            }
+            for _ in 0..dice.below(3) * usize::from(dice.below(4) == 0) {
+                let name = word(dice).to_owned();
+                object.insert(name, value(dice, words, depth + 1));
+            }
+            Value::Object(object)
+        }
+        2 => json!(word(dice)),
+        3 => json!(dice.below(5)),
+        4 => json!(-1.5e300),
+        5 => Value::Null,
+        6 => json!(true),
+        7 if depth < 4 => (0..dice.below(4)).map(|_| value(dice, words, depth + 1)).collect(),
+        _ => json!(u64::MAX),
+    }
+}

@@ -1,0 +1,151 @@
+// What answers: a language server and a workbench, in this browser or on this machine.
+//
+// Both speak the same: `lsp` takes messages of the Language Server Protocol as JSON texts and hands
+// its own to whoever has subscribed; `ask` takes a question and bytes, and promises an answer and
+// bytes. See `src/play` and `src/lsp` of the crate.
+
+const encoder = new TextEncoder()
+const decoder = new TextDecoder()
+
+/** A question as bytes: the length of the JSON, the JSON, the rest. */
+export function pack(json, bytes = new Uint8Array(0)) {
+  const text = encoder.encode(JSON.stringify(json))
+  const all = new Uint8Array(4 + text.length + bytes.length)
+  new DataView(all.buffer).setUint32(0, text.length, true)
+  all.set(text, 4)
+  all.set(bytes, 4 + text.length)
+  return all
+}
+
+/** An answer from bytes. */
+export function unpack(all) {
+  const length = new DataView(all.buffer, all.byteOffset).getUint32(0, true)
+  const json = JSON.parse(decoder.decode(all.subarray(4, 4 + length)))
+  return { json, bytes: all.slice(4 + length) }
+}
+
+/** The engine in this browser: two workers with an instance each, so that a long run can be stopped. */
+export class WasmEngine {
+  #module
+  #server
+  #runner
+  #handlers = new Set()
+  #waiting = new Map()
+  #next = 0
+  /** Called with how far a script is. */
+  onProgress = () => {}
+  /** Called when a run was stopped and the workbench is an empty one again. */
+  onRestart = async () => {}
+
+  constructor(module) {
+    this.#module = module
+    this.#server = this.#start(message => {
+      for (const text of message.lsp) this.#handlers.forEach(handler => handler(text))
+    })
+    this.#runner = this.#start(message => this.#answered(message))
+  }
+
+  static async load(url) {
+    return new WasmEngine(await WebAssembly.compileStreaming(fetch(url)))
+  }
+
+  #start(heard) {
+    const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' })
+    worker.onmessage = event => heard(event.data)
+    worker.postMessage({ module: this.#module })
+    return worker
+  }
+
+  #answered(message) {
+    if (message.progress) return this.onProgress(...message.progress)
+    const waiting = this.#waiting.get(message.id)
+    this.#waiting.delete(message.id)
+    if (message.failed) waiting?.reject(new Error(message.failed))
+    else waiting?.resolve(unpack(message.answer))
+  }
+
+  lsp = {
+    send: text => this.#server.postMessage({ lsp: text }),
+    subscribe: handler => this.#handlers.add(handler),
+    unsubscribe: handler => this.#handlers.delete(handler),
+  }
+
+  ask(json, bytes) {
+    const id = ++this.#next
+    const question = pack(json, bytes)
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, { resolve, reject })
+      this.#runner.postMessage({ id, question }, [question.buffer])
+    })
+  }
+
+  /** Ends what runs. The workbench is lost with its worker; who listens fills a new one. */
+  async stop() {
+    this.#runner.terminate()
+    for (const { reject } of this.#waiting.values()) reject(new Error('stopped'))
+    this.#waiting.clear()
+    this.#runner = this.#start(message => this.#answered(message))
+    await this.onRestart()
+  }
+}
+
+/** The engine behind `hedgerow play`, on this machine. */
+export class LocalEngine {
+  #handlers = new Set()
+  #queue = Promise.resolve()
+  #base
+  onProgress = () => {}
+  onRestart = async () => {}
+
+  constructor(base) {
+    this.#base = base
+  }
+
+  async #post(path, body) {
+    const response = await fetch(this.#base + path, { method: 'POST', body })
+    if (!response.ok) throw new Error(`${response.status}: hedgerow play has ended`)
+    return new Uint8Array(await response.arrayBuffer())
+  }
+
+  lsp = {
+    send: text => {
+      // One after the other: the order of messages matters.
+      this.#queue = this.#queue.then(async () => {
+        const answers = await this.#post('lsp', `[${text}]`)
+        for (const message of JSON.parse(decoder.decode(answers))) {
+          this.#handlers.forEach(handler => handler(JSON.stringify(message)))
+        }
+      })
+    },
+    subscribe: handler => this.#handlers.add(handler),
+    unsubscribe: handler => this.#handlers.delete(handler),
+  }
+
+  async ask(json, bytes) {
+    const asked = this.#post('ask', pack(json, bytes))
+    if (json.ask !== 'run' && json.ask !== 'seek') return unpack(await asked)
+    const timer = setInterval(async () => {
+      const { json: told } = unpack(await this.#post('progress', ''))
+      this.onProgress(told.done, told.total)
+    }, 200)
+    try {
+      return unpack(await asked)
+    } finally {
+      clearInterval(timer)
+    }
+  }
+
+  async stop() {
+    await this.#post('stop', '')
+  }
+
+  /** The program and the mesh that `hedgerow play` was started with. */
+  async start() {
+    return unpack(await this.#post('start', ''))
+  }
+
+  /** Writes the program to the file that it came from. */
+  async save(text) {
+    return unpack(await this.#post('save', text))
+  }
+}

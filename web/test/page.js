@@ -1,0 +1,225 @@
+// The page in a headless browser: type, break, fix, run, click an edge, share, reopen, solve every
+// lesson. `node --test test/page.js`; `SCREENSHOTS=folder` keeps pictures, `CHROMIUM` names the browser.
+
+import assert from 'node:assert/strict'
+import { existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs'
+import { dirname, join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { chromium } from 'playwright-core'
+import { serve } from './serve.js'
+
+const here = dirname(fileURLToPath(import.meta.url))
+const pictures = process.env.SCREENSHOTS
+const known = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome']
+const executablePath = process.env.CHROMIUM || known.find(existsSync)
+
+let server, browser, page
+const faults = []
+
+before(async () => {
+  server = await serve(join(here, '../dist'))
+  browser = await chromium.launch({
+    executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  })
+  page = await open('')
+}, { timeout: 120_000 })
+
+after(async () => {
+  await browser?.close()
+  await server?.end()
+})
+
+/** The page, ready. */
+async function open(fragment, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options })
+  const opened = await context.newPage()
+  opened.on('pageerror', error => faults.push(String(error)))
+  opened.on('console', message => message.type() === 'error' && faults.push(message.text()))
+  await opened.goto(server.address + fragment)
+  await opened.waitForSelector('body[data-ready]', { timeout: 60_000 })
+  return opened
+}
+
+async function picture(name, of = page) {
+  if (!pictures) return
+  mkdirSync(pictures, { recursive: true })
+  await of.waitForTimeout(300)
+  await of.screenshot({ path: join(pictures, `${name}.png`) })
+}
+
+const text = id => page.locator(`#${id}`).innerText()
+
+/** Puts a program into the editor, as somebody who pastes it. */
+async function write(program) {
+  await page.locator('.cm-content').click()
+  await page.keyboard.press('Control+a')
+  await page.keyboard.insertText(program)
+  await page.keyboard.press('Control+Home')
+}
+
+async function choose(id, value) {
+  await page.selectOption(`#${id}`, value)
+}
+
+/** Waits until something is said that fits. */
+async function said(id, pattern, timeout = 30_000) {
+  await page.waitForFunction(
+    ([id, source]) => new RegExp(source).test(document.getElementById(id).textContent),
+    [id, pattern.source], { timeout })
+}
+
+test('the first program is there, proved, with its diagram and a mesh', async () => {
+  await page.waitForSelector('#pane svg')
+  await said('counts', /162 vertices, 480 edges, 320 faces/)
+  assert.match(await text('pane'), /proved/i)
+  await page.waitForSelector('.tok-keyword')
+  await picture('first')
+})
+
+test('an edge is clicked: names show, the operation applies, undo and redo', async () => {
+  await page.locator('#places').check()
+  await said('where', /applies at \d+ of 480 places/)
+  const box = await page.locator('#view').boundingBox()
+  const middle = [box.x + box.width / 2 + 5, box.y + box.height / 2 + 8]
+  await page.mouse.move(...middle)
+  await said('said', /applies at edge \d+|refuses at edge \d+/)
+  await page.waitForSelector('.label')
+  await picture('names')
+  await page.mouse.click(...middle)
+  await said('said', /applied at edge \d+|refuses/)
+  assert.match(await text('said'), /applied/)
+  await page.locator('#undo').click()
+  await page.waitForFunction(() => !document.getElementById('redo').disabled)
+  await page.locator('#redo').click()
+  await page.locator('#places').uncheck()
+})
+
+test('what is broken is told, shown, and mended by a fix', async () => {
+  const broken = readFileSync(join(here, '../../examples/split.hedge'), 'utf8')
+    .replaceAll('edge e2: p | r    edge e3: s | u', 'edge e2: p | r')
+  await write(broken)
+  await said('problems', /error/)
+  await page.waitForSelector('#stale', { state: 'visible' })
+  await page.locator('#tab-counterexample').click()
+  await picture('broken')
+  await page.keyboard.press('Escape')
+  await page.locator('.cm-lint-marker-error').first().hover()
+  await page.waitForSelector('.cm-diagnosticAction')
+  await picture('fix')
+  await page.locator('.cm-diagnosticAction').first().click()
+  await page.waitForFunction(() => document.getElementById('problems').textContent === '')
+  await page.locator('#tab-diagram').click()
+})
+
+test('a forgotten twin breaks a mesh, which is shown', async () => {
+  await choose('program', 'lesson:04_outside')
+  await said('problems', /error/)
+  await page.locator('#tab-counterexample').click()
+  await page.waitForSelector('.counterexample svg')
+  await page.locator('.counterexample button').first().click()
+  await said('said', /carried out on this mesh/)
+  await page.waitForSelector('.label')
+  await picture('counterexample')
+  await page.locator('#tab-diagram').click()
+})
+
+test('every lesson is solved by its solution and not before', async () => {
+  const folder = join(here, '../../src/lessons/texts')
+  const files = readdirSync(folder).filter(name => name.endsWith('.md')).sort()
+  assert.equal(files.length, 12)
+  for (const file of files) {
+    const name = file.replace('.md', '')
+    await choose('program', `lesson:${name}`)
+    await page.waitForSelector('#lesson:not([hidden])')
+    await page.locator('#lesson-check').click()
+    await page.waitForSelector('#lesson-verdict .rejected', { timeout: 60_000 })
+    if (file.startsWith('03')) await picture('lesson')
+    const program = readFileSync(join(folder, file), 'utf8').split('```hedge\n')[1]
+    const lines = program.split('```')[0].split('\n')
+    await write(lines.filter(line => !line.startsWith('//')).join('\n'))
+    await page.waitForTimeout(200)
+    await page.locator('#lesson-check').click()
+    await page.waitForSelector('#lesson-verdict .proved', { timeout: 60_000 })
+  }
+  await page.locator('#lesson-close').click()
+})
+
+test('a script runs, is stepped through, and the bunny is remeshed', async () => {
+  await choose('shape', 'bunny')
+  await said('counts', /1839 vertices/)
+  await choose('program', 'example:remesh.hedge')
+  await page.waitForFunction(() => document.getElementById('script').value === 'remesh')
+  await page.locator('#run').click()
+  await said('report', /split/, 60_000)
+  await said('counts', /1619 vertices, 4851 edges, 3234 faces/)
+  await picture('remeshed')
+  const step = page.locator('#step')
+  const total = Number(await step.getAttribute('max'))
+  assert.equal(total, 640 + 860 + 826)
+  await step.fill('3')
+  await said('step-count', /^3 of/)
+  await page.locator('#step-on').click()
+  await said('step-count', /^4 of/)
+  await said('counts', /1843 vertices/)
+  await page.locator('#undo').click()
+  await said('counts', /1839 vertices/)
+})
+
+test('plan, C++ and Rust of an operation', async () => {
+  await choose('program', 'example:flip.hedge')
+  await page.waitForSelector('#pane svg')
+  for (const [tab, pattern] of [['plan', /Reassign/], ['cpp', /halfedge/], ['rust', /pub fn/]]) {
+    await page.locator(`#tab-${tab}`).click()
+    await said('pane', pattern)
+  }
+  await picture('code')
+  await page.locator('#tab-diagram').click()
+})
+
+test('a program is shared by its address and opened again', async () => {
+  await write('/// Mine.\nop mine(f: face) { before { face f: a -h-> b =P=> a } after { face f: a -h-> b =P=> a } }\n')
+  await page.locator('#share').click()
+  await said('said', /address/)
+  const { hash } = new URL(page.url())
+  assert.match(hash, /^#p=/)
+  const other = await open(hash)
+  assert.match(await other.locator('.cm-content').innerText(), /op mine/)
+  await other.context().close()
+  const damaged = await open('#p=AAAA')
+  assert.match(await damaged.locator('.cm-content').innerText(), /op flip/)
+  await damaged.context().close()
+})
+
+test('files are dropped, repaired and saved', async () => {
+  const file = (name, body) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(body) })
+  await page.locator('#file').setInputFiles(file('tri.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'))
+  await said('counts', /3 vertices, 3 edges, 1 face, 1 hole/)
+  await page.locator('#file').setInputFiles(file('bow.obj',
+    'v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n'))
+  await page.locator('#said button').click()
+  await said('said', /repaired: split off 1 vertex/)
+  await page.locator('#file').setInputFiles(file('bad.obj', 'v 0 0 nonsense\n'))
+  await said('said', /bad.obj/)
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'), page.selectOption('#save', 'ply'),
+  ])
+  assert.match(saved.suggestedFilename(), /\.ply$/)
+})
+
+test('dark, and narrow as a phone', async () => {
+  const dark = await open('', { colorScheme: 'dark' })
+  await dark.waitForSelector('#pane svg')
+  await picture('dark', dark)
+  await dark.context().close()
+  const phone = await open('', { viewport: { width: 390, height: 844 } })
+  await phone.waitForSelector('#pane svg')
+  await picture('phone', phone)
+  const wide = await phone.evaluate(() => document.documentElement.scrollWidth)
+  assert.ok(wide <= 390, `${wide} pixels wide`)
+  await phone.context().close()
+})
+
+test('nothing is asked of anybody else, and nothing fails', () => {
+  assert.deepEqual(faults, [])
+})
