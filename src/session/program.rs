@@ -202,6 +202,7 @@ impl Program {
     }
 
     /// The analysis of its texts.
+    #[cfg(feature = "play")]
     pub(crate) fn analysis(&self) -> &Analysis {
         &self.0.analysis
     }
