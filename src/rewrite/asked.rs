@@ -103,7 +103,7 @@ impl Machine {
         (asked, slot): (&mut Asked, u32),
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(args);
+        self.start(mesh, args);
         asked.drains.read_for_element(Some(slot));
         std::mem::swap(&mut self.drains, &mut asked.drains);
         let plans = super::Plans::clone(&self.plans);

@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use super::{Function, Inst};
+use super::{Function, Inst, Native};
 
 /// A register: a slot of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -40,6 +40,8 @@ pub struct Code {
     pub texts: Vec<String>,
     /// The functions that it may call, by number.
     pub functions: Arc<[Function]>,
+    /// The same as native code, from when it has run often.
+    pub native: Native,
 }
 
 impl Code {
@@ -76,6 +78,14 @@ impl Code {
             inst.writes() || matches!(inst, Inst::Apply { .. } | Inst::ReleaseHeld { .. })
         };
         self.insts.iter().any(changes)
+    }
+
+    /// True if it may come to an instruction again.
+    pub fn loops(&self) -> bool {
+        self.insts.iter().enumerate().any(|(at, inst)| {
+            let mut jump = *inst;
+            jump.target_mut().is_some_and(|to| to.0 as usize <= at)
+        })
     }
 
     /// The number of the place in the source of an instruction that can trap.
