@@ -19,8 +19,8 @@ use crate::rewrite::{Inst, key_paths};
 
 /// Code with more instructions or registers than this stays with the machine: to compile it would
 /// take longer than it runs.
-const MOST_INSTS: usize = 8000;
-const MOST_REGISTERS: u16 = 2000;
+const MOST_INSTS: usize = 4000;
+const MOST_REGISTERS: u16 = 1000;
 
 /// The start of native code; its answer is one of those that [`super::translate`] lists.
 pub(super) type Entry = unsafe extern "C" fn(*mut Context) -> i64;

@@ -106,17 +106,11 @@ impl Translator<'_, '_> {
                     self.b.ins().store(flags, part, place, at * 8);
                 }
             }
-            Inst::NewVertex { to } => self.add(ElementKind::Vertex, to),
-            Inst::NewHalfedge { to } => self.add(ElementKind::Halfedge, to),
-            Inst::NewEdge { to } => self.add(ElementKind::Edge, to),
-            Inst::NewFace { to } => self.add(ElementKind::Face, to),
-            Inst::Erase { kind, element } => {
-                let id = self.id(element);
-                let kind = self.b.ins().iconst(I64, kind as i64);
-                let done = self.call_stub(stubs::erase as *const () as usize, &[kind, id]);
-                let lives = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, done, 0);
-                self.or_fault(lives);
-            }
+            Inst::NewVertex { .. }
+            | Inst::NewHalfedge { .. }
+            | Inst::NewEdge { .. }
+            | Inst::NewFace { .. }
+            | Inst::Erase { .. } => self.add_and_erase(),
             Inst::ExpectRoom { room, .. } => {
                 let Room { vertices, halfedges, edges, faces } = room;
                 let counts = [vertices, halfedges, edges, faces].map(u64::from);
@@ -342,13 +336,34 @@ impl Translator<'_, '_> {
         self.b.ins().iadd(table, offset)
     }
 
-    fn add(&mut self, kind: ElementKind, to: Reg) {
-        let kind = self.b.ins().iconst(I64, kind as i64);
-        let id = self.call_stub(stubs::add as *const () as usize, &[kind]);
-        let is_there = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, id, 0);
-        self.or_fault(is_there);
-        self.set_whole(to, id);
+    /// Takes this instruction and those of its sort that follow it at once.
+    fn add_and_erase(&mut self) {
+        let (first, code) = (self.at, self.text.code);
+        let is_one = |at: usize| match code.insts.get(at) {
+            Some(inst) => is_added_or_erased(inst) && (at == first || !self.is_target(at)),
+            None => false,
+        };
+        let end = (first..).find(|&at| !is_one(at)).unwrap_or(first);
+        let all = &code.insts[first..end];
+        all.iter().for_each(|inst| self.spill_operands(inst));
+        let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
+        let done = self.call_stub(stubs::add_and_erase as *const () as usize, &[span]);
+        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);
+        self.leave_if(failed);
+        all.iter().for_each(|inst| self.reload_written(inst));
+        self.skip = end - first - 1;
     }
+}
+
+fn is_added_or_erased(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::NewVertex { .. }
+            | Inst::NewHalfedge { .. }
+            | Inst::NewEdge { .. }
+            | Inst::NewFace { .. }
+            | Inst::Erase { .. }
+    )
 }
 
 /// Where the halfedge of an element lies.

@@ -1,7 +1,8 @@
 //! The functions of the machine that native code calls.
 //!
-//! Each takes the context of the call. None panics across the border: a panic is kept and goes on
-//! when native code has been left.
+//! Each takes the context of the call. No panic crosses the border: that of a stub which may do
+//! anything is kept and goes on when native code has been left, and what the others do does not
+//! panic.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -11,15 +12,15 @@ use crate::rewrite::access;
 use crate::rewrite::arithmetic::{direction, math};
 use crate::rewrite::question::ask;
 use crate::rewrite::window::Window;
-use crate::rewrite::{Call, Inst, Math, Message, Outcome, Trap};
+use crate::rewrite::{Call, Fault, Inst, Math, Message, Outcome, Trap};
 
 /// The answer of a stub if native code is to be left: the trap stands in the run.
 pub(super) const LEAVE: i64 = -1;
 
-/// Does something with the run of a context, and looks anew for what may have moved.
+/// Does something with the run of a context.
 ///
 /// # Safety
-/// The context is one that [`super::enter`] has made for native code that runs.
+/// The context is one that the machine has made for native code that runs.
 #[inline]
 unsafe fn within(
     context: *mut Context,
@@ -33,22 +34,33 @@ unsafe fn within(
         let run = &mut *context.run.cast::<Run<'_>>();
         (context, run)
     };
-    let acted = catch_unwind(AssertUnwindSafe(|| {
-        let answer = act(context, run);
-        context.refresh(run);
-        answer
-    }));
-    match acted {
-        Ok(Ok(answer)) => answer,
-        Ok(Err(trap)) => {
+    match act(context, run) {
+        Ok(answer) => answer,
+        Err(trap) => {
             run.trap = Some(trap);
             LEAVE
         }
-        Err(panic) => {
-            run.panic = Some(panic);
-            LEAVE
-        }
     }
+}
+
+/// The same for what may do anything: it may panic, and what it has moved is looked for anew.
+///
+/// # Safety
+/// As of [`within`].
+unsafe fn within_any(
+    context: *mut Context,
+    act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
+) -> i64 {
+    let guarded = |context: &mut Context, run: &mut Run<'_>| {
+        let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
+        context.refresh(run);
+        acted.unwrap_or_else(|panic| {
+            run.panic = Some(panic);
+            Ok(LEAVE)
+        })
+    };
+    // SAFETY: as of `within`.
+    unsafe { within(context, guarded) }
 }
 
 /// Takes one instruction on the machine; the place where the code goes on.
@@ -71,7 +83,7 @@ pub(super) unsafe extern "C" fn step(context: *mut Context, inst: i64) -> i64 {
         Ok(place.at as i64)
     };
     // SAFETY: see above.
-    unsafe { within(context, take) }
+    unsafe { within_any(context, take) }
 }
 
 fn opens_drain(call: &Call<'_>, at: usize) -> bool {
@@ -125,7 +137,7 @@ pub(super) unsafe extern "C" fn call(context: *mut Context, inst: i64) -> i64 {
         machine.call_function(mesh, call, inst as usize, *watch).map(|()| 0)
     };
     // SAFETY: as of all stubs.
-    unsafe { within(context, call) }
+    unsafe { within_any(context, call) }
 }
 
 /// Takes an instruction on the machine that native code has found to trap.
@@ -142,39 +154,42 @@ pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
     }
 }
 
-/// Adds an element; its number, or [`LEAVE`] where the machine is to tell why it cannot.
+/// Adds and erases elements: takes so many instructions, in number and order as `span` says, which
+/// read the window and write to it.
 ///
 /// # Safety
 /// As of all stubs.
-pub(super) unsafe extern "C" fn add(context: *mut Context, kind: i64) -> i64 {
-    let kind = ElementKind::ALL[kind as usize & 3];
-    let add = |_: &mut Context, run: &mut Run<'_>| {
-        let Ok(id) = access::add(run.mesh, kind) else {
-            return Ok(LEAVE);
-        };
-        if let Some(created) = &mut run.machine.created {
-            created.push((kind, id));
+pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) -> i64 {
+    let take = |context: &mut Context, run: &mut Run<'_>| {
+        let (first, end) = (span as u32 as usize, (span >> 32) as usize);
+        let Run { machine, mesh, call, .. } = run;
+        for (at, inst) in call.code.insts.iter().enumerate().take(end).skip(first) {
+            let failed = |fault: Fault| Trap::new(fault.into()).through(call, at);
+            let Some(mut window) = Window::at(&mut machine.stack, call.base) else {
+                return Err(failed(Fault::Malformed));
+            };
+            let (kind, to) = match *inst {
+                Inst::Erase { kind, element } => {
+                    access::erase(mesh, kind, window.id(element)).map_err(failed)?;
+                    continue;
+                }
+                Inst::NewVertex { to } => (ElementKind::Vertex, to),
+                Inst::NewHalfedge { to } => (ElementKind::Halfedge, to),
+                Inst::NewEdge { to } => (ElementKind::Edge, to),
+                Inst::NewFace { to } => (ElementKind::Face, to),
+                _ => continue,
+            };
+            let id = access::add(mesh, kind).map_err(failed)?;
+            window.set_id(to, id);
+            if let Some(created) = &mut machine.created {
+                created.push((kind, id));
+            }
         }
-        run.machine.drains.born(run.mesh, kind, id);
-        Ok(i64::from(id))
+        context.refresh(run);
+        Ok(0)
     };
     // SAFETY: as of all stubs.
-    unsafe { within(context, add) }
-}
-
-/// Erases an element that lives.
-///
-/// # Safety
-/// As of all stubs.
-pub(super) unsafe extern "C" fn erase(context: *mut Context, kind: i64, id: i64) -> i64 {
-    let kind = ElementKind::ALL[kind as usize & 3];
-    let erase = |_: &mut Context, run: &mut Run<'_>| match access::erase(run.mesh, kind, id as u32)
-    {
-        Ok(()) => Ok(0),
-        Err(fault) => Err(Trap::new(fault.into())),
-    };
-    // SAFETY: as of all stubs.
-    unsafe { within(context, erase) }
+    unsafe { within(context, take) }
 }
 
 /// 1 if so many elements fit, 16 bits for each kind.

@@ -70,6 +70,8 @@ pub(super) struct Translator<'a, 'f> {
     known: Walk,
     /// The instruction that is spelled.
     pub(super) at: usize,
+    /// The number of those behind it that have been spelled with it.
+    pub(super) skip: usize,
     /// Where it traps, if it may.
     fault: Option<Block>,
     /// All such blocks, each with its instruction.
@@ -114,6 +116,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             blocks,
             known: Walk::new(registers),
             at: 0,
+            skip: 0,
             fault: None,
             faults: Vec::new(),
             leave,
@@ -137,6 +140,11 @@ impl<'a, 'f> Translator<'a, 'f> {
                 reached = true;
             }
             if !reached {
+                continue;
+            }
+            if this.skip > 0 {
+                this.skip -= 1;
+                this.known.pass(inst, &text.surroundings);
                 continue;
             }
             (this.at, this.fault) = (at, None);
@@ -263,6 +271,10 @@ impl<'a, 'f> Translator<'a, 'f> {
             }
         }
         true
+    }
+
+    pub(super) fn is_target(&self, inst: usize) -> bool {
+        self.blocks[inst].is_some()
     }
 
     pub(super) fn block(&mut self, to: Label) -> Block {
