@@ -29,6 +29,8 @@ const HELD: usize = 18;
 pub(super) struct Place {
     pub(super) at: usize,
     pub(super) noted: Option<(Phase, u16)>,
+    /// How many instructions are taken, if not all.
+    pub(super) steps: usize,
 }
 
 /// The value, or out of the loop with the message.
@@ -53,8 +55,8 @@ impl Machine {
         self.execute_from::<OBSERVED, false>(mesh, call, &mut Place::default(), watch)
     }
 
-    /// Runs the code of a call from a place on; or, if it is a `STEP`, takes one instruction, which
-    /// neither calls a function nor ends the code, and tells the place where it goes on.
+    /// Runs the code of a call from a place on; or, if it is a `STEP`, takes so many instructions,
+    /// which neither call a function nor end the code, and tells the place where it goes on.
     pub(super) fn execute_from<const OBSERVED: bool, const STEP: bool>(
         &mut self,
         mesh: &mut Mesh,
@@ -65,7 +67,7 @@ impl Machine {
         use Inst::*;
         let mut insts = call.code.insts.as_slice();
         let mut returns: Vec<Frame> = Vec::new();
-        let Place { mut at, mut noted } = *place;
+        let Place { mut at, mut noted, mut steps } = *place;
         let Some(mut w) = Window::at(&mut self.stack, call.base) else {
             return Err(Trap::new(Message::Malformed));
         };
@@ -725,8 +727,11 @@ impl Machine {
                 }
             }
             if STEP {
-                *place = Place { at, noted };
-                return Ok(Outcome::Applied { result: None });
+                steps -= 1;
+                if steps == 0 {
+                    *place = Place { at, noted, steps };
+                    return Ok(Outcome::Applied { result: None });
+                }
             }
         };
         Err(Trap::new(message).through_all(&call, at.saturating_sub(1), &returns))

@@ -135,6 +135,9 @@ fn isa() -> Option<OwnedTargetIsa> {
         flags.set("is_pic", "false").ok()?;
         flags.set("use_colocated_libcalls", "false").ok()?;
         flags.set("unwind_info", "false").ok()?;
+        // A frame of more than a page touches each, so that the stack ends at its guard.
+        flags.set("enable_probestack", "true").ok()?;
+        flags.set("probestack_strategy", "inline").ok()?;
         flags.set("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }).ok()?;
         let builder = cranelift_native::builder().ok()?;
         builder.finish(settings::Flags::new(flags)).ok()

@@ -87,7 +87,7 @@ impl Context {
             };
             (phase, known as u16)
         });
-        Place { at, noted }
+        Place { at, noted, steps: 1 }
     }
 }
 

@@ -339,11 +339,7 @@ impl Translator<'_, '_> {
     /// Takes this instruction and those of its sort that follow it at once.
     fn add_and_erase(&mut self) {
         let (first, code) = (self.at, self.text.code);
-        let is_one = |at: usize| match code.insts.get(at) {
-            Some(inst) => is_added_or_erased(inst) && (at == first || !self.is_target(at)),
-            None => false,
-        };
-        let end = (first..).find(|&at| !is_one(at)).unwrap_or(first);
+        let end = self.end_of_run(is_added_or_erased);
         let all = &code.insts[first..end];
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);

@@ -43,7 +43,7 @@ use operands::Surroundings;
 use translate::Text;
 
 use super::call::MOST_CALLS;
-use super::{Call, Engine, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
+use super::{Call, Code, Engine, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 use crate::mesh::{ColumnId, ElementKind, Mesh};
 
 /// The ways in which a code is compiled.
@@ -66,7 +66,7 @@ const HALFEDGES: usize = 5000;
 
 /// How deep native code may be nested: beyond, the machine runs what is called, which takes no
 /// more of the stack for functions that call each other.
-const DEPTH: usize = 200;
+const DEPTH: usize = 64;
 
 /// What runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,7 +117,10 @@ impl Native {
         let made = self.0.get_or_init(Box::default);
         if text.way == Way::Script {
             // It runs once, but its loops may go around often.
-            return mesh.capacity(ElementKind::Halfedge) >= HALFEDGES && text.code.loops();
+            return mesh.capacity(ElementKind::Halfedge) >= HALFEDGES && {
+                let mut called = text.code.with_called().into_iter();
+                called.any(Code::loops)
+            };
         }
         let runs = made.runs.load(Ordering::Relaxed);
         if runs < RUNS {

@@ -63,13 +63,15 @@ unsafe fn within_any(
     unsafe { within(context, guarded) }
 }
 
-/// Takes one instruction on the machine; the place where the code goes on.
+/// Takes instructions on the machine, as many as the upper half of `span` says, from the one on
+/// that its lower half says; the place where the code goes on.
 ///
 /// # Safety
 /// As of all stubs: native code calls it with its context.
-pub(super) unsafe extern "C" fn step(context: *mut Context, inst: i64) -> i64 {
+pub(super) unsafe extern "C" fn step(context: *mut Context, span: i64) -> i64 {
     let take = |context: &mut Context, run: &mut Run<'_>| {
-        let mut place = context.place(inst as usize);
+        let mut place = context.place(span as u32 as usize);
+        place.steps = (span >> 32) as usize;
         let Run { machine, mesh, call, watch, .. } = run;
         let outcome = match machine.drains.is_empty() && !opens_drain(call, place.at) {
             true => machine.execute_from::<false, true>(mesh, *call, &mut place, *watch)?,
@@ -146,7 +148,7 @@ pub(super) unsafe extern "C" fn call(context: *mut Context, inst: i64) -> i64 {
 /// As of all stubs.
 pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
     // SAFETY: as of all stubs.
-    let answer = unsafe { step(context, inst) };
+    let answer = unsafe { step(context, inst | 1 << 32) };
     if answer != LEAVE {
         let say = |_: &mut Context, _: &mut Run<'_>| Err(Trap::new(Message::Malformed));
         // SAFETY: as of all stubs.

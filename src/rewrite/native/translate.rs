@@ -191,7 +191,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             match self.variant {
                 Variant::Plain => {}
                 Variant::Careful => {
-                    self.step(inst);
+                    self.steps();
                     return true;
                 }
                 Variant::Dry => {
@@ -273,10 +273,6 @@ impl<'a, 'f> Translator<'a, 'f> {
         true
     }
 
-    pub(super) fn is_target(&self, inst: usize) -> bool {
-        self.blocks[inst].is_some()
-    }
-
     pub(super) fn block(&mut self, to: Label) -> Block {
         let at = (to.0 as usize).min(self.text.code.insts.len());
         // Every target has one.
@@ -352,7 +348,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             let all = all.map_or_else(Vec::new, |(_, all)| all.clone());
             all.into_iter().for_each(|reg| self.spill(reg));
         }
-        let number = self.b.ins().iconst(I64, self.at as i64);
+        let number = self.b.ins().iconst(I64, (self.at | 1 << 32) as i64);
         let on = self.call_stub(stubs::step as *const () as usize, &[number]);
         let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, on, 0);
         self.leave_if(failed);
@@ -366,6 +362,30 @@ impl<'a, 'f> Translator<'a, 'f> {
             let leave = self.leave;
             self.b.ins().jump(leave, &[]);
         }
+    }
+
+    /// Lets the machine take this write and those that follow it at once.
+    fn steps(&mut self) {
+        let (first, code) = (self.at, self.text.code);
+        let end = self.end_of_run(Inst::is_observed_write);
+        let all = &code.insts[first..end];
+        all.iter().for_each(|inst| self.spill_operands(inst));
+        let span = self.b.ins().iconst(I64, (first | (end - first) << 32) as i64);
+        let on = self.call_stub(stubs::step as *const () as usize, &[span]);
+        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, on, 0);
+        self.leave_if(failed);
+        all.iter().for_each(|inst| self.reload_written(inst));
+        self.skip = end - first - 1;
+    }
+
+    /// The end of the instructions of a sort from this one on, none of which but the first is
+    /// jumped to.
+    pub(super) fn end_of_run(&self, is_one: impl Fn(&Inst) -> bool) -> usize {
+        let first = self.at;
+        let insts = self.text.code.insts.iter().enumerate().skip(first);
+        let mut run = insts
+            .take_while(|&(at, inst)| is_one(inst) && (at == first || self.blocks[at].is_none()));
+        run.by_ref().last().map_or(first, |(at, _)| at + 1)
     }
 
     pub(super) fn leave_if(&mut self, condition: Value) {
