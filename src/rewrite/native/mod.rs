@@ -88,6 +88,7 @@ pub struct Native(OnceLock<Box<Made>>);
 #[derive(Default)]
 struct Made {
     runs: AtomicU32,
+    loops: OnceLock<bool>,
     variants: [OnceLock<Option<Compiled>>; 3],
 }
 
@@ -115,12 +116,17 @@ impl Native {
     /// True if it pays to compile a code now.
     fn is_due(&self, mesh: &Mesh, text: Text<'_>) -> bool {
         let made = self.0.get_or_init(Box::default);
+        // What loops may go around often, though it runs once.
+        let loops = || match text.way {
+            Way::Script => text.code.with_called().into_iter().any(Code::loops),
+            Way::Function => text.code.loops(),
+            Way::Whole | Way::Dry => false,
+        };
+        if mesh.capacity(ElementKind::Halfedge) >= HALFEDGES && *made.loops.get_or_init(loops) {
+            return true;
+        }
         if text.way == Way::Script {
-            // It runs once, but its loops may go around often.
-            return mesh.capacity(ElementKind::Halfedge) >= HALFEDGES && {
-                let mut called = text.code.with_called().into_iter();
-                called.any(Code::loops)
-            };
+            return false;
         }
         let runs = made.runs.load(Ordering::Relaxed);
         if runs < RUNS {
