@@ -119,7 +119,9 @@ fn same_form(
         true => (
             format!("`{word}` has a subscript here, but not where it comes first"),
             match param {
-                Some(_) => format!("a parameter that begins a family is written `{word}[0]`"),
+                Some(_) => format!(
+                    "one element is written `{word}`; a parameter that begins a family, `{word}[0]`"
+                ),
                 None => "a name stands for one element, or with a subscript for a family".into(),
             },
         ),
@@ -135,8 +137,7 @@ fn same_form(
     let error =
         Diagnostic::error("two-forms", message, mention.span).label(first.1, label).note(note);
     report.add(error);
-    // Once is enough.
-    forms.insert(word.to_owned(), (here, mention.span));
+    report.confuse(word);
 }
 
 impl Letter {
@@ -202,6 +203,9 @@ impl Letter {
         if let Some(span) = unnamed_in_each(statement) {
             let message = "a run in `each` needs a name with a subscript";
             report.add(Diagnostic::error("mixed-statement", message, span));
+        }
+        if report.is_confused(&subject.ident.text) {
+            return;
         }
         let free = each.is_some() || subject.index.is_some();
         let odd = parts.into_iter().find(|part| part.index.is_some() != free);

@@ -45,6 +45,8 @@ const HALFEDGE: &str =
     "a halfedge is drawn in its loop, `face f: v0 -a-> v1 …`, and has no statement of its own";
 const POINTERS: &str = "pointers are not assigned: `next` and `face` follow from the loops that `after` draws, `twin` from its edges, `edge e: a | d`";
 const DECLARED: &str = "names are not declared: what is drawn tells what they stand for";
+const CALLS: &str =
+    "a drawing calls nothing: it says what there is before and after; scripts call operations, `flip(e)`";
 const PAIRED: &str = "an edge is a pair of twins with a bar between them: `edge e: a | d`";
 const OWN_ENDS: &str = "an edge names its two halfedges, not its ends: `edge e: a | d` where `v0 -a-> v1` and `v1 -d-> v0`";
 const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
@@ -849,13 +851,20 @@ const LINES: &[Line] = &[
         "",
         POINTERS,
     ),
-    told(DRAWING, "^$a ./-> $f:word ( $x:inside ) $l:line", "", POINTERS),
     told(
         DRAWING,
-        "^$f ( $x:inside ) $l:line",
+        "^$a ./-> $p=set_next/set_prev/set_twin/set_vertex/set_face/set_edge/set_halfedge/set_opposite/set_target/set_neighbors ( $x:inside ) $l:line",
         "",
-        "a drawing calls nothing: it says what there is before and after",
+        POINTERS,
     ),
+    told(
+        DRAWING,
+        "^$a ./-> $p=setNext/setPrev/setTwin/setVertex/setFace/setEdge/setHalfedge/setOpposite/setTarget/setNeighbors ( $x:inside ) $l:line",
+        "",
+        POINTERS,
+    ),
+    told(DRAWING, "^$a ./-> $f:word ( $x:inside ) $l:line", "", CALLS),
+    told(DRAWING, "^$f ( $x:inside ) $l:line", "", CALLS),
     told(
         DRAWING,
         "^$a . $b:word . $c:word = $v:line",
