@@ -17,11 +17,11 @@ const QUICK = 60_000
 /** More marks than this are drawn thin. */
 const FAT = 30_000
 /** Edges that are shorter than this on the screen, in pixels, are not drawn: they would hide the faces. */
-const SHORTEST = 2.2
+const SHORTEST = 3
 /** A picture that takes longer than this while the mesh is turned, in milliseconds, is made coarser. */
 const SLOW = 45
 /** The triangles of a mesh that stands for a larger one while that is turned. */
-const COARSE = 60_000
+const COARSE = 25_000
 
 /** The arrays of an answer, by name. */
 export function arraysOf(json, bytes) {
@@ -45,6 +45,9 @@ export class Scene {
   #turning = false
   #last = 0
   #slow = 0
+  /** How much coarser the mesh is while it is turned. */
+  #level = 0
+  #withEdges = true
   #mesh = null
   #box = new THREE.Box3()
   #dirty = true
@@ -104,7 +107,7 @@ export class Scene {
     this.#dirty = false
     if (this.#turning) this.#measure(now)
     this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.4, 1, 0.2))
-    if (this.lines) this.lines.visible = this.#edgeLength() > SHORTEST && !this.coarse?.visible
+    if (this.lines) this.lines.visible = this.#withEdges && this.#edgeLength() > SHORTEST
     this.renderer.render(this.scene, this.camera)
     this.labels.render(this.scene, this.camera)
   }
@@ -121,18 +124,24 @@ export class Scene {
     this.#turning = isTurning
     this.#last = 0
     this.#slow = 0
-    if (!isTurning) this.#coarsen(false)
+    this.#coarsen()
   }
 
-  /** Where pictures come too slowly, a coarser mesh is turned until it is let go. */
+  /** Where pictures come too slowly while the mesh is turned, they are made coarser, step by step. */
   #measure(now) {
     if (this.#last && now - this.#last > SLOW) this.#slow += 1
     this.#last = now
-    if (this.#slow > 2 && this.#mesh.arrays.faces.length > 2 * COARSE) this.#coarsen(true)
+    if (this.#slow < 2 || this.#level === 3) return
+    this.#slow = 0
+    this.#level += 1
+    this.#coarsen()
   }
 
-  #coarsen(isCoarse) {
-    if (isCoarse === !!this.coarse?.visible) return
+  /** First without edges, then with fewer triangles, at last with fewer pixels; whole at rest. */
+  #coarsen() {
+    const level = this.#turning ? this.#level : 0
+    this.#withEdges = level < 1
+    const isCoarse = level > 1 && this.#mesh?.arrays.faces.length > 2 * COARSE
     if (isCoarse && !this.coarse) {
       const geometry = clustered(this.#mesh.arrays.positions, this.#mesh.arrays.triangles, COARSE)
       this.coarse = new THREE.Mesh(geometry, this.faces.material.clone())
@@ -140,8 +149,10 @@ export class Scene {
       this.coarse.material.color.set(this.#plain())
       this.base.add(this.coarse)
     }
-    this.coarse.visible = isCoarse
-    this.faces.visible = !isCoarse
+    if (this.coarse) this.coarse.visible = isCoarse
+    if (this.faces) this.faces.visible = !isCoarse
+    const ratio = Math.min(devicePixelRatio, 2) * (level > 2 ? 0.5 : 1)
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio)
     this.#wake()
   }
 
@@ -167,6 +178,7 @@ export class Scene {
     this.#mesh = mesh
     clear(this.base)
     this.coarse = null
+    this.#level = 0
     this.range = null
     const { arrays, json } = mesh
     const dark = this.#isDark
