@@ -1,12 +1,13 @@
 //! Values of Python as arguments, by the types of the parameters.
 
+use hedgerow::diagram::Type;
 use hedgerow::mesh::{Element, ElementKind};
 use hedgerow::{Argument, Arguments, Given};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyString, PyTuple};
 
-use super::parameters::{Parameters, Type};
+use super::parameters::{Parameters, element_kind};
 
 /// Arguments of a call, in order and by name, as the library takes them.
 #[derive(Default)]
@@ -123,7 +124,10 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
             Ok(text) => Ok(Argument::Text(text.to_str()?.to_owned())),
             Err(_) => Err(wrong("a text")),
         },
-        Type::Element(kind) => element(value, kind, name),
+        Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => {
+            let kind = element_kind(ty).expect("it is a type of elements");
+            element(value, kind, name)
+        }
     }
 }
 
