@@ -103,6 +103,8 @@ def jobs(vertices, faces):
         yield "simplify to a quarter", "libigl", lambda: igl.qslim(vertices, faces, count)[:2], []
     if pymeshlab:
         yield "simplify to a quarter", "pymeshlab", meshlab("meshing_decimation_quadric_edge_collapse", targetfacenum=count), [meshset]
+    if gpytoolbox:
+        yield "simplify to a quarter", "gpytoolbox", lambda: gpytoolbox.decimate(vertices, faces, num_faces=count, method="qslim")[:2], []
     if trimesh and found("fast_simplification"):
         made = trimesh.Trimesh(vertices, faces, process=False)
 
@@ -122,6 +124,10 @@ def jobs(vertices, faces):
         yield "subdivide (Loop)", "trimesh", loop, []
     if igl:
         yield "subdivide (Loop)", "libigl", lambda: igl.loop(vertices, faces), []
+    if pymeshlab:
+        share = pymeshlab.PercentageValue(0)
+        arguments = {"iterations": 1, "threshold": share}
+        yield "subdivide (Loop)", "pymeshlab", meshlab("meshing_surface_subdivision_loop", **arguments), [meshset]
     if gpytoolbox:
         yield "subdivide (Loop)", "gpytoolbox", lambda: gpytoolbox.subdivide(vertices, faces, method="loop"), []
 

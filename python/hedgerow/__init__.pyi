@@ -44,7 +44,7 @@ class Applied:
     def created(self) -> Elements: ...
     @property
     def erased(self) -> Elements: ...
-    __match_args__: tuple[str, str, str]
+    __match_args__ = ("result", "created", "erased")
     def __bool__(self) -> Literal[True]: ...
 
 @final
@@ -53,7 +53,7 @@ class Refused:
     def reason(self) -> str: ...
     @property
     def number(self) -> int: ...
-    __match_args__: tuple[str]
+    __match_args__ = ("reason",)
     def __bool__(self) -> Literal[False]: ...
 
 class Count(NamedTuple):
@@ -102,7 +102,7 @@ class Parameter:
     def type(self) -> str: ...
     @property
     def default(self) -> str | None: ...
-    __match_args__: tuple[str, str, str]
+    __match_args__ = ("name", "type", "default")
 
 @final
 class Op:

@@ -133,13 +133,12 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
 
 /// The number of an element.
 pub fn element(value: &Bound<'_, PyAny>, kind: ElementKind, name: &str) -> PyResult<Argument> {
-    if value.is_instance_of::<PyBool>() || value.is_instance_of::<PyFloat>() {
-        let message = format!("`{name}` wants the number of a {kind}");
-        return Err(PyTypeError::new_err(message));
-    }
-    let number: i64 = value
-        .extract()
-        .map_err(|_| PyTypeError::new_err(format!("`{name}` wants the number of a {kind}")))?;
+    let is_other = value.is_instance_of::<PyBool>() || value.is_instance_of::<PyFloat>();
+    let number: Option<i64> = if is_other { None } else { value.extract().ok() };
+    let Some(number) = number else {
+        let a = if kind == ElementKind::Edge { "an" } else { "a" };
+        return Err(PyTypeError::new_err(format!("`{name}` wants the number of {a} {kind}")));
+    };
     match u32::try_from(number) {
         Ok(index) => Ok(Element { kind, index }.into()),
         Err(_) => Err(super::error::saying(
