@@ -22,7 +22,7 @@ use super::error::{Kind, in_call, saying};
 use super::pointers::{ends, holes, living, pointers, polygons};
 
 /// A mesh, with what it takes to call operations on it.
-#[pyclass(frozen, subclass, module = "hedgerow._hedgerow")]
+#[pyclass(frozen, subclass, name = "Mesh", module = "hedgerow._hedgerow")]
 pub struct MeshTables {
     state: Mutex<State>,
 }

@@ -45,8 +45,7 @@ const HALFEDGE: &str =
     "a halfedge is drawn in its loop, `face f: v0 -a-> v1 …`, and has no statement of its own";
 const POINTERS: &str = "pointers are not assigned: `next` and `face` follow from the loops that `after` draws, `twin` from its edges, `edge e: a | d`";
 const DECLARED: &str = "names are not declared: what is drawn tells what they stand for";
-const CALLS: &str =
-    "a drawing calls nothing: it says what there is before and after; scripts call operations, `flip(e)`";
+const CALLS: &str = "a drawing calls nothing: it says what there is before and after; scripts call operations, `flip(e)`";
 const PAIRED: &str = "an edge is a pair of twins with a bar between them: `edge e: a | d`";
 const OWN_ENDS: &str = "an edge names its two halfedges, not its ends: `edge e: a | d` where `v0 -a-> v1` and `v1 -d-> v0`";
 const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
