@@ -41,7 +41,17 @@ from __future__ import annotations
 import importlib
 
 from . import errors
-from ._hedgerow import Applied, Elements, Function, LiveMask, Op, Program, Refused, Script
+from ._hedgerow import (
+    Applied,
+    Elements,
+    Function,
+    LiveMask,
+    Op,
+    Parameter,
+    Program,
+    Refused,
+    Script,
+)
 from ._mesh import ElementTable, Mesh, Trial
 from ._pictures import Diagram, Proof
 from ._programs import check, load, program
@@ -73,6 +83,7 @@ __all__ = [
     "Mesh",
     "MeshError",
     "Op",
+    "Parameter",
     "Program",
     "ProgramError",
     "Proof",

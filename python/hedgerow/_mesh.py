@@ -7,7 +7,7 @@ import os
 import numpy as np
 
 from . import _arrays
-from ._hedgerow import MeshTables
+from ._hedgerow import Mesh as MeshTables
 from .errors import ArgumentError, MeshError, RunError
 
 __all__ = ["ElementTable", "Mesh", "Trial"]

@@ -43,10 +43,11 @@ def signature(parameters, options, result):
     """The signature of what takes a mesh, some parameters, and options by name."""
     kind = inspect.Parameter
     all_of_it = [kind("mesh", kind.POSITIONAL_ONLY)]
-    for name, word, default in parameters:
-        place = kind.KEYWORD_ONLY if _is_late(all_of_it, default) else kind.POSITIONAL_OR_KEYWORD
-        annotation = _TYPES.get(word, word)
-        all_of_it.append(kind(name, place, default=_default(default), annotation=annotation))
+    for one in parameters:
+        is_late = _is_late(all_of_it, one.default)
+        place = kind.KEYWORD_ONLY if is_late else kind.POSITIONAL_OR_KEYWORD
+        annotation = _TYPES.get(one.type, one.type)
+        all_of_it.append(kind(one.name, place, default=_default(one.default), annotation=annotation))
     all_of_it += [kind(name, kind.KEYWORD_ONLY, default=None) for name in options]
     annotation = inspect.Signature.empty if result is None else _TYPES.get(result, result)
     return inspect.Signature(all_of_it, return_annotation=annotation)

@@ -1,6 +1,18 @@
-"""What can go wrong. The text of an error is what the command line shows."""
+"""What can go wrong. The text of an error is what the command line shows.
+
+Besides these there are Python's own: ``TypeError`` for a value of another type than the parameter,
+``KeyError`` and ``AttributeError`` for a name that there is not, ``ValueError`` for a number out of the
+range of what is made (``Mesh.icosphere(99)``), and ``KeyboardInterrupt`` for Ctrl-C, which ends a script
+after the step that it is at.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from . import Report
 
 __all__ = [
     "ArgumentError",
@@ -21,34 +33,46 @@ class Error(Exception):
     ``column``, ``notes`` and ``fixes``.
     """
 
-    def __init__(self, text, code="", diagnostics=(), report=None):
+    def __init__(
+        self,
+        text: str,
+        code: str = "",
+        diagnostics: Iterable[dict[str, Any]] = (),
+        report: Report | None = None,
+    ) -> None:
         super().__init__(text, code, list(diagnostics), report)
         self.code = code
         self.diagnostics = list(diagnostics)
         self.report = report
 
-    def __str__(self):
+    def __str__(self) -> str:
         return self.args[0]
 
 
 class ProgramError(Error):
-    """A program is wrong, or not proved."""
+    """A program is wrong, or not proved: of :func:`hedgerow.program` and :func:`hedgerow.load`. There is
+    one diagnostic for each place."""
 
 
 class ArgumentError(Error, ValueError):
-    """An argument does not fit the parameter."""
+    """An argument does not fit: one too many or missing, a number that is none of an element of this mesh
+    or of one that has been erased, a value that is not finite, an array of another shape or length."""
 
 
 class MeshError(Error, ValueError):
-    """Arrays or a file are no mesh, or a mesh is none that the operation is for."""
+    """Arrays or bytes are no mesh (``no-mesh``; the text names the first place, as an edge of three
+    faces), or the mesh is none that the operation is for (``below-level``), or has an attribute of the
+    same name with values of another type (``attribute-conflict``)."""
 
 
 class RunError(Error, RuntimeError):
-    """Something failed while it ran; ``report`` is what a script did so far."""
+    """Something failed while it ran: an ``assert``, an operation that a script ``must`` apply and that
+    refused, a division by zero, too large a number. An operation has done nothing then; ``report`` is
+    what a script did so far."""
 
 
 class FileError(Error, OSError):
-    """A file cannot be read or written."""
+    """A file cannot be read or written, or what is in it is no mesh; the text names the line."""
 
     __str__ = Error.__str__
 

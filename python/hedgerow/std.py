@@ -9,7 +9,12 @@
 
 from __future__ import annotations
 
-from ._hedgerow import Program
+from typing import TYPE_CHECKING
+
+from . import _hedgerow
+
+if TYPE_CHECKING:
+    from . import Program
 
 _FILES = (
     "map",
@@ -31,12 +36,12 @@ _FILES = (
 __all__ = list(_FILES)
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Program:
     if name not in _FILES:
         raise AttributeError(f"the library has no file `{name}`: it has {', '.join(_FILES)}")
-    found = globals()[name] = Program._read(f"std/{name}.hedge")
+    found = globals()[name] = _hedgerow.Program._read(f"std/{name}.hedge")
     return found
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted({*globals(), *_FILES})

@@ -1,12 +1,13 @@
 //! Values of Python as arguments, by the types of the parameters.
 
+use hedgerow::diagram::Type;
 use hedgerow::mesh::{Element, ElementKind};
 use hedgerow::{Argument, Arguments, Given};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyString, PyTuple};
 
-use super::parameters::{Parameters, Type};
+use super::parameters::{Parameters, element_kind};
 
 /// Arguments of a call, in order and by name, as the library takes them.
 #[derive(Default)]
@@ -123,19 +124,21 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
             Ok(text) => Ok(Argument::Text(text.to_str()?.to_owned())),
             Err(_) => Err(wrong("a text")),
         },
-        Type::Element(kind) => element(value, kind, name),
+        Type::Vertex | Type::Halfedge | Type::Edge | Type::Face => {
+            let kind = element_kind(ty).expect("it is a type of elements");
+            element(value, kind, name)
+        }
     }
 }
 
 /// The number of an element.
 pub fn element(value: &Bound<'_, PyAny>, kind: ElementKind, name: &str) -> PyResult<Argument> {
-    if value.is_instance_of::<PyBool>() || value.is_instance_of::<PyFloat>() {
-        let message = format!("`{name}` wants the number of a {kind}");
-        return Err(PyTypeError::new_err(message));
-    }
-    let number: i64 = value
-        .extract()
-        .map_err(|_| PyTypeError::new_err(format!("`{name}` wants the number of a {kind}")))?;
+    let is_other = value.is_instance_of::<PyBool>() || value.is_instance_of::<PyFloat>();
+    let number: Option<i64> = if is_other { None } else { value.extract().ok() };
+    let Some(number) = number else {
+        let a = if kind == ElementKind::Edge { "an" } else { "a" };
+        return Err(PyTypeError::new_err(format!("`{name}` wants the number of {a} {kind}")));
+    };
     match u32::try_from(number) {
         Ok(index) => Ok(Element { kind, index }.into()),
         Err(_) => Err(super::error::saying(

@@ -4,10 +4,11 @@ use hedgerow::Values as Found;
 use numpy::PyArray1;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyTuple};
+use pyo3::types::{PyDict, PyTuple};
 
 use super::argument::Values;
 use super::error::in_call;
+use super::item::item;
 use super::mesh::MeshTables;
 use super::op::value;
 use super::parameters::Parameters;
@@ -17,16 +18,9 @@ use super::watch::Watcher;
 // A function of a program: of one element a value, of all an array by their numbers. It has no doc comment: `__doc__` is that of the program.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Function {
-    function: hedgerow::Function,
+    item: hedgerow::Function,
     program: Py<Program>,
     parameters: Parameters,
-}
-
-impl Function {
-    pub fn new(function: hedgerow::Function, program: Py<Program>) -> Self {
-        let parameters = Parameters::new(function.parameters());
-        Self { function, program, parameters }
-    }
 }
 
 /// Numbers as an array of rows, or of matrices; of a single value without the first dimension.
@@ -40,8 +34,7 @@ pub fn shaped<'py>(
     py.import("hedgerow._arrays")?.getattr("shaped")?.call1((array, width, single))
 }
 
-#[pymethods]
-impl Function {
+item! {Function, "fn", options [], result |function| function.item.result(), {
     #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn __call__<'py>(
         &self,
@@ -52,7 +45,7 @@ impl Function {
     ) -> PyResult<Bound<'py, PyAny>> {
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
-        let (session, function) = (&mut state.session, &self.function);
+        let (session, function) = (&mut state.session, &self.item);
         session.use_program(function.program());
         let mut watcher = Watcher::new(None);
         if self.parameters.first_free(&values).is_none() {
@@ -84,43 +77,4 @@ impl Function {
             }
         })
     }
-
-    #[getter]
-    fn __name__(&self) -> &str {
-        self.function.name()
-    }
-
-    #[getter]
-    fn __qualname__(&self) -> &str {
-        self.function.name()
-    }
-
-    #[getter]
-    fn __doc__(&self) -> String {
-        self.function.docs().join("\n")
-    }
-
-    #[getter]
-    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        self.parameters.list(py)
-    }
-
-    #[getter]
-    fn __signature__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.parameters.signature(py, &[], self.function.result())
-    }
-
-    #[getter]
-    fn program(&self, py: Python<'_>) -> Py<Program> {
-        self.program.clone_ref(py)
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Py<Program>, String)> {
-        let get = py.import("operator")?.getattr("getitem")?;
-        Ok((get, (self.program.clone_ref(py), self.function.name().to_owned())))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<fn {}>", self.function.name())
-    }
-}
+}}

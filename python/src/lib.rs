@@ -11,6 +11,7 @@ mod column;
 mod element;
 mod error;
 mod function;
+mod item;
 mod live;
 mod mesh;
 mod op;
@@ -24,7 +25,7 @@ mod watch;
 
 use pyo3::prelude::*;
 
-/// What is compiled of the package.
+/// The compiled part of the package.
 #[pymodule]
 mod _hedgerow {
     #[pymodule_export]
@@ -39,6 +40,8 @@ mod _hedgerow {
     use super::op::Op;
     #[pymodule_export]
     use super::outcome::{Applied, Refused};
+    #[pymodule_export]
+    use super::parameters::Parameter;
     #[pymodule_export]
     use super::picture::mesh_pixels;
     #[pymodule_export]

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use super::error::in_call;
 use super::mesh::MeshTables;
 
-/// Where an operation would be applied, kept current while the mesh changes.
+/// A mask of the places where an operation would be applied, kept current while the mesh changes.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct LiveMask {
     mesh: Py<MeshTables>,
@@ -26,6 +26,25 @@ impl LiveMask {
         let mask = state.session.kept_mask(self.kept);
         mask.map(look).map_err(|error| in_call(py, &error))
     }
+}
+
+/// The number of true ones.
+fn count(mask: &[bool]) -> usize {
+    mask.iter().map(|&can| usize::from(can)).sum()
+}
+
+/// The place of the true one that so many come before.
+fn nth(mask: &[bool], mut before: usize) -> Option<usize> {
+    const SIZE: usize = 64;
+    for (chunk, part) in mask.chunks(SIZE).enumerate() {
+        let there = count(part);
+        if before < there {
+            let mut places = part.iter().enumerate().filter(|&(_, &can)| can);
+            return places.nth(before).map(|(place, _)| chunk * SIZE + place);
+        }
+        before -= there;
+    }
+    None
 }
 
 #[pymethods]
@@ -61,16 +80,15 @@ impl LiveMask {
 
     /// At how many elements it would be applied.
     fn count(&self, py: Python<'_>) -> PyResult<usize> {
-        self.with(py, |mask| mask.iter().filter(|&&can| can).count())
+        self.with(py, count)
     }
 
-    /// The number of one of these elements: the one at `share` of the way through them, 0 the first,
-    /// below 1; `None` if there are none. With a random number it is a random one.
+    /// The number of one of these elements: the one at `share` of the way through them, 0 the
+    /// first, below 1; `None` if there are none. With a random number it is a random one.
     fn pick(&self, py: Python<'_>, share: f64) -> PyResult<Option<usize>> {
         self.with(py, |mask| {
-            let count = mask.iter().filter(|&&can| can).count();
-            let wanted = ((share.clamp(0.0, 1.0) * count as f64) as usize).min(count.max(1) - 1);
-            mask.iter().enumerate().filter(|&(_, &can)| can).nth(wanted).map(|(number, _)| number)
+            let all = count(mask);
+            nth(mask, ((share.clamp(0.0, 1.0) * all as f64) as usize).min(all.max(1) - 1))
         })
     }
 
@@ -84,10 +102,7 @@ impl LiveMask {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.with(py, |mask| {
-            let count = mask.iter().filter(|&&can| can).count();
-            format!("<live mask, {count} of {}>", mask.len())
-        })
+        self.with(py, |mask| format!("<live mask, {} of {}>", count(mask), mask.len()))
     }
 }
 

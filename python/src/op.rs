@@ -10,33 +10,26 @@ use pyo3::types::{PyDict, PyList, PyTuple};
 use super::argument::Values;
 use super::array::values;
 use super::error::{Kind, in_call, saying};
+use super::item::item;
 use super::live::LiveMask;
 use super::mesh::MeshTables;
 use super::outcome::{Applied, Refused};
 use super::parameters::Parameters;
 use super::program::{Program, Reduced};
 
-/// What stands for an element at which an operation would be applied, and for one that is none.
+/// The marks of an element at which an operation would be applied, and of one that is none.
 const APPLIES: i64 = -1;
 const GONE: i64 = -2;
 
 // An operation of a program: applied whole, or not at all. It has no doc comment: `__doc__` is that of the program.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Op {
-    pub op: hedgerow::Op,
-    pub program: Py<Program>,
-    pub parameters: Parameters,
+    item: hedgerow::Op,
+    program: Py<Program>,
+    parameters: Parameters,
 }
 
-impl Op {
-    pub fn new(op: hedgerow::Op, program: Py<Program>) -> Self {
-        let parameters = Parameters::new(op.parameters());
-        Self { op, program, parameters }
-    }
-}
-
-#[pymethods]
-impl Op {
+item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refused"), {
     #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn __call__<'py>(
         &self,
@@ -48,11 +41,11 @@ impl Op {
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
         let session = &mut state.session;
-        session.use_program(self.op.program());
-        match session.apply(&self.op, &values) {
+        session.use_program(self.item.program());
+        match session.apply(&self.item, &values) {
             Ok(Outcome::Applied(result)) => {
                 let result = result.map(|element| element.index);
-                Applied::new(py, result, session)?.into_bound_py_any(py)
+                Applied::new(result, session).into_bound_py_any(py)
             }
             Ok(Outcome::Refused(reason)) => Refused::new(reason).into_bound_py_any(py),
             Err(error) => Err(in_call(py, &error)),
@@ -60,8 +53,8 @@ impl Op {
     }
 
     /// Applies the operation at one element after the other: `elements` are numbers for its first
-    /// parameter that is an element and not given. The answer tells where it was applied; an element
-    /// that has gone meanwhile counts as refused.
+    /// parameter that is an element and not given. The answer tells where it was applied; an
+    /// element that has gone meanwhile counts as refused.
     #[pyo3(signature = (mesh, elements, /, *args, **kwargs))]
     fn each<'py>(
         &self,
@@ -76,18 +69,18 @@ impl Op {
         let elements: PyReadonlyArray1<'_, i64> = numbers.call1((elements,))?.extract()?;
         let elements = values(&elements)?;
         let Some((at, kind)) = self.parameters.first_free(&given) else {
-            let message = format!("`{}` has no parameter left that is an element", self.op.name());
+            let message = format!("`{}` has no parameter left that is an element", self.item.name());
             return Err(saying(py, Kind::Argument, "wrong-argument", message));
         };
         let mut state = mesh.get().hold(py)?;
         let session = &mut state.session;
-        session.use_program(self.op.program());
+        session.use_program(self.item.program());
         let capacity = session.mesh().capacity(kind) as i64;
         if let Some(wrong) = elements.iter().find(|&&one| one < 0 || one >= capacity) {
             let message = format!("there is no {kind} {wrong}");
             return Err(saying(py, Kind::Argument, "wrong-argument", message));
         }
-        let (op, parameters) = (&self.op, &self.parameters);
+        let (op, parameters) = (&self.item, &self.parameters);
         let applied = py.detach(move || {
             let mut applied = vec![false; elements.len()];
             for (&number, applied) in elements.iter().zip(&mut applied) {
@@ -119,25 +112,25 @@ impl Op {
     ) -> PyResult<Bound<'py, PyAny>> {
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
-        state.session.use_program(self.op.program());
+        state.session.use_program(self.item.program());
         let raised = |error: hedgerow::Error| in_call(py, &error);
         if self.parameters.first_free(&values).is_none() {
-            return state.session.can(&self.op, &values).map_err(raised)?.into_bound_py_any(py);
+            return state.session.can(&self.item, &values).map_err(raised)?.into_bound_py_any(py);
         }
         let near = near.is_some_and(|near| !near.is_none());
         if near && values.is_empty() {
-            let mask = state.near(&self.op).map_err(raised)?;
+            let mask = state.near(&self.item).map_err(raised)?;
             let mask = state.session.kept_mask(mask).map_err(raised)?;
             return Ok(PyArray1::from_slice(py, mask).into_any());
         }
-        let (session, op) = (&mut state.session, &self.op);
+        let (session, op) = (&mut state.session, &self.item);
         let mask = py.detach(|| session.mask(op, &values)).map_err(raised)?;
         Ok(PyArray1::from_vec(py, mask).into_any())
     }
 
-    /// Why the operation would refuse: a text, or `None` if it would not. Without an element: for
-    /// each the number of the reason among `reasons`, -1 where it would be applied, and -2 where
-    /// there is no element.
+    /// The reason why the operation would refuse: a text, or `None` if it would not. Without an
+    /// element: for each the number of the reason among `reasons`, -1 where it would be applied,
+    /// and -2 where there is no element.
     #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn why<'py>(
         &self,
@@ -148,9 +141,9 @@ impl Op {
     ) -> PyResult<Bound<'py, PyAny>> {
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
-        state.session.use_program(self.op.program());
+        state.session.use_program(self.item.program());
         let raised = |error: hedgerow::Error| in_call(py, &error);
-        let (session, op) = (&mut state.session, &self.op);
+        let (session, op) = (&mut state.session, &self.item);
         if self.parameters.first_free(&values).is_none() {
             let reason = session.why(op, &values).map_err(raised)?;
             return reason.map(|reason| reason.text.to_string()).into_bound_py_any(py);
@@ -176,79 +169,49 @@ impl Op {
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
         let session = &mut state.session;
-        session.use_program(self.op.program());
-        let kept = session.keep_mask(&self.op, &values).map_err(|error| in_call(py, &error))?;
+        session.use_program(self.item.program());
+        let kept = session.keep_mask(&self.item, &values).map_err(|error| in_call(py, &error))?;
         Ok(LiveMask::new(mesh.clone().unbind(), kept))
     }
 
-    /// Why the operation may refuse; different numbers may have the same text.
+    /// The reason why the operation may refuse; different numbers may have the same text.
     #[getter]
     fn reasons(&self) -> Vec<String> {
-        self.op.reasons().iter().map(|reason| reason.to_string()).collect()
+        self.item.reasons().iter().map(|reason| reason.to_string()).collect()
     }
 
     /// The level of the meshes that it is for: `map`, `surface` or `simple`.
     #[getter]
     fn level(&self) -> String {
-        self.op.level().to_string()
+        self.item.level().to_string()
     }
 
     /// The kind of the element that it returns, if it does.
     #[getter]
     fn result(&self) -> Option<&'static str> {
-        self.op.result().map(|kind| kind.name())
-    }
-
-    #[getter]
-    fn __name__(&self) -> &str {
-        self.op.name()
-    }
-
-    #[getter]
-    fn __qualname__(&self) -> &str {
-        self.op.name()
-    }
-
-    #[getter]
-    fn __doc__(&self) -> String {
-        self.op.docs().join("\n")
-    }
-
-    #[getter]
-    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        self.parameters.list(py)
-    }
-
-    #[getter]
-    fn __signature__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.parameters.signature(py, &[], Some("hedgerow.Applied | hedgerow.Refused"))
-    }
-
-    #[getter]
-    fn program(&self, py: Python<'_>) -> Py<Program> {
-        self.program.clone_ref(py)
+        self.item.result().map(|kind| kind.name())
     }
 
     /// The picture of the operation, before and after.
     fn diagram<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let drawn = py.detach(|| Ok((self.op.svg()?, self.op.drawn()?)));
+        let drawn = py.detach(|| Ok((self.item.svg()?, self.item.drawn()?)));
         let (svg, text) = drawn.map_err(|error: hedgerow::Error| in_call(py, &error))?;
         let class = py.import("hedgerow._pictures")?.getattr("Diagram")?;
-        class.call1((self.op.name(), svg, text))
+        class.call1((self.item.name(), svg, text))
     }
 
     fn _repr_svg_(&self, py: Python<'_>) -> Option<String> {
-        py.detach(|| self.op.svg()).ok()
+        py.detach(|| self.item.svg()).ok()
     }
 
-    /// What is proved of the operation: its level, the levels that it keeps, and for each rule what
+    /// The proof of the operation: its level, the levels that it keeps, and for each rule what
     /// is kept, how the numbers of elements change, and what it costs.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let verdict = self.op.proved();
+        let verdict = self.item.proved();
         let all = PyDict::new(py);
         all.set_item("op", &verdict.op)?;
-        all.set_item("level", self.op.level().to_string())?;
-        let keeps: Vec<String> = self.op.keeps().iter().map(ToString::to_string).collect();
+        all.set_item("level", self.item.level().to_string())?;
+        let keeps: Vec<String> = self.item.keeps().iter().map(ToString::to_string).collect();
         all.set_item("keeps", keeps)?;
         let rules = PyList::empty(py);
         for rule in &verdict.rules {
@@ -272,26 +235,9 @@ impl Op {
         all.set_item("calls", steps)?;
         py.import("hedgerow._pictures")?.getattr("Proof")?.call1((all,))
     }
+}}
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Py<Program>, String)> {
-        let get = py.import("operator")?.getattr("getitem")?;
-        Ok((get, (self.program.clone_ref(py), self.op.name().to_owned())))
-    }
-
-    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        other.cast::<Self>().is_ok_and(|other| other.get().op.is(&self.op))
-    }
-
-    fn __hash__(&self) -> isize {
-        self.op.name().bytes().fold(7, |hash, byte| hash * 31 % 1_000_003 + isize::from(byte))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<op {}>", self.op.name())
-    }
-}
-
-/// What a value is to Python.
+/// A value as an object of Python.
 pub fn value<'py>(py: Python<'py>, value: Argument) -> PyResult<Bound<'py, PyAny>> {
     match value {
         Argument::Bool(value) => value.into_bound_py_any(py),

@@ -1,5 +1,6 @@
-//! What becomes of a call of an operation.
+//! Results of calls of operations.
 
+use hedgerow::mesh::Element;
 use hedgerow::{Reason, Session};
 use pyo3::prelude::*;
 
@@ -11,19 +12,13 @@ pub struct Applied {
     /// The number of the element that the operation returns, if it returns one.
     #[pyo3(get)]
     result: Option<u32>,
-    /// What it created.
-    #[pyo3(get)]
-    created: Py<Elements>,
-    /// What it erased.
-    #[pyo3(get)]
-    erased: Py<Elements>,
+    created: Vec<Element>,
+    erased: Vec<Element>,
 }
 
 impl Applied {
-    pub fn new(py: Python<'_>, result: Option<u32>, session: &Session) -> PyResult<Self> {
-        let created = Py::new(py, Elements::new(session.created()))?;
-        let erased = Py::new(py, Elements::new(session.erased()))?;
-        Ok(Self { result, created, erased })
+    pub fn new(result: Option<u32>, session: &Session) -> Self {
+        Self { result, created: session.created().to_vec(), erased: session.erased().to_vec() }
     }
 }
 
@@ -34,13 +29,25 @@ impl Applied {
         ("result", "created", "erased")
     }
 
+    /// The elements that it created.
+    #[getter]
+    fn created(&self) -> Elements {
+        Elements::new(&self.created)
+    }
+
+    /// The elements that it erased.
+    #[getter]
+    fn erased(&self) -> Elements {
+        Elements::new(&self.erased)
+    }
+
     fn __bool__(&self) -> bool {
         true
     }
 
     fn __repr__(&self) -> String {
         let result = self.result.map_or("None".to_owned(), |result| result.to_string());
-        let [created, erased] = [&self.created, &self.erased].map(|all| all.get().__repr__());
+        let [created, erased] = [self.created(), self.erased()].map(|all| all.__repr__());
         format!("Applied(result={result}, created={created}, erased={erased})")
     }
 }
@@ -64,7 +71,7 @@ impl Refused {
         ("reason",)
     }
 
-    /// Why, in words.
+    /// The reason, in words.
     #[getter]
     fn reason(&self) -> &str {
         &self.reason.text

@@ -1,76 +1,87 @@
 //! Parameters of operations, scripts and functions, as Python shows them.
 
-use hedgerow::Parameter;
+use hedgerow::diagram::Type;
 use hedgerow::mesh::ElementKind;
 use pyo3::prelude::*;
-use pyo3::types::PyList;
+use pyo3::types::PyTuple;
 
-/// The type of a parameter or a value.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Type {
-    Bool,
-    Int,
-    Real,
-    Vec2,
-    Vec3,
-    Vec4,
-    Mat3,
-    Mat4,
-    Text,
-    Element(ElementKind),
+use super::argument::Values;
+
+/// A parameter of an operation, a script or a function.
+#[pyclass(frozen, module = "hedgerow")]
+#[derive(Clone)]
+pub struct Parameter {
+    /// Its name.
+    #[pyo3(get)]
+    pub name: String,
+    pub ty: Type,
+    /// Its default, as the program writes it; `None` if it has to be given.
+    #[pyo3(get)]
+    default: Option<String>,
 }
 
-impl Type {
-    /// The type of a word of the language.
-    fn of(word: &str) -> Self {
-        match word {
-            "bool" => Self::Bool,
-            "int" => Self::Int,
-            "vec2" => Self::Vec2,
-            "vec3" => Self::Vec3,
-            "vec4" => Self::Vec4,
-            "mat3" => Self::Mat3,
-            "mat4" => Self::Mat4,
-            "text" => Self::Text,
-            "vertex" => Self::Element(ElementKind::Vertex),
-            "halfedge" => Self::Element(ElementKind::Halfedge),
-            "edge" => Self::Element(ElementKind::Edge),
-            "face" => Self::Element(ElementKind::Face),
-            _ => Self::Real,
-        }
+#[pymethods]
+impl Parameter {
+    #[classattr]
+    fn __match_args__() -> (&'static str, &'static str, &'static str) {
+        ("name", "type", "default")
+    }
+
+    /// Its type as the language writes it: `edge`, `real`, `vec3` …
+    #[getter]
+    fn r#type(&self) -> &'static str {
+        self.ty.word()
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            (&self.name, self.ty, &self.default) == (&other.name, other.ty, &other.default)
+        })
+    }
+
+    fn __hash__(&self) -> usize {
+        self.name.len() + 31 * self.ty as usize
+    }
+
+    fn __str__(&self) -> String {
+        let default =
+            self.default.as_ref().map_or(String::new(), |default| format!(" = {default}"));
+        format!("{}: {}{default}", self.name, self.ty.word())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<parameter {}>", self.__str__())
     }
 }
 
-/// A parameter.
-pub struct One {
-    pub name: String,
-    pub ty: Type,
-    word: &'static str,
-    default: Option<String>,
+/// The kind of the elements of a type.
+pub fn element_kind(ty: Type) -> Option<ElementKind> {
+    ElementKind::ALL.into_iter().find(|kind| kind.name() == ty.word())
 }
 
 /// The parameters of something that is called.
 pub struct Parameters {
-    pub all: Vec<One>,
+    pub all: Vec<Parameter>,
 }
 
 impl Parameters {
-    pub fn new(parameters: Vec<Parameter<'_>>) -> Self {
-        let one = |parameter: Parameter<'_>| One {
-            name: parameter.name.to_owned(),
-            ty: Type::of(parameter.ty),
-            word: parameter.ty,
-            default: parameter.default.map(str::to_owned),
+    pub fn new(parameters: Vec<hedgerow::Parameter<'_>>) -> Self {
+        let one = |parameter: hedgerow::Parameter<'_>| {
+            let ty = Type::ALL.into_iter().find(|ty| ty.word() == parameter.ty);
+            Parameter {
+                name: parameter.name.to_owned(),
+                ty: ty.expect("a type has a word"),
+                default: parameter.default.map(str::to_owned),
+            }
         };
         Self { all: parameters.into_iter().map(one).collect() }
     }
 
     /// The first that is an element and not among some values: its number and its kind.
-    pub fn first_free(&self, values: &super::argument::Values) -> Option<(usize, ElementKind)> {
-        self.all.iter().enumerate().find_map(|(at, one)| match one.ty {
-            Type::Element(kind) if !values.gives(self, at) => Some((at, kind)),
-            _ => None,
-        })
+    pub fn first_free(&self, values: &Values) -> Option<(usize, ElementKind)> {
+        let free = self.all.iter().enumerate().filter(|&(at, _)| !values.gives(self, at));
+        free.filter_map(|(at, one)| Some((at, element_kind(one.ty)?))).next()
     }
 
     /// Whether one has this name.
@@ -78,10 +89,9 @@ impl Parameters {
         self.all.iter().any(|one| one.name == name)
     }
 
-    /// Names, types and defaults.
-    pub fn list<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let all = self.all.iter().map(|one| (&one.name, one.word, &one.default));
-        PyList::new(py, all)
+    /// All of them.
+    pub fn tuple<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.all.iter().cloned())
     }
 
     /// The signature as `inspect` has it: the mesh, then these, then some options.
@@ -93,6 +103,6 @@ impl Parameters {
     ) -> PyResult<Bound<'py, PyAny>> {
         let options: Vec<&str> = options.iter().copied().filter(|name| !self.has(name)).collect();
         let make = py.import("hedgerow._signature")?.getattr("signature")?;
-        make.call1((self.list(py)?, options, result))
+        make.call1((self.tuple(py)?, options, result))
     }
 }

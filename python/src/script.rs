@@ -2,32 +2,28 @@
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyTuple};
+use pyo3::types::{PyDict, PyTuple};
 
 use super::argument::Values;
 use super::error::{in_call, report_dict};
+use super::item::item;
 use super::mesh::MeshTables;
 use super::parameters::Parameters;
 use super::program::{Program, Reduced};
 use super::watch::Watcher;
 
-/// What a script takes besides its parameters.
+/// The arguments of a script besides its parameters.
 const OPTIONS: [&str; 2] = ["seed", "progress"];
 
 // A script of a program. It has no doc comment: `__doc__` is that of the program.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Script {
-    script: hedgerow::Script,
+    item: hedgerow::Script,
     program: Py<Program>,
     parameters: Parameters,
 }
 
 impl Script {
-    pub fn new(script: hedgerow::Script, program: Py<Program>) -> Self {
-        let parameters = Parameters::new(script.parameters());
-        Self { script, program, parameters }
-    }
-
     /// Takes an option out of the named arguments, unless it is a parameter.
     fn option<'py>(
         &self,
@@ -45,8 +41,7 @@ impl Script {
     }
 }
 
-#[pymethods]
-impl Script {
+item! {Script, "script", options OPTIONS, result |_script| Some("hedgerow.Report"), {
     #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn __call__<'py>(
         &self,
@@ -68,13 +63,13 @@ impl Script {
             }
             if let Some(shown) = shown? {
                 let made = py.import("hedgerow._progress")?.getattr("progress")?;
-                let made = made.call1((shown, self.script.name()))?;
+                let made = made.call1((shown, self.item.name()))?;
                 progress = (!made.is_none()).then(|| made.unbind());
             }
         }
         let values = Values::new(&self.parameters, args, kwargs)?;
         let mut state = mesh.get().hold(py)?;
-        let (session, script) = (&mut state.session, &self.script);
+        let (session, script) = (&mut state.session, &self.item);
         session.use_program(script.program());
         if let Some(seed) = seed {
             session.seed(seed);
@@ -94,43 +89,4 @@ impl Script {
             (None, Err(error)) => Err(in_call(py, &error)),
         }
     }
-
-    #[getter]
-    fn __name__(&self) -> &str {
-        self.script.name()
-    }
-
-    #[getter]
-    fn __qualname__(&self) -> &str {
-        self.script.name()
-    }
-
-    #[getter]
-    fn __doc__(&self) -> String {
-        self.script.docs().join("\n")
-    }
-
-    #[getter]
-    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        self.parameters.list(py)
-    }
-
-    #[getter]
-    fn __signature__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.parameters.signature(py, &OPTIONS, Some("hedgerow.Report"))
-    }
-
-    #[getter]
-    fn program(&self, py: Python<'_>) -> Py<Program> {
-        self.program.clone_ref(py)
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Py<Program>, String)> {
-        let get = py.import("operator")?.getattr("getitem")?;
-        Ok((get, (self.program.clone_ref(py), self.script.name().to_owned())))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<script {}>", self.script.name())
-    }
-}
+}}

@@ -37,7 +37,7 @@ def halfedges(mesh):
 
 def place(op, mesh, ends):
     halfedge = halfedges(mesh)[tuple(ends)]
-    on_edges = op.parameters[0][1] == "edge"
+    on_edges = op.parameters[0].type == "edge"
     return int(mesh.halfedges.edge[halfedge]) if on_edges else halfedge
 
 

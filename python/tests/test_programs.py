@@ -36,6 +36,14 @@ def test_signatures_and_docs(ops):
     assert str(inspect.signature(ops.move)).startswith("(mesh, /, by: 'vec3' = vec3(0, 0, 1), times: int = 1, *")
     assert list(inspect.signature(ops.flip).parameters) == ["mesh", "e"]
     assert inspect.signature(ops.gain).return_annotation is float
+    by, times = ops.move.parameters
+    assert (by.name, by.type, by.default, str(times)) == ("by", "vec3", "vec3(0, 0, 1)", "times: int = 1")
+    assert ops.flip.parameters[0].default is None and ops.flip.parameters == ops.split.parameters[:1]
+    match times:
+        case hedgerow.Parameter(name, type="int"):
+            assert name == "times"
+        case _:
+            raise AssertionError(times)
     assert inspect.getdoc(ops.move) == "Moves all vertices."
     assert "corner" in ops.flip.__doc__ and "neighbours" in ops.excess.__doc__
     assert ops.split.result == "vertex" and ops.flip.result is None and ops.flip.level == "simple"

@@ -43,13 +43,23 @@ pub struct Entry {
     pub children: Vec<Entry>,
 }
 
-/// The outline of a text.
+/// The largest number of statements that an outline shows.
+const MOST_STATEMENTS: usize = 10_000;
+
+/// The outline of a text. One that draws very much is outlined to the sides of its rules alone.
 pub fn outline(snapshot: &Snapshot) -> Vec<Entry> {
     let items = snapshot.items().iter();
-    items.filter_map(|item| item_entry(snapshot, item)).collect()
+    let rules = items.clone().filter_map(|item| match item {
+        Item::Op(op) => Some(&op.rules),
+        _ => None,
+    });
+    let sides = rules.flatten().flat_map(|rule| [&rule.before, &rule.after]).flatten();
+    let statements: usize = sides.map(|side| side.statements.len()).sum();
+    let with_statements = statements <= MOST_STATEMENTS;
+    items.filter_map(|item| item_entry(snapshot, item, with_statements)).collect()
 }
 
-fn item_entry(snapshot: &Snapshot, item: &Item) -> Option<Entry> {
+fn item_entry(snapshot: &Snapshot, item: &Item, with_statements: bool) -> Option<Entry> {
     let named = |name: &Ident, kind, span| Entry {
         name: name.text.clone(),
         detail: String::new(),
@@ -61,7 +71,7 @@ fn item_entry(snapshot: &Snapshot, item: &Item) -> Option<Entry> {
     Some(match item {
         Item::Op(op) => Entry {
             detail: parameters(snapshot, op),
-            children: rules(op),
+            children: rules(op, with_statements),
             ..named(&op.name, EntryKind::Op, op.span)
         },
         Item::Script(script) => named(&script.name, EntryKind::Script, script.span),
@@ -85,22 +95,22 @@ fn parameters(snapshot: &Snapshot, op: &Op) -> String {
     head.split_once('(').map_or(String::new(), |(_, rest)| format!("({rest}"))
 }
 
-fn rules(op: &Op) -> Vec<Entry> {
+fn rules(op: &Op, with_statements: bool) -> Vec<Entry> {
     let rules = op.rules.iter().map(|rule| match &rule.name {
-        None => sides(rule),
+        None => sides(rule, with_statements),
         Some(name) => vec![Entry {
             name: name.text.clone(),
             detail: "rule".into(),
             kind: EntryKind::Rule,
             span: rule.span,
             name_span: name.span,
-            children: sides(rule),
+            children: sides(rule, with_statements),
         }],
     });
     rules.flatten().collect()
 }
 
-fn sides(rule: &Rule) -> Vec<Entry> {
+fn sides(rule: &Rule, with_statements: bool) -> Vec<Entry> {
     let side = |side: &Option<Side>, name: &str| {
         let side = side.as_ref()?;
         let end = side.span.start + name.len() as u32;
@@ -110,7 +120,10 @@ fn sides(rule: &Rule) -> Vec<Entry> {
             kind: EntryKind::Side,
             span: side.span,
             name_span: Span { end: end.min(side.span.end), ..side.span },
-            children: side.statements.iter().filter_map(statement).collect(),
+            children: match with_statements {
+                true => side.statements.iter().filter_map(statement).collect(),
+                false => Vec::new(),
+            },
         })
     };
     let both = [side(&rule.before, "before"), side(&rule.after, "after")];

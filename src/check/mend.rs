@@ -27,7 +27,8 @@ pub(super) fn add_fixes(
             })
         };
         // Problems of a later law may come to light once the names are in order; that does
-        // not make the fix wrong, but no longer surely right.
+        // not make the fix wrong, but no longer surely right. What a new element is given is
+        // another matter.
         // What seems to have been forgotten may have been meant where something else is
         // wrong: nothing is erased before all the rest is right.
         let good = match remedy {
@@ -38,12 +39,10 @@ pub(super) fn add_fixes(
             | Remedy::Insert { .. }
             | Remedy::Pair { .. }
             | Remedy::PairAll(_)
-            | Remedy::Draw { .. } => left.iter().all(known),
+            | Remedy::Draw { .. } => left.iter().all(|one| known(one) || lacks_attribute(one)),
             // Names that nothing knows are new for sure if nothing is missing but what a new
             // element is given.
-            Remedy::Create(_) => {
-                left.iter().all(|problem| problem.diagnostic.code == "missing-attribute")
-            }
+            Remedy::Create(_) | Remedy::CreateAndPair { .. } => left.iter().all(lacks_attribute),
         };
         let fix = good.then(|| remedy.fix(rule)).flatten()?;
         Some((fix, left.is_empty()))
@@ -73,6 +72,11 @@ pub(super) fn add_fixes(
     }
 }
 
+/// True if a new element is not given an attribute that it needs.
+fn lacks_attribute(problem: &Problem) -> bool {
+    problem.diagnostic.code == "missing-attribute"
+}
+
 /// The one of several diagnostics that is the cause of all, with what was said of the mesh.
 fn alone(mut diagnostics: Vec<Diagnostic>, cause: usize) -> Diagnostic {
     let mut told = diagnostics.swap_remove(cause);
@@ -100,6 +104,10 @@ impl Remedy {
                 let all = (0..rule.names.len() as u32).map(NameId);
                 let created = all.filter(|&name| names.contains(&rule.first_member(name)));
                 mended.created.extend(created.map(|name| Ref::plain(name, span)));
+            }
+            Remedy::CreateAndPair { created, pairs } => {
+                let created = Remedy::Create(created.clone()).apply(rule)?;
+                return Remedy::PairAll(pairs.clone()).apply(&created);
             }
             Remedy::Keep(names) => {
                 let before = Drawing::new(rule).before;
@@ -220,7 +228,8 @@ impl Remedy {
                 let text = format!("{drawn} ");
                 return Some(Fix { title, edits: vec![Edit { span: behind.span.before(), text }] });
             }
-            Remedy::PairAll(pairs) => return pair_all(rule, pairs),
+            Remedy::PairAll(pairs) => return pair_all(rule, &[], pairs),
+            Remedy::CreateAndPair { created, pairs } => return pair_all(rule, created, pairs),
             Remedy::Draw { face, items } => {
                 let word = |name: NameId| &rule.name(name).text;
                 let kind = match Drawing::new(rule).before.loop_of_face(*face)?.kind {
@@ -303,8 +312,9 @@ fn first_of_families(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Vec<[NameId; 
     Some(firsts)
 }
 
-/// The statements that pair new halfedges, and the names of their edges in `new`.
-fn pair_all(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Fix> {
+/// The statements that pair new halfedges, and in `new` the names of their edges, behind those of
+/// other new elements.
+fn pair_all(rule: &Rule, created: &[NameId], pairs: &[[NameId; 2]]) -> Option<Fix> {
     let pairs = first_of_families(rule, pairs)?;
     let mut words = edge_names(rule, pairs.len());
     for (word, [half, _]) in words.iter_mut().zip(&pairs) {
@@ -317,7 +327,9 @@ fn pair_all(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Fix> {
         format!("\n    edge {edge}: {} | {}", word(*one), word(*other))
     });
     let statements: String = statements.collect();
-    let listed = list_in_new(rule, &words.join(" "))?;
+    let new = created.iter().map(|&name| word(name)).chain(&words);
+    let new: Vec<_> = new.map(String::as_str).collect();
+    let listed = list_in_new(rule, &new.join(" "))?;
     let end = Edit { span: end_of_after(rule)?, text: statements };
     let edits = match listed.span == end.span {
         true => vec![Edit { span: end.span, text: format!("{}{}", listed.text, end.text) }],
@@ -326,6 +338,10 @@ fn pair_all(rule: &Rule, pairs: &[[NameId; 2]]) -> Option<Fix> {
     let title = match words.as_slice() {
         [only] => format!("pair them in a new edge `{only}`"),
         _ => format!("pair them by their ends in new edges `{}`", words.join("`, `")),
+    };
+    let title = match created {
+        [] => title,
+        names => format!("list {} in `new`, and {title}", enumerate(rule, names)),
     };
     Some(Fix { title, edits })
 }

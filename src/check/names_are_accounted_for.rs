@@ -282,16 +282,8 @@ impl Law<'_> {
         self.problems.push(Problem { diagnostic, remedies });
     }
 
-    /// The halfedges that have a twin before, or are new, and have none after.
     fn unpaired(&self) -> Vec<NameId> {
-        let drawing = self.drawing;
-        let halves = drawing.rule.names_of(Kind::Halfedge);
-        halves
-            .filter(|&half| drawing.after.pairing(half).is_none() && drawing.erased(half).is_none())
-            .filter(|&half| {
-                drawing.created(half).is_some() || drawing.before.pairing(half).is_some()
-            })
-            .collect()
+        unpaired(self.drawing, |half| self.drawing.created(half).is_some())
     }
 
     /// The statements that would pair what is left over: the edge as it was, if both its
@@ -438,9 +430,18 @@ fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
     remedies.collect()
 }
 
+/// The halfedges that have a twin before, or are new, and have none after.
+pub(super) fn unpaired(drawing: &Drawing, is_new: impl Fn(NameId) -> bool) -> Vec<NameId> {
+    let halves = drawing.rule.names_of(Kind::Halfedge);
+    halves
+        .filter(|&half| drawing.after.pairing(half).is_none() && drawing.erased(half).is_none())
+        .filter(|&half| is_new(half) || drawing.before.pairing(half).is_some())
+        .collect()
+}
+
 /// Pairs of halfedges that run between the same vertices in opposite directions, if each has
 /// just one such other.
-fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId; 2]>> {
+pub(super) fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId; 2]>> {
     let ends =
         |half: NameId| Some((drawing.after.loop_origin(half)?, drawing.after.loop_target(half)?));
     let mut pairs: Vec<[NameId; 2]> = Vec::new();

@@ -21,6 +21,8 @@ pub(super) enum Remedy {
     Keep(Vec<NameId>),
     /// List these names in `new`.
     Create(Vec<NameId>),
+    /// The same, and an edge with a new name for each of these pairs.
+    CreateAndPair { created: Vec<NameId>, pairs: Vec<[NameId; 2]> },
     /// State the ring of the vertex that [takes](super::fan_repair) the spokes of this one, which
     /// is erased.
     Take(NameId),

@@ -1,5 +1,6 @@
 //! Names of `after` that nothing introduces, and what was probably meant.
 
+use super::names_are_accounted_for::{by_ends, unpaired};
 use super::problem::{Problem, Remedy, enumerate};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId};
@@ -112,6 +113,15 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
             _ => "if they are created here, list them".to_owned(),
         };
         diagnostic = diagnostic.note(format!("{what}: `new {}`", words.join(" ")));
+        let is_new = |half: NameId| {
+            drawing.created(half).is_some() || elements.contains(&rule.first_member(half))
+        };
+        match by_ends(drawing, &unpaired(drawing, is_new)) {
+            Some(pairs) if !pairs.is_empty() => {
+                remedies.push(Remedy::CreateAndPair { created: elements.clone(), pairs });
+            }
+            _ => {}
+        }
         remedies.push(Remedy::Create(elements));
     }
     Some(Problem { diagnostic, remedies })

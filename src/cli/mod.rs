@@ -38,7 +38,7 @@ mod witness;
 use std::process::ExitCode;
 
 use clap::Parser;
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use arguments::{Arguments, Command};
 use failure::Failure;
@@ -47,7 +47,7 @@ use failure::Failure;
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => {
+        Err(mut error) => {
             let words = std::env::args_os().skip(1);
             let words = words.map(|word| word.to_string_lossy().into_owned());
             if error.kind() == ErrorKind::DisplayHelp
@@ -55,6 +55,7 @@ pub fn main() -> ExitCode {
             {
                 return ended(script::help(&script));
             }
+            suggest_set(&mut error);
             // Help and version are no failures; a closed pipe is nobody's.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
@@ -76,6 +77,19 @@ pub fn main() -> ExitCode {
         Command::Learn(arguments) => learn::learn(&arguments),
         Command::Std(arguments) => library::std(&arguments),
     })
+}
+
+/// Suggests `--set` for a value that stands among the arguments.
+fn suggest_set(error: &mut clap::Error) {
+    let word = match (error.kind(), error.get(ContextKind::InvalidArg)) {
+        (ErrorKind::UnknownArgument, Some(ContextValue::String(word))) => word.clone(),
+        _ => return,
+    };
+    if word.contains('=') && !word.starts_with('-') {
+        let tip = format!("values are given by '--set {word}'");
+        let tip = ContextValue::StyledStrs(vec![tip.into()]);
+        error.insert(ContextKind::Suggested, tip);
+    }
 }
 
 /// The exit code of a command; a failure is told.

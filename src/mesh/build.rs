@@ -14,7 +14,7 @@ use glam::DVec3;
 use super::build_error::BuildError;
 use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
-use super::level::{Level, validate_level};
+use super::level::is_surface_of_single_edges;
 use super::polygon_sides::Sides;
 use super::polygons::Polygons;
 
@@ -48,9 +48,9 @@ impl Mesh {
     }
 
     /// True if the mesh is what the list of its polygons says, so that files of polygons can hold
-    /// it. What is of level simple is; of other meshes the list is read again.
+    /// it. A surface whose edges differ in their ends is; of other meshes the list is read again.
     pub fn is_polygons(&self) -> bool {
-        if validate_level(self, Level::Simple).is_ok() {
+        if is_surface_of_single_edges(self) {
             return true;
         }
         let (positions, polygons) = self.to_polygons();

@@ -25,16 +25,16 @@ use super::level_near::Footprint;
 pub struct Bookmark(usize);
 
 /// Something that is not what it was when a journal was opened.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Written {
-    /// The pointers of a halfedge.
-    Pointers(HalfedgeId),
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Written<'j> {
+    /// The pointers of a halfedge, which were these.
+    Pointers(HalfedgeId, &'j HalfedgeRecord),
     /// The `halfedge` of a vertex, an edge or a face.
     Halfedge(ElementKind, u32),
     /// A position, or whether a face is a hole.
     Value(ElementKind, u32),
-    /// The value of an attribute.
-    Attribute(ElementKind, u32),
+    /// The value of an attribute, which was this.
+    Attribute(ColumnId, u32, Value),
     /// The life of a slot: if it has a living element, or which.
     Life(ElementKind, u32),
     /// There are more slots of a kind.
@@ -147,16 +147,16 @@ impl Mesh {
     pub fn each_written(&self, mark: &Bookmark, mut tell: impl FnMut(Written)) {
         let notes = self.journal.notes.get(mark.0..).unwrap_or_default();
         for note in notes {
-            match *note {
-                Note::Vertex(v, was) => {
+            match note {
+                &Note::Vertex(v, was) => {
                     let now = self.vertices[v.index()];
                     self.tell_pointer((ElementKind::Vertex, v.0), [was, now], &mut tell);
                 }
-                Note::Edge(e, was) => {
+                &Note::Edge(e, was) => {
                     let now = self.edges[e.index()];
                     self.tell_pointer((ElementKind::Edge, e.0), [was, now], &mut tell);
                 }
-                Note::Face(f, ref was) => {
+                Note::Face(f, was) => {
                     let now = &self.faces[f.index()];
                     let halfedges = [was.halfedge, now.halfedge];
                     self.tell_pointer((ElementKind::Face, f.0), halfedges, &mut tell);
@@ -164,30 +164,30 @@ impl Mesh {
                         tell(Written::Value(ElementKind::Face, f.0));
                     }
                 }
-                Note::Halfedge(h, ref was) => {
+                Note::Halfedge(h, was) => {
                     let now = &self.halfedges[h.index()];
                     if was != now {
-                        tell(Written::Pointers(h));
+                        tell(Written::Pointers(*h, was));
                     }
                     if was.lives() != now.lives() {
                         tell(Written::Life(ElementKind::Halfedge, h.0));
                     }
                 }
                 Note::Position(v, was) => {
-                    if self.positions[v.index()] != was {
+                    if self.positions[v.index()] != *was {
                         tell(Written::Value(ElementKind::Vertex, v.0));
                     }
                 }
-                Note::Value(column, index, was) => {
+                &Note::Value(column, index, was) => {
                     let now = self.value_at(column, index);
                     if !now.is_some_and(|now| now.is_identical(was)) {
-                        tell(Written::Attribute(column.kind, index));
+                        tell(Written::Attribute(column, index, was));
                     }
                 }
                 Note::Values(..) | Note::Default(..) | Note::Added(_) | Note::Removed(..) => {
                     tell(Written::Column);
                 }
-                Note::Grown(kind) => tell(Written::Grown(kind)),
+                Note::Grown(kind) => tell(Written::Grown(*kind)),
                 // Their records have been noted before.
                 Note::Taken(..) | Note::Erased(_) => {}
             }

@@ -46,7 +46,7 @@ impl fmt::Display for Level {
     }
 }
 
-/// Why a mesh does not have a level.
+/// The reason why a mesh does not have a level.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BelowLevel {
     Invalid(Invalid),
@@ -111,10 +111,7 @@ impl std::error::Error for BelowLevel {}
 pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     validate(mesh).map_err(BelowLevel::Invalid)?;
     if level >= Level::Surface {
-        loops_have_three_sides(mesh)?;
-        loops_meet_vertices_once(mesh)?;
-        vertices_have_one_fan_of_faces(mesh)?;
-        edges_have_a_face(mesh)?;
+        is_surface(mesh)?;
     }
     if level >= Level::Simple {
         edges_have_two_ends(mesh)?;
@@ -122,6 +119,13 @@ pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
         faces_differ_in_corners(mesh)?;
     }
     Ok(())
+}
+
+/// True if a mesh, which has to be valid, is of level surface, and each edge joins two vertices
+/// that no other joins.
+pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
+    let tested = is_surface(mesh).and_then(|()| edges_have_two_ends(mesh));
+    tested.and_then(|()| edges_are_single(mesh)).is_ok()
 }
 
 /// The highest level of a mesh, or what makes it invalid.
@@ -138,6 +142,13 @@ pub fn highest_level(mesh: &Mesh) -> Result<Level, Invalid> {
 }
 
 // The checks below are asked of valid meshes only.
+
+fn is_surface(mesh: &Mesh) -> Result<(), BelowLevel> {
+    loops_have_three_sides(mesh)?;
+    loops_meet_vertices_once(mesh)?;
+    vertices_have_one_fan_of_faces(mesh)?;
+    edges_have_a_face(mesh)
+}
 
 fn loops_have_three_sides(mesh: &Mesh) -> Result<(), BelowLevel> {
     for face in mesh.faces() {

@@ -21,6 +21,8 @@ pub(super) const WIDEST: i64 = 4;
 #[derive(Debug, Default)]
 struct Letter {
     first: Option<(String, Span)>,
+    /// Names that have been told to have two forms.
+    told: Vec<String>,
 }
 
 /// Tests the subscripts of a rule; its index, if it has families.
@@ -47,7 +49,7 @@ pub(super) fn read_index(
             if let Some(index) = mention.index {
                 letter.subscript(index, report);
             }
-            same_form(&mention, params, &created, &mut forms, report);
+            same_form(&mention, params, &created, &mut forms, &mut letter, report);
         }
         for statement in &side.statements {
             letter.statement(statement, report);
@@ -88,12 +90,14 @@ fn same_form(
     params: &[tree::Param],
     created: &HashMap<&str, (bool, Span)>,
     forms: &mut HashMap<String, (bool, Span)>,
+    letter: &mut Letter,
     report: &mut Report,
 ) {
     let word = mention.text.as_ref();
     let here = mention.index.is_some();
     let first = *forms.entry(word.to_owned()).or_insert((here, mention.span));
-    if first.0 == here || !mention.is_named() || report.is_confused(word) {
+    let is_told = letter.told.iter().any(|told| told == word) || report.is_confused(word);
+    if first.0 == here || !mention.is_named() || is_told {
         return;
     }
     // That a value is no element is told elsewhere.
@@ -119,7 +123,9 @@ fn same_form(
         true => (
             format!("`{word}` has a subscript here, but not where it comes first"),
             match param {
-                Some(_) => format!("a parameter that begins a family is written `{word}[0]`"),
+                Some(_) => format!(
+                    "one element is written `{word}`; a parameter that begins a family, `{word}[0]`"
+                ),
                 None => "a name stands for one element, or with a subscript for a family".into(),
             },
         ),
@@ -135,8 +141,7 @@ fn same_form(
     let error =
         Diagnostic::error("two-forms", message, mention.span).label(first.1, label).note(note);
     report.add(error);
-    // Once is enough.
-    forms.insert(word.to_owned(), (here, mention.span));
+    letter.told.push(word.to_owned());
 }
 
 impl Letter {
@@ -202,6 +207,9 @@ impl Letter {
         if let Some(span) = unnamed_in_each(statement) {
             let message = "a run in `each` needs a name with a subscript";
             report.add(Diagnostic::error("mixed-statement", message, span));
+        }
+        if self.told.contains(&subject.ident.text) {
+            return;
         }
         let free = each.is_some() || subject.index.is_some();
         let odd = parts.into_iter().find(|part| part.index.is_some() != free);

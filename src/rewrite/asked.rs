@@ -1,87 +1,253 @@
 //! Operations that are asked at all elements again and again, between which the mesh is written.
 //!
-//! The places that an operation reads to answer are noted, by the same means as what the key of a
-//! `drain` reads. What is written afterwards makes stale who has read it, and only the stale ones
-//! are asked again. Nothing depends on how they are found, but the time.
+//! What is written makes stale the elements whose answers may depend on it, and only those are
+//! asked again. They are found as the changed keys of a `drain` are: by walking back along the
+//! [paths](super::paths) of the question; of an operation that has none, by noting what each answer
+//! reads. Nothing depends on how they are found, but the time.
 
+use std::sync::Arc;
+
+use super::bounded::{Bounded, is_small};
 use super::drain::Drains;
+use super::native::Way;
+use super::paths::{Candidates, Fields, WalkBack, Written as WrittenFields};
 use super::readers::Place;
-use super::{Call, Elements, Machine, Outcome, Plan, Trap, Watch};
-use crate::mesh::{ElementKind, Mesh, Written};
+use super::stale::Stale;
+use super::{Call, Elements, HalfedgeField, Machine, Outcome, Plan, Plans, Trap, Watch};
+use crate::mesh::{ElementKind, HalfedgeRecord, Mesh, Written};
 
 /// The elements at which an operation is asked, and what each answer depends on.
 #[derive(Debug)]
 pub struct Asked {
-    drains: Drains,
     kind: ElementKind,
     /// The number of slots that have been asked, or are stale.
     slots: usize,
+    changes: Changes,
+}
+
+#[derive(Debug)]
+enum Changes {
+    Walked {
+        question: Arc<Bounded>,
+        attributes: Vec<Used>,
+        written: Vec<WrittenFields>,
+        stale: Stale,
+        walk: WalkBack,
+    },
+    Noted(Drains),
+}
+
+/// An attribute of the program that the operation uses.
+#[derive(Debug)]
+struct Used {
+    kind: ElementKind,
+    name: String,
+    number: u16,
+    /// True if no answer depends on it as long as its values are small.
+    only_counts: bool,
 }
 
 impl Asked {
-    /// Elements of a kind, none of which has been asked.
-    pub fn new(kind: ElementKind) -> Self {
-        let of = match kind {
-            ElementKind::Vertex => Elements::Vertices,
-            ElementKind::Halfedge => Elements::Halfedges,
-            ElementKind::Edge => Elements::Edges,
-            ElementKind::Face => Elements::Faces,
+    /// Elements of a kind, none of which has been asked: with the question, if its paths are
+    /// bounded, and the attributes that it may read, each with its number.
+    pub fn new<'n>(
+        kind: ElementKind,
+        question: Option<Arc<Bounded>>,
+        attributes: impl Iterator<Item = (ElementKind, &'n str, u16)>,
+    ) -> Self {
+        let changes = match question {
+            Some(question) => Changes::Walked {
+                attributes: attributes
+                    .map(|(kind, name, number)| {
+                        let only_counts = question.only_counts(number);
+                        Used { kind, name: name.to_owned(), number, only_counts }
+                    })
+                    .collect(),
+                question,
+                written: Vec::new(),
+                stale: Stale::default(),
+                walk: WalkBack::default(),
+            },
+            None => Changes::Noted(drains_of(kind)),
         };
-        Self { drains: Drains::alone(of), kind, slots: 0 }
+        Self { kind, slots: 0, changes }
     }
 
     /// Forgets all answers.
     pub fn forget(&mut self) {
-        *self = Self::new(self.kind);
+        self.slots = 0;
+        match &mut self.changes {
+            Changes::Walked { written, .. } => written.clear(),
+            Changes::Noted(drains) => *drains = drains_of(self.kind),
+        }
+    }
+
+    /// Slots have gone: what is in them later is another element.
+    pub fn shrink(&mut self, mesh: &Mesh) {
+        self.slots = self.slots.min(mesh.capacity(self.kind));
     }
 
     /// Something has been written; or it is about to be what it was before.
-    pub fn note(&mut self, written: Written) {
-        let drains = &mut self.drains;
-        match written {
-            Written::Pointers(halfedge) => drains.touch(Place::Halfedge(halfedge.0)),
-            Written::Halfedge(kind, id) => drains.touch(match kind {
-                ElementKind::Vertex => Place::VertexHalfedge(id),
-                ElementKind::Edge | ElementKind::Halfedge => Place::Edge(id),
-                ElementKind::Face => Place::FaceHalfedge(id),
-            }),
-            Written::Value(kind, id) => drains.touch(place(kind, id)),
-            Written::Attribute(kind, id) => drains.touch(match kind {
-                ElementKind::Vertex => Place::VertexAttributes(id),
-                ElementKind::Halfedge => Place::Halfedge(id),
-                ElementKind::Edge => Place::EdgeAttributes(id),
-                ElementKind::Face => Place::FaceAttributes(id),
-            }),
-            Written::Life(kind, id) => {
-                drains.touch(place(kind, id));
-                if kind == self.kind && (id as usize) < self.slots {
-                    drains.make_stale(id);
+    pub fn note(&mut self, mesh: &Mesh, written: Written<'_>) {
+        if written == Written::Column {
+            return self.forget();
+        }
+        match &mut self.changes {
+            Changes::Noted(drains) => {
+                if let Some(place) = place_of(written) {
+                    drains.touch(place);
                 }
             }
-            Written::Grown(_) => drains.touch(Place::Whole),
-            Written::Column => self.forget(),
+            Changes::Walked { question, attributes, written: all, .. } => {
+                let Some((kind, id, fields)) = fields_of(mesh, attributes, written) else {
+                    return;
+                };
+                if question.paths.concern(kind, fields) {
+                    all.push(WrittenFields { kind, id, fields });
+                }
+            }
+        }
+        if let Written::Life(kind, id) = written
+            && kind == self.kind
+            && (id as usize) < self.slots
+        {
+            self.make_stale(id);
         }
     }
 
-    /// The next slot of which the answer is not known. Who does not get one asks again.
-    pub fn next_stale(&mut self, mesh: &Mesh) -> Option<u32> {
+    /// The next slot of which the answer is not known. Who does not get one asks again. `window`
+    /// has the values of the parameters.
+    pub fn next_stale(&mut self, mesh: &Mesh, window: &[u64]) -> Option<u32> {
         let capacity = mesh.capacity(self.kind);
-        for slot in self.slots.min(capacity)..capacity {
-            self.drains.make_stale(slot as u32);
+        self.walk_back(mesh, window);
+        // The last one is taken first.
+        for slot in (self.slots.min(capacity)..capacity).rev() {
+            self.make_stale(slot as u32);
         }
         self.slots = capacity;
         loop {
-            let slot = self.drains.pop_stale()?;
+            let slot = match &mut self.changes {
+                Changes::Walked { stale, .. } => stale.pop()?,
+                Changes::Noted(drains) => drains.pop_stale()?,
+            };
             if (slot as usize) < capacity {
                 return Some(slot);
             }
         }
     }
 
+    fn walk_back(&mut self, mesh: &Mesh, window: &[u64]) {
+        let Changes::Walked { question, written, stale, walk, .. } = &mut self.changes else {
+            return;
+        };
+        if written.is_empty() {
+            return;
+        }
+        let held = |variable: super::Reg| {
+            let slot = window.get(usize::from(variable.0));
+            slot.map_or(u32::MAX, |&slot| slot as u32)
+        };
+        // Where as much was written as there is, to walk takes longer than to ask.
+        let found = match written.len() > mesh.capacity(self.kind) {
+            true => Candidates::All,
+            false => walk.candidates(mesh, &question.paths, written, held),
+        };
+        match found {
+            Candidates::All => self.slots = 0,
+            Candidates::These(ids) => ids.iter().for_each(|&id| stale.push(id)),
+        }
+        written.clear();
+    }
+
     /// The answer of a slot is not known.
     pub fn make_stale(&mut self, slot: u32) {
-        self.drains.make_stale(slot);
+        match &mut self.changes {
+            Changes::Walked { stale, .. } => stale.push(slot),
+            Changes::Noted(drains) => drains.make_stale(slot),
+        }
     }
+}
+
+/// The drains that note what is read.
+fn drains_of(kind: ElementKind) -> Drains {
+    Drains::alone(match kind {
+        ElementKind::Vertex => Elements::Vertices,
+        ElementKind::Halfedge => Elements::Halfedges,
+        ElementKind::Edge => Elements::Edges,
+        ElementKind::Face => Elements::Faces,
+    })
+}
+
+/// The element in which something was written, and its fields.
+fn fields_of(
+    mesh: &Mesh,
+    attributes: &[Used],
+    written: Written<'_>,
+) -> Option<(ElementKind, u32, Fields)> {
+    Some(match written {
+        Written::Pointers(halfedge, was) => {
+            let fields = match mesh.get_halfedge(halfedge) {
+                Some(now) => changed(was, now),
+                None => Fields::ALL,
+            };
+            (ElementKind::Halfedge, halfedge.0, fields)
+        }
+        Written::Halfedge(kind, id) => (kind, id, Fields::FIRST),
+        Written::Value(ElementKind::Face, id) => (ElementKind::Face, id, Fields::HOLE),
+        Written::Value(kind, id) => (kind, id, Fields::POSITION),
+        Written::Attribute(column, id, was) => {
+            let name = mesh.column(column)?.name();
+            let is_it = |used: &&Used| used.kind == column.kind && used.name == name;
+            let used = attributes.iter().find(is_it)?;
+            let are_small = || is_small(was) && mesh.value(column, id).is_some_and(is_small);
+            if used.only_counts && are_small() {
+                return None;
+            }
+            (column.kind, id, Fields::attribute(used.number))
+        }
+        Written::Life(kind, id) => (kind, id, Fields::ALL),
+        // Nobody has looked at what was not there.
+        Written::Grown(_) | Written::Column => return None,
+    })
+}
+
+/// The pointers of a halfedge that differ.
+fn changed(was: &HalfedgeRecord, now: &HalfedgeRecord) -> Fields {
+    use HalfedgeField::{Edge, Face, Next, Prev, Twin, Vertex};
+    let differ = [
+        (Next, was.next != now.next),
+        (Prev, was.prev != now.prev),
+        (Twin, was.twin != now.twin),
+        (Vertex, was.vertex != now.vertex),
+        (Edge, was.edge != now.edge),
+        (Face, was.face != now.face),
+    ];
+    let mut fields = Fields::NONE;
+    for (field, _) in differ.into_iter().filter(|&(_, differs)| differs) {
+        fields.add(Fields::pointer(field));
+    }
+    fields
+}
+
+/// The place of what was written, as readers are noted there.
+fn place_of(written: Written<'_>) -> Option<Place> {
+    Some(match written {
+        Written::Pointers(halfedge, _) => Place::Halfedge(halfedge.0),
+        Written::Halfedge(kind, id) => match kind {
+            ElementKind::Vertex => Place::VertexHalfedge(id),
+            ElementKind::Edge | ElementKind::Halfedge => Place::Edge(id),
+            ElementKind::Face => Place::FaceHalfedge(id),
+        },
+        Written::Value(kind, id) | Written::Life(kind, id) => place(kind, id),
+        Written::Attribute(column, id, _) => match column.kind {
+            ElementKind::Vertex => Place::VertexAttributes(id),
+            ElementKind::Halfedge => Place::Halfedge(id),
+            ElementKind::Edge => Place::EdgeAttributes(id),
+            ElementKind::Face => Place::FaceAttributes(id),
+        },
+        Written::Grown(_) => Place::Whole,
+        Written::Column => return None,
+    })
 }
 
 fn place(kind: ElementKind, id: u32) -> Place {
@@ -95,8 +261,8 @@ fn place(kind: ElementKind, id: u32) -> Place {
 
 impl Machine {
     /// As [`Machine::ask`], of the element in a slot of those that are asked: what the answer
-    /// depends on is noted.
-    pub fn ask_noting(
+    /// depends on is noted where that is not known otherwise.
+    pub fn ask_again(
         &mut self,
         mesh: &mut Mesh,
         (plan, args): (&Plan, &[u64]),
@@ -104,12 +270,22 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         self.start(mesh, args);
-        asked.drains.read_for_element(Some(slot));
-        std::mem::swap(&mut self.drains, &mut asked.drains);
-        let plans = super::Plans::clone(&self.plans);
+        let plans = Plans::clone(&self.plans);
+        let drains = match &mut asked.changes {
+            Changes::Noted(drains) => drains,
+            Changes::Walked { question, .. } => {
+                let call = Call { code: &question.code, ..Call::of(plan, &plans) };
+                return match self.run_native(mesh, call, Way::Dry, watch) {
+                    Some(outcome) => outcome,
+                    None => self.execute::<false>(mesh, call, watch),
+                };
+            }
+        };
+        drains.read_for_element(Some(slot));
+        std::mem::swap(&mut self.drains, drains);
         let outcome = self.consider(mesh, plan, Call::of(plan, &plans), watch);
-        std::mem::swap(&mut self.drains, &mut asked.drains);
-        asked.drains.read_for_element(None);
+        std::mem::swap(&mut self.drains, drains);
+        drains.read_for_element(None);
         outcome
     }
 }

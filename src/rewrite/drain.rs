@@ -16,6 +16,7 @@ use super::access::lives;
 use super::paths::{Candidates, Fields, Paths, WalkBack, Written};
 use super::queue::Queue;
 use super::readers::{Place, Readers};
+use super::stale::Stale;
 use super::{Elements, Message, Reg};
 use crate::mesh::{ElementKind, HalfedgeId, Mesh};
 
@@ -25,14 +26,14 @@ pub(super) struct Drains {
     all: Vec<Drain>,
     /// The first so many of them are not told what is written, since it will be undone.
     quiet: usize,
-    /// How many keys have been computed.
+    /// The number of keys that have been computed.
     computed: u32,
-    /// How many compute a key whose reads are to be noted.
+    /// The number of those that compute a key whose reads are to be noted.
     noting: usize,
     walk: WalkBack,
 }
 
-/// How those are found whose keys may have changed.
+/// The way in which those are found whose keys may have changed.
 #[derive(Debug)]
 enum Changes {
     Noted(Box<Readers>),
@@ -43,7 +44,7 @@ enum Changes {
     },
 }
 
-/// How many keys are computed between looks at the memory that they take.
+/// The number of keys that are computed between looks at the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
 #[derive(Debug)]
@@ -55,8 +56,7 @@ struct Drain {
     /// By number; not a number where none is known.
     keys: Vec<f64>,
     queue: Queue,
-    stale: Vec<u32>,
-    is_stale: Vec<bool>,
+    stale: Stale,
     changes: Changes,
     /// The element whose key is being computed.
     reading: Option<u32>,
@@ -72,8 +72,7 @@ impl Drain {
         };
         members
             + self.keys.capacity() * size_of::<f64>()
-            + self.stale.capacity() * size_of::<u32>()
-            + self.is_stale.capacity()
+            + self.stale.bytes()
             + self.queue.bytes()
             + changes
     }
@@ -84,8 +83,7 @@ impl Drain {
             members,
             keys: Vec::new(),
             queue: Queue::default(),
-            stale: Vec::new(),
-            is_stale: Vec::new(),
+            stale: Stale::default(),
             changes: match paths {
                 Some(paths) => Changes::Walked { paths, written: Vec::new() },
                 None => Changes::Noted(Box::default()),
@@ -94,28 +92,12 @@ impl Drain {
         }
     }
 
-    fn make_stale(&mut self, id: u32) {
-        let index = id as usize;
-        if self.is_stale.len() <= index {
-            self.is_stale.resize(index + 1, false);
-        }
-        if !std::mem::replace(&mut self.is_stale[index], true) {
-            self.stale.push(id);
-        }
-    }
-
     fn touch(&mut self, place: Place) {
-        let Self { changes: Changes::Noted(readers), stale, is_stale, .. } = self else {
+        let Self { changes: Changes::Noted(readers), stale, .. } = self else {
             return;
         };
-        let mut make_stale = |reader: u32| {
-            // Whoever reads has been stale before.
-            if !std::mem::replace(&mut is_stale[reader as usize], true) {
-                stale.push(reader);
-            }
-        };
-        readers.take(place, &mut make_stale);
-        readers.take(Place::Whole, &mut make_stale);
+        readers.take(place, |reader| stale.push(reader));
+        readers.take(Place::Whole, |reader| stale.push(reader));
     }
 
     /// Fields of an element are about to be written.
@@ -145,7 +127,7 @@ impl Drain {
         // The stale ones are taken from the end.
         for id in (0..mesh.capacity(self.of.kind()) as u32).rev() {
             if self.is_member(mesh, id) {
-                self.make_stale(id);
+                self.stale.push(id);
             }
         }
     }
@@ -170,7 +152,7 @@ impl Drain {
             Candidates::These(ids) => {
                 for &id in ids.iter().rev() {
                     if self.is_member(mesh, id) {
-                        self.make_stale(id);
+                        self.stale.push(id);
                     }
                 }
             }
@@ -225,7 +207,7 @@ impl Drains {
         self.all.get_mut(self.quiet..).unwrap_or_default()
     }
 
-    /// How many are open.
+    /// The number of open ones.
     pub(super) fn open_ones(&self) -> usize {
         self.all.len()
     }
@@ -249,16 +231,13 @@ impl Drains {
     /// Makes an element of the innermost stale.
     pub(super) fn make_stale(&mut self, id: u32) {
         if let Some(drain) = self.all.last_mut() {
-            drain.make_stale(id);
+            drain.stale.push(id);
         }
     }
 
     /// The next stale element, living or not, which is no longer stale.
     pub(super) fn pop_stale(&mut self) -> Option<u32> {
-        let drain = self.all.last_mut()?;
-        let id = drain.stale.pop()?;
-        drain.is_stale[id as usize] = false;
-        Some(id)
+        self.all.last_mut()?.stale.pop()
     }
 
     /// From here on what is read is noted for an element of the innermost, or for none.
@@ -311,7 +290,6 @@ impl Drains {
         let drain = self.all.last_mut()?;
         drain.walk_back(mesh, &mut self.walk, held);
         while let Some(id) = drain.stale.pop() {
-            drain.is_stale[id as usize] = false;
             if drain.is_member(mesh, id) {
                 drain.reading = Some(id);
                 self.noting += usize::from(drain.is_noted());
@@ -416,7 +394,7 @@ impl Drains {
             }
             drain.forget(id);
             match drain.members.as_mut().map(|all| all.get_mut(id as usize)) {
-                None => drain.make_stale(id),
+                None => drain.stale.push(id),
                 Some(Some(member)) => *member = false,
                 Some(None) => {}
             }
@@ -428,7 +406,7 @@ impl Drains {
         self.write(mesh, ElementKind::Face, face, Fields::HOLE);
         for drain in self.told() {
             if drain.of.kind() == ElementKind::Face && drain.members.is_none() {
-                drain.make_stale(face);
+                drain.stale.push(face);
             }
         }
     }
@@ -443,13 +421,13 @@ impl Drains {
                 drain.write(mesh, kind, id, Fields::ATTRIBUTES);
             }
             if drain.of.kind() == kind {
-                drain.make_stale(id);
+                drain.stale.push(id);
             }
         }
     }
 }
 
-/// Where fields of an element lie.
+/// The places of the fields of an element.
 fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<Place> {
     match kind {
         ElementKind::Vertex if fields == Fields::FIRST => Some(Place::VertexHalfedge(id)),
@@ -459,7 +437,7 @@ fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<P
     }
 }
 
-/// Where the attributes of an element lie.
+/// The places of the attributes of an element.
 pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::VertexAttributes(id)),
@@ -469,7 +447,7 @@ pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Optio
     }
 }
 
-/// Where an element lies. `None` for a halfedge that does not live.
+/// The place of an element. `None` for a halfedge that does not live.
 pub(super) fn place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::Vertex(id)),

@@ -23,7 +23,11 @@
 //! was created counts as written in every field.
 //!
 //! The paths of a key form a tree: its root is the element, its nodes are sets of elements, and
-//! each step leads from one to the next. A key that follows pointers without bound has none.
+//! each step leads from one to the next. Two steps there and back are none. Who follows `next`, or
+//! turns around a vertex, again and again stays in one orbit, and so in one node. A key that
+//! follows pointers without bound otherwise has no tree.
+//!
+//! The same holds of the question whether an operation would be applied, in place of a key.
 
 use std::fmt;
 
@@ -36,7 +40,7 @@ const MOST_STEPS: u16 = 32;
 /// The greatest number of nodes of a tree.
 const MOST_NODES: usize = 500;
 
-/// Why a key has no tree of paths.
+/// The reason why a key has no tree of paths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unbounded {
     /// It follows pointers for as long as a condition says, or along very many paths.
@@ -113,7 +117,7 @@ impl Fields {
     }
 
     #[inline]
-    fn add(&mut self, other: Self) {
+    pub(super) fn add(&mut self, other: Self) {
         self.0 |= other.0;
     }
 }
@@ -132,6 +136,18 @@ pub(super) enum Step {
     Orbit(Walk),
 }
 
+impl HalfedgeField {
+    /// The pointer that leads back.
+    fn inverse(self) -> Option<Self> {
+        match self {
+            Self::Next => Some(Self::Prev),
+            Self::Prev => Some(Self::Next),
+            Self::Twin => Some(Self::Twin),
+            Self::Vertex | Self::Edge | Self::Face => None,
+        }
+    }
+}
+
 /// The number of a node.
 pub(super) type Node = u16;
 
@@ -146,7 +162,7 @@ struct Place {
     reads: Fields,
 }
 
-/// The tree of the paths of a key.
+/// The tree of the paths of a key, or of a question.
 #[derive(Clone, Debug)]
 pub(super) struct Paths {
     places: Vec<Place>,
@@ -169,6 +185,18 @@ impl Paths {
 
     /// The node to which a step leads from another.
     pub(super) fn child(&mut self, parent: Node, step: Step) -> Result<Node, Unbounded> {
+        // There and back again.
+        let from = self.places[usize::from(parent)];
+        if let (Step::Pointer(there), Step::Pointer(back)) = (from.step, step)
+            && there.inverse() == Some(back)
+        {
+            return Ok(from.parent);
+        }
+        let (parent, step) = match self.orbit_of(parent, step) {
+            Some((orbit, None)) => return Ok(orbit),
+            Some((start, Some(walk))) => (start, Step::Orbit(walk)),
+            None => (parent, step),
+        };
         let known = |place: &Place| place.parent == parent && place.step == step;
         if let Some(known) = self.places.iter().skip(1).position(known) {
             return Ok(known as Node + 1);
@@ -186,6 +214,32 @@ impl Paths {
         }
         self.places.push(Place { parent, step, depth: from.depth + 1, kind, reads: Fields::NONE });
         Ok(self.places.len() as Node - 1)
+    }
+
+    /// Where a step from a node stays in an orbit: the node of that, or where its walk starts if
+    /// the same steps have been taken three times.
+    fn orbit_of(&self, parent: Node, step: Step) -> Option<(Node, Option<Walk>)> {
+        use HalfedgeField::{Next, Prev, Twin};
+        let turns: [(Walk, &[HalfedgeField]); 4] = [
+            (Walk::Loop, &[Next]),
+            (Walk::Loop, &[Prev]),
+            (Walk::Star, &[Prev, Twin]),
+            (Walk::Star, &[Twin, Next]),
+        ];
+        let at = |node: Node| self.places[usize::from(node)];
+        turns.into_iter().find_map(|(walk, fields)| {
+            let (last, before) = fields.split_last()?;
+            let back = |from: Node, fields: &[HalfedgeField]| {
+                fields.iter().rev().try_fold(from, |node, &field| {
+                    (at(node).step == Step::Pointer(field)).then(|| at(node).parent)
+                })
+            };
+            let once = back(parent, before).filter(|_| step == Step::Pointer(*last))?;
+            match at(once).step == Step::Orbit(walk) {
+                true => Some((once, None)),
+                false => Some((back(back(once, fields)?, fields)?, Some(walk))),
+            }
+        })
     }
 
     /// The node of what a variable holds.
@@ -232,9 +286,39 @@ pub(super) struct WalkBack {
     /// By node the elements there from which the walk goes on.
     found: Vec<Vec<u32>>,
     orbits: Vec<u32>,
+    seen: Seen,
 }
 
-/// Whose keys may have changed.
+/// Elements that have been seen, to leave each once in a list.
+#[derive(Debug, Default)]
+struct Seen {
+    /// By kind and number the list in which it was seen last.
+    by_kind: [Vec<u32>; 4],
+    list: u32,
+}
+
+impl Seen {
+    /// Leaves each element of a kind once in a list.
+    fn leave_once(&mut self, kind: ElementKind, list: &mut Vec<u32>) {
+        if list.len() < 2 {
+            return;
+        }
+        self.list = self.list.wrapping_add(1);
+        if self.list == 0 {
+            *self = Self { list: 1, ..Self::default() };
+        }
+        let seen = &mut self.by_kind[kind as usize];
+        list.retain(|&id| {
+            let index = id as usize;
+            if seen.len() <= index {
+                seen.resize(index + 1, 0);
+            }
+            std::mem::replace(&mut seen[index], self.list) != self.list
+        });
+    }
+}
+
+/// The elements whose keys may have changed.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Candidates<'w> {
     All,
@@ -275,9 +359,10 @@ impl WalkBack {
                 continue;
             }
             let to = &mut before[usize::from(place.parent)];
-            from.sort_unstable();
-            from.dedup();
-            step_back(mesh, place.step, from, to, &mut self.orbits);
+            if let Some(kind) = place.kind {
+                self.seen.leave_once(kind, from);
+            }
+            step_back(mesh, place.step, from, to, (&mut self.orbits, &mut self.seen));
         }
         let start = &mut self.found[usize::from(START)];
         start.sort_unstable();
@@ -287,7 +372,13 @@ impl WalkBack {
 }
 
 /// From where a step leads to the elements.
-fn step_back(mesh: &Mesh, step: Step, from: &[u32], to: &mut Vec<u32>, orbits: &mut Vec<u32>) {
+fn step_back(
+    mesh: &Mesh,
+    step: Step,
+    from: &[u32],
+    to: &mut Vec<u32>,
+    (orbits, seen): (&mut Vec<u32>, &mut Seen),
+) {
     let halfedges = || from.iter().filter_map(|&id| Some((id, mesh.get_halfedge(HalfedgeId(id))?)));
     let vertices = |all: &[u32], to: &mut Vec<u32>| {
         for &vertex in all {
@@ -329,11 +420,15 @@ fn step_back(mesh: &Mesh, step: Step, from: &[u32], to: &mut Vec<u32>, orbits: &
                 Walk::Star => h.vertex.0,
                 Walk::Loop => h.face.0,
             }));
-            orbits.sort_unstable();
-            orbits.dedup();
             match walk {
-                Walk::Star => vertices(orbits, to),
-                Walk::Loop => faces(orbits, to),
+                Walk::Star => {
+                    seen.leave_once(ElementKind::Vertex, orbits);
+                    vertices(orbits, to);
+                }
+                Walk::Loop => {
+                    seen.leave_once(ElementKind::Face, orbits);
+                    faces(orbits, to);
+                }
             }
         }
     }

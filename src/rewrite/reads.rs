@@ -1,4 +1,5 @@
-//! Reads of the key of a drain, as [`Paths`]: its code is run on sets of paths.
+//! Reads of the key of a drain, or of an operation that is asked, as [`Paths`]: the code is run on
+//! sets of paths.
 //!
 //! A register that holds an element holds here the nodes of the paths that can lead there; a load
 //! goes a step on, a loop around an orbit one to all of it, and where ways of the code meet, so do
@@ -8,10 +9,11 @@
 
 use std::collections::BTreeMap;
 
-use super::paths::{Fields, Node, Paths, START, Step, Unbounded};
-use super::{Code, ElementField, Elements, Function, HalfedgeField, Inst, Question, Reg, Walk};
+use super::paths::{Fields, Node, Paths, START, Unbounded};
+use super::{Code, Elements, Function, Inst, Plan, Reg};
+use crate::mesh::ElementKind;
 
-/// The greatest number of instructions that are looked at; a key has dozens.
+/// The greatest number of instructions that are looked at; a key has dozens, an operation hundreds.
 const MOST_WORK: usize = 50_000;
 
 /// The paths of the key of the drain that the instruction at `open` begins; the code may call
@@ -26,7 +28,7 @@ pub(super) fn paths(code: &Code, functions: &[Function], open: usize) -> Result<
         _ => None,
     };
     let (at, element) = key.filter_map(first).next().ok_or(Unbounded::Effects)?;
-    let mut reads = Reads { paths: Paths::new(of.kind()), functions, running: Vec::new(), work: 0 };
+    let mut reads = Reads::new(of.kind(), functions);
     let mut state = State::default();
     state.set(element, vec![START]);
     reads.follow(code, at + 1, state)?;
@@ -34,29 +36,77 @@ pub(super) fn paths(code: &Code, functions: &[Function], open: usize) -> Result<
     Ok(reads.paths)
 }
 
-/// Nodes in order, none twice.
-type Nodes = Vec<Node>;
+/// The paths of the question whether an operation would be applied, asked of the element of a kind
+/// in a slot of its window.
+///
+/// # Errors
+/// It has none, and why.
+pub(super) fn question_paths(
+    plan: &Plan,
+    kind: ElementKind,
+    slot: usize,
+) -> Result<Paths, Unbounded> {
+    if plan.steps.is_some() {
+        return Err(Unbounded::Effects);
+    }
+    let mut reads = Reads { is_question: true, ..Reads::new(kind, &plan.code.functions) };
+    let mut state = State::default();
+    for param in 0..plan.params.iter().sum::<u16>() {
+        let node = match usize::from(param) == slot {
+            true => START,
+            false => reads.paths.variable(Reg(param))?,
+        };
+        state.set(Reg(param), vec![node]);
+    }
+    for buffer in 0..plan.code.buffers {
+        state.set_buffer(buffer, Nodes::new());
+    }
+    reads.follow(&plan.code, 0, state)?;
+    reads.paths.finish();
+    Ok(reads.paths)
+}
 
-/// The nodes that registers, and behind them buffers, may hold.
+/// Nodes in order, none twice.
+pub(super) type Nodes = Vec<Node>;
+
+/// The nodes that registers, behind them buffers, and behind those the pointers of a preview may
+/// hold.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct State(BTreeMap<u32, Nodes>);
+pub(super) struct State(BTreeMap<u32, Nodes>);
+
+/// The first number of a buffer, and of a pointer of the preview.
+const BUFFERS: u32 = 1 << 16;
+const PREVIEW: u32 = 2 << 16;
 
 impl State {
-    fn set(&mut self, reg: Reg, nodes: Nodes) {
+    pub(super) fn set(&mut self, reg: Reg, nodes: Nodes) {
         self.0.insert(u32::from(reg.0), nodes);
     }
 
     fn buffer(&self, buffer: u16) -> Option<&Nodes> {
-        self.0.get(&(1 << 16 | u32::from(buffer)))
+        self.0.get(&(BUFFERS | u32::from(buffer)))
     }
 
     fn set_buffer(&mut self, buffer: u16, nodes: Nodes) {
-        self.0.insert(1 << 16 | u32::from(buffer), nodes);
+        self.0.insert(BUFFERS | u32::from(buffer), nodes);
     }
 
     fn push(&mut self, buffer: u16, nodes: &[Node]) {
-        let all = self.0.entry(1 << 16 | u32::from(buffer)).or_default();
+        let all = self.0.entry(BUFFERS | u32::from(buffer)).or_default();
         unite(all, nodes);
+    }
+
+    /// The words that the preview has been told of a pointer, of whatever element.
+    pub(super) fn foreseen(&self, pointer: u32) -> Nodes {
+        self.0.get(&(PREVIEW | pointer)).cloned().unwrap_or_default()
+    }
+
+    pub(super) fn foresee(&mut self, pointer: u32, nodes: &[Node]) {
+        unite(self.0.entry(PREVIEW | pointer).or_default(), nodes);
+    }
+
+    pub(super) fn clear_preview(&mut self) {
+        self.0.split_off(&PREVIEW);
     }
 
     /// Takes in what another way brings; whether that is anything new.
@@ -77,7 +127,22 @@ impl State {
     }
 }
 
-fn unite(all: &mut Nodes, more: &[Node]) -> bool {
+/// A way of the code comes to a place, from where it is followed if it brings something new.
+fn arrive(before: &mut [Option<State>], at: usize, state: &State, open: &mut Vec<usize>) {
+    let is_new = match before.get_mut(at) {
+        None => false,
+        Some(Some(known)) => known.join(state),
+        Some(unknown) => {
+            *unknown = Some(state.clone());
+            true
+        }
+    };
+    if is_new {
+        open.push(at);
+    }
+}
+
+pub(super) fn unite(all: &mut Nodes, more: &[Node]) -> bool {
     let before = all.len();
     for node in more {
         if let Err(place) = all.binary_search(node) {
@@ -87,78 +152,98 @@ fn unite(all: &mut Nodes, more: &[Node]) -> bool {
     all.len() > before
 }
 
-struct Reads<'c> {
-    paths: Paths,
+pub(super) struct Reads<'c> {
+    pub(super) paths: Paths,
     functions: &'c [Function],
     /// The functions that run, the innermost last.
     running: Vec<u16>,
     work: usize,
+    /// Whether it is an operation that is asked, whose first write is where the answer is known.
+    is_question: bool,
 }
 
-impl Reads<'_> {
-    /// Runs code up to the key or the ends of the function; gives what the slots of its value
-    /// may hold.
+impl<'c> Reads<'c> {
+    fn new(kind: ElementKind, functions: &'c [Function]) -> Self {
+        let paths = Paths::new(kind);
+        Self { paths, functions, running: Vec::new(), work: 0, is_question: false }
+    }
+
+    /// Runs code up to the key, the answer or the ends of the function; gives what the slots of its
+    /// value may hold.
     fn follow(&mut self, code: &Code, start: usize, state: State) -> Result<Vec<Nodes>, Unbounded> {
-        let mut before: Vec<Option<State>> = vec![None; code.insts.len()];
+        let mut insts = code.insts.clone();
+        let targets = insts.iter_mut().map(|inst| inst.target_mut().map(|label| label.0 as usize));
+        let targets: Vec<Option<usize>> = targets.collect();
+        let mut is_target = vec![false; insts.len()];
+        for &target in targets.iter().flatten() {
+            if let Some(is_target) = is_target.get_mut(target) {
+                *is_target = true;
+            }
+        }
+        // The states at the targets of jumps.
+        let mut before: Vec<Option<State>> = vec![None; insts.len()];
         let mut value: Vec<Nodes> = Vec::new();
-        let mut open = vec![(start, state)];
-        while let Some((at, state)) = open.pop() {
-            let Some(known) = before.get_mut(at) else {
-                continue;
-            };
-            let mut state = match known {
-                None => known.insert(state).clone(),
-                Some(known) => match known.join(&state) {
-                    true => known.clone(),
-                    false => continue,
-                },
-            };
-            self.work += 1;
-            if self.work > MOST_WORK {
-                return Err(Unbounded::Endless);
-            }
-            let inst = code.insts[at];
-            match inst {
-                Inst::DrainKey { .. } if self.running.is_empty() => continue,
-                Inst::Give { from, width } if !self.running.is_empty() => {
-                    value.resize(value.len().max(usize::from(width)), Nodes::new());
-                    for (part, all) in (0..width).zip(&mut value) {
-                        let nodes = self.nodes(&state, Reg(from.0.wrapping_add(part)))?;
-                        unite(all, &nodes);
-                    }
-                    continue;
+        let mut open = Vec::new();
+        arrive(&mut before, start, &state, &mut open);
+        while let Some(from) = open.pop() {
+            let mut state = before[from].clone().unwrap_or_default();
+            for at in from..insts.len() {
+                if at > from && is_target[at] {
+                    arrive(&mut before, at, &state, &mut open);
+                    break;
                 }
-                Inst::Fail { .. } | Inst::FailShowing { .. } | Inst::Refused { .. } => continue,
-                _ => self.take(&inst, &mut state)?,
-            }
-            let mut inst = inst;
-            let target = inst.target_mut().map(|label| label.0 as usize);
-            if !matches!(inst, Inst::Jump { .. }) {
-                open.push((at + 1, state.clone()));
-            }
-            if let Some(target) = target {
-                open.push((target, state));
+                self.work += 1;
+                if self.work > MOST_WORK {
+                    return Err(Unbounded::Endless);
+                }
+                match insts[at] {
+                    Inst::DrainKey { .. } | Inst::Refuse | Inst::Return { .. }
+                        if self.running.is_empty() =>
+                    {
+                        break;
+                    }
+                    inst if self.is_question && self.running.is_empty() && inst.writes() => break,
+                    Inst::Give { from, width } if !self.running.is_empty() => {
+                        value.resize(value.len().max(usize::from(width)), Nodes::new());
+                        for (part, all) in (0..width).zip(&mut value) {
+                            let nodes = self.nodes(&state, Reg(from.0.wrapping_add(part)))?;
+                            unite(all, &nodes);
+                        }
+                        break;
+                    }
+                    Inst::Fail { .. } | Inst::FailShowing { .. } | Inst::Refused { .. } => break,
+                    inst => self.take(&inst, &mut state)?,
+                }
+                if let Some(target) = targets[at] {
+                    arrive(&mut before, target, &state, &mut open);
+                }
+                if let Inst::Jump { .. } = insts[at] {
+                    break;
+                }
             }
         }
         Ok(value)
     }
 
     /// The nodes that a register may hold. What the key has not set is a variable of the script.
-    fn nodes(&mut self, state: &State, reg: Reg) -> Result<Nodes, Unbounded> {
+    pub(super) fn nodes(&mut self, state: &State, reg: Reg) -> Result<Nodes, Unbounded> {
         match state.0.get(&u32::from(reg.0)) {
             Some(nodes) => Ok(nodes.clone()),
-            None if self.running.is_empty() => Ok(vec![self.paths.variable(reg)?]),
+            None if self.running.is_empty() && !self.is_question => {
+                Ok(vec![self.paths.variable(reg)?])
+            }
             None => Ok(Nodes::new()),
         }
     }
 
-    fn buffered(&mut self, state: &State, buffer: u16) -> Result<Nodes, Unbounded> {
+    pub(super) fn buffered(&mut self, state: &State, buffer: u16) -> Result<Nodes, Unbounded> {
         // A list that was made before the key.
         state.buffer(buffer).cloned().ok_or(Unbounded::WholeMesh)
     }
 
     fn take(&mut self, inst: &Inst, state: &mut State) -> Result<(), Unbounded> {
         match *inst {
+            Inst::Const { to, .. } => state.set(to, Nodes::new()),
             Inst::Load { field, to, halfedge } => {
                 let from = self.nodes(state, halfedge)?;
                 state.set(to, self.load(&from, field)?);
@@ -257,9 +342,18 @@ impl Reads<'_> {
                 return Err(Unbounded::Chance);
             }
             Inst::Try { .. } => return Err(Unbounded::Asks),
-            // Values that are no elements; a line that is not printed.
+            Inst::PreviewClear
+            | Inst::PreviewNew { .. }
+            | Inst::PreviewStore { .. }
+            | Inst::PreviewStoreHalfedge { .. }
+            | Inst::PreviewStoreHole { .. }
+            | Inst::PreviewStoreAll { .. }
+            | Inst::PreviewStoreSpan { .. }
+            | Inst::Foresee { .. }
+            | Inst::ForeseeAlong { .. } => self.look_ahead(inst, state)?,
+            // Values that are no elements; tests of them; a line that is not printed.
             #[rustfmt::skip]
-            Inst::Const { .. } | Inst::CopyVec { .. } | Inst::CopyWide { .. } | Inst::Not { .. }
+            Inst::CopyVec { .. } | Inst::CopyWide { .. } | Inst::Not { .. }
             | Inst::And { .. } | Inst::Or { .. } | Inst::Equal { .. } | Inst::AddInt { .. }
             | Inst::SubInt { .. } | Inst::MulInt { .. } | Inst::DivInt { .. }
             | Inst::ModInt { .. } | Inst::NegInt { .. } | Inst::AbsInt { .. }
@@ -276,20 +370,16 @@ impl Reads<'_> {
             | Inst::Wide { .. } | Inst::Matrix { .. } | Inst::Jump { .. } | Inst::JumpIf { .. }
             | Inst::JumpUnless { .. } | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. }
             | Inst::NextIndex { .. } | Inst::BufferLength { .. } | Inst::Turn { .. }
+            | Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::Expect { .. }
+            | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
+            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
             | Inst::Tick | Inst::PrintText { .. } | Inst::PrintTextOf { .. }
             | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintVec { .. } | Inst::PrintWide { .. }
             | Inst::PrintElement { .. } => {}
-            // What a key has no business with.
+            // What neither a key nor an operation that is asked has business with.
             #[rustfmt::skip]
-            Inst::ExpectEqual { .. } | Inst::ExpectDistinct { .. } | Inst::Expect { .. }
-            | Inst::ExpectFinite { .. } | Inst::ExpectRoom { .. }
-            | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. } | Inst::PreviewClear
-            | Inst::PreviewNew { .. } | Inst::PreviewStore { .. }
-            | Inst::PreviewStoreHalfedge { .. } | Inst::PreviewStoreHole { .. }
-            | Inst::PreviewStoreAll { .. } | Inst::PreviewStoreSpan { .. }
-            | Inst::Foresee { .. } | Inst::ForeseeAlong { .. } | Inst::Refuse
-            | Inst::Return { .. } | Inst::NewVertex { .. } | Inst::NewHalfedge { .. }
+            Inst::Refuse | Inst::Return { .. } | Inst::NewVertex { .. } | Inst::NewHalfedge { .. }
             | Inst::NewEdge { .. } | Inst::NewFace { .. } | Inst::Store { .. }
             | Inst::StoreHalfedge { .. } | Inst::StoreHole { .. }
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
@@ -324,130 +414,5 @@ impl Reads<'_> {
         let value = self.follow(&called.code, 0, inner);
         self.running.pop();
         value
-    }
-}
-
-/// The reads on the way.
-impl Reads<'_> {
-    fn read(&mut self, nodes: &[Node], fields: Fields) {
-        for &node in nodes {
-            self.paths.read(node, fields);
-        }
-    }
-
-    fn steps(&mut self, nodes: &[Node], step: Step) -> Result<Nodes, Unbounded> {
-        let mut reached = Nodes::new();
-        for &node in nodes {
-            unite(&mut reached, &[self.paths.child(node, step)?]);
-        }
-        Ok(reached)
-    }
-
-    fn load(&mut self, nodes: &[Node], field: HalfedgeField) -> Result<Nodes, Unbounded> {
-        self.read(nodes, Fields::pointer(field));
-        self.steps(nodes, Step::Pointer(field))
-    }
-
-    fn first(&mut self, nodes: &[Node], of: ElementField) -> Result<Nodes, Unbounded> {
-        self.read(nodes, Fields::FIRST);
-        self.steps(nodes, Step::First(of))
-    }
-
-    /// All halfedges of the orbits of some.
-    fn orbit(&mut self, nodes: &[Node], walk: Walk) -> Result<Nodes, Unbounded> {
-        let orbit = self.steps(nodes, Step::Orbit(walk))?;
-        match walk {
-            Walk::Loop => {
-                self.read(&orbit, Fields::pointer(HalfedgeField::Next));
-            }
-            Walk::Star => {
-                let before = self.load(&orbit, HalfedgeField::Prev)?;
-                self.read(&before, Fields::pointer(HalfedgeField::Twin));
-            }
-        }
-        Ok(orbit)
-    }
-
-    fn spokes(&mut self, vertices: &[Node]) -> Result<Nodes, Unbounded> {
-        let first = self.first(vertices, ElementField::Vertex)?;
-        self.orbit(&first, Walk::Star)
-    }
-
-    /// The positions of where halfedges start.
-    fn positions(&mut self, halfedges: &[Node]) -> Result<(), Unbounded> {
-        let vertices = self.load(halfedges, HalfedgeField::Vertex)?;
-        self.read(&vertices, Fields::POSITION);
-        Ok(())
-    }
-
-    fn holes(&mut self, halfedges: &[Node]) -> Result<Nodes, Unbounded> {
-        let faces = self.load(halfedges, HalfedgeField::Face)?;
-        self.read(&faces, Fields::HOLE);
-        Ok(faces)
-    }
-
-    /// Notes the reads of the mesh for an answer; perhaps more.
-    fn ask(&mut self, question: Question, of: &[Node], and: &[Node]) -> Result<(), Unbounded> {
-        match question {
-            Question::Degree => drop(self.spokes(of)?),
-            Question::BoundaryVertex => {
-                let spokes = self.spokes(of)?;
-                self.holes(&spokes)?;
-            }
-            Question::Adjacent => {
-                for vertex in [of, and] {
-                    let spokes = self.spokes(vertex)?;
-                    let twins = self.load(&spokes, HalfedgeField::Twin)?;
-                    self.load(&twins, HalfedgeField::Vertex)?;
-                }
-            }
-            Question::NormalVertex => {
-                let spokes = self.spokes(of)?;
-                self.faces_at(&spokes)?;
-            }
-            Question::BoundaryEdge | Question::LengthEdge => {
-                let half = self.first(of, ElementField::Edge)?;
-                let twin = self.load(&half, HalfedgeField::Twin)?;
-                for half in [half, twin] {
-                    match question {
-                        Question::BoundaryEdge => drop(self.holes(&half)?),
-                        _ => self.positions(&half)?,
-                    }
-                }
-            }
-            Question::LinkCondition | Question::StarShaped | Question::KernelCentroid => {
-                let half = self.first(of, ElementField::Edge)?;
-                let twin = self.load(&half, HalfedgeField::Twin)?;
-                for half in [half, twin] {
-                    self.holes(&half)?;
-                    let end = self.load(&half, HalfedgeField::Vertex)?;
-                    let spokes = self.spokes(&end)?;
-                    self.faces_at(&spokes)?;
-                }
-            }
-            Question::FaceSize => {
-                let first = self.first(of, ElementField::Face)?;
-                self.orbit(&first, Walk::Loop)?;
-            }
-            Question::Area | Question::NormalFace | Question::CentroidFace => {
-                let first = self.first(of, ElementField::Face)?;
-                let corners = self.orbit(&first, Walk::Loop)?;
-                self.positions(&corners)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// The loops at halfedges with all that is drawn of them: pointers, corners, and the ends
-    /// and loops beyond their edges.
-    fn faces_at(&mut self, halfedges: &[Node]) -> Result<(), Unbounded> {
-        let faces = self.holes(halfedges)?;
-        self.first(&faces, ElementField::Face)?;
-        let sides = self.orbit(halfedges, Walk::Loop)?;
-        self.load(&sides, HalfedgeField::Prev)?;
-        self.positions(&sides)?;
-        let twins = self.load(&sides, HalfedgeField::Twin)?;
-        self.load(&twins, HalfedgeField::Vertex)?;
-        Ok(())
     }
 }

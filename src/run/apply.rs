@@ -1,16 +1,17 @@
 //! Calls of one operation, from outside of any script.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::columns::Columns;
 use super::report::{Failure, diagnostic, expect_level, highest_between, level_of_steps};
 use super::steps::with_steps;
 use super::{Argument, Prepared, Report, prepare};
+use crate::compile::{element_kind, width};
 use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
 use crate::resolve::{Program, Script, Variable};
 use crate::rewrite::{
-    Engine, Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch,
+    Bounded, Engine, Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch,
 };
 use crate::source::Span;
 
@@ -89,6 +90,8 @@ pub struct Application {
     /// The level that a mesh should have for all that its steps call.
     wanted: Level,
     place: Span,
+    /// By parameter the question whether it would be applied, if its paths are bounded.
+    questions: Vec<OnceLock<Option<Arc<Bounded>>>>,
 }
 
 impl Application {
@@ -107,10 +110,12 @@ impl Application {
             return Err(Diagnostic::error("unproved-op", message, place));
         };
         let parameters = prepare(&parameters_alone(program, op), 0, &Plans::default());
+        let parameters = parameters.map_err(|mut errors| errors.remove(0))?;
         Ok(Self {
             op,
             plans: Plans::clone(plans),
-            parameters: parameters.map_err(|mut errors| errors.remove(0))?,
+            questions: vec![OnceLock::new(); parameters.params().len()],
+            parameters,
             columns: columns(program, plan, plans)?,
             wanted: level_of_steps(plans, &[op], plan.level),
             place,
@@ -137,9 +142,21 @@ impl Application {
         self.wanted
     }
 
-    /// Why a mesh is not of its level, if it is not.
+    /// The reason why a mesh is not of its level, if it is not.
     pub(crate) fn expect_level(&self, mesh: &Mesh) -> Result<(), Diagnostic> {
         expect_level(self.plan(), mesh, self.place)
+    }
+
+    /// The question whether it would be applied, asked of the element that a parameter is; none if
+    /// its paths are not bounded.
+    pub(crate) fn question(&self, parameter: usize) -> Option<Arc<Bounded>> {
+        let made = self.questions.get(parameter)?.get_or_init(|| {
+            let params = self.parameters.params();
+            let kind = element_kind(params[parameter].ty)?;
+            let slot = params[..parameter].iter().map(|param| usize::from(width(param.ty))).sum();
+            Bounded::new(self.plan(), kind, slot).ok().map(Arc::new)
+        });
+        made.clone()
     }
 
     /// Its plan.
@@ -226,7 +243,7 @@ impl Application {
     }
 }
 
-/// Why an operation refuses that notes no reason.
+/// The reason why an operation refuses that notes no reason.
 pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
 
 fn failure(diagnostic: Diagnostic) -> Box<Failure> {

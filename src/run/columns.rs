@@ -82,6 +82,14 @@ impl Columns {
         needed.map(|needed| (needed.kind, needed.name.as_str(), needed.default))
     }
 
+    /// The columns by kind and name, with the numbers of the attributes.
+    pub(crate) fn names(&self) -> impl Iterator<Item = (ElementKind, &str, u16)> {
+        let all = (0..).zip(&self.0);
+        all.filter_map(|(number, needed)| {
+            needed.as_ref().map(|needed| (needed.kind, needed.name.as_str(), number))
+        })
+    }
+
     /// Puts the columns on a mesh, and says where they lie.
     ///
     /// # Errors

@@ -34,6 +34,7 @@ impl Session {
         self.end(mark, |session, bookmark, known| {
             session.masks.note(&session.mesh, &bookmark);
             session.mesh.roll_back(bookmark);
+            session.masks.shrink(&session.mesh);
             session.known = known;
             // Columns may have come since.
             session.engine.unbind();

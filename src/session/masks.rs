@@ -41,8 +41,13 @@ impl Masks {
     /// Notes what was written since a mark; or, if that is about to be undone, that it was.
     pub(super) fn note(&mut self, mesh: &Mesh, mark: &Bookmark) {
         for kept in &mut self.all {
-            mesh.each_written(mark, |written| kept.asked.note(written));
+            mesh.each_written(mark, |written| kept.asked.note(mesh, written));
         }
+    }
+
+    /// What was noted has been undone.
+    pub(super) fn shrink(&mut self, mesh: &Mesh) {
+        self.all.iter_mut().for_each(|kept| kept.asked.shrink(mesh));
     }
 
     /// The mesh may be any other from now on.
@@ -76,7 +81,9 @@ impl Session {
     /// # Errors
     /// As of [`mask`](Self::mask).
     pub fn keep_mask(&mut self, op: &Op, arguments: impl Arguments) -> Result<KeptMask, Error> {
-        let Free { at, kind, slot, .. } = self.free_parameter(op, arguments)?;
+        let Free { application, at, kind, slot } = self.free_parameter(op, arguments)?;
+        let names = application.columns().names();
+        let asked = Asked::new(kind, application.question(at), names);
         self.masks.made += 1;
         let name = KeptMask(self.masks.made);
         self.masks.all.push(Kept {
@@ -87,7 +94,7 @@ impl Session {
             kind,
             slot,
             level: self.known.level(),
-            asked: Asked::new(kind),
+            asked,
             verdicts: Vec::new(),
             applies: Vec::new(),
         });
@@ -153,7 +160,7 @@ impl Session {
         let capacity = self.mesh.capacity(kind);
         verdicts.resize(capacity, Verdict::Gone);
         applies.resize(capacity, false);
-        while let Some(id) = asked.next_stale(&self.mesh) {
+        while let Some(id) = asked.next_stale(&self.mesh, &self.slots) {
             let verdict = match self.mesh.is_alive(kind, id) {
                 false => Verdict::Gone,
                 true => {
@@ -161,8 +168,7 @@ impl Session {
                     let question = (application.plan(), self.slots.as_slice());
                     let machine = &mut self.engine.machine;
                     let noted = (&mut *asked, id);
-                    let answer =
-                        machine.ask_noting(&mut self.mesh, question, noted, &mut Unwatched);
+                    let answer = machine.ask_again(&mut self.mesh, question, noted, &mut Unwatched);
                     let answer = answer.map_err(|trap| {
                         asked.make_stale(id);
                         self.trapped_at(application, trap, (kind, id))

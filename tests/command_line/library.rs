@@ -116,7 +116,7 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     assert!(told(&simplify).contains(line), "{}", told(&simplify));
     bench.write(
         "own.hedge",
-        "fn far(v: vertex) -> int { var n = 0  var h = v.halfedge  while n < 9 { n = n + 1  h = h.next.twin }  degree(h.vertex) }
+        "fn far(v: vertex) -> int { var n = 0  var h = v.halfedge  while n < 9 { n = n + 1  h = h.next.next.twin }  degree(h.vertex) }
          script main() {
            drain v in vertices by far(v) { if degree(v) > 99 { print v } }
            drain v in vertices by degree(v) + count(edges) { if degree(v) > 99 { print v } }

@@ -46,6 +46,14 @@ fn no_such_operation_or_script() {
 }
 
 #[test]
+fn a_value_among_the_arguments() {
+    let bench = Bench::with_square();
+    let remesh = example("remesh.hedge");
+    let arguments = ["run", &remesh, "square.obj", "-o", "out.obj", "target=0.1"];
+    bench.fails(2, &arguments, "'--set target=0.1'");
+}
+
+#[test]
 fn settings() {
     let bench = Bench::with_square();
     let remesh = example("remesh.hedge");

@@ -2,9 +2,11 @@
 
 use glam::DVec3;
 use hedgerow::mesh::{
-    BuildError, ElementKind, FaceId, Mesh, Polygons, Value, VertexId, equal_up_to_renumbering,
-    shape, validate,
+    BuildError, ElementKind, FaceId, Level, Mesh, Polygons, Value, VertexId,
+    equal_up_to_renumbering, shape, validate,
 };
+use hedgerow::{Program, Session};
+use support::meshes::{Dice, meshes};
 
 fn build(vertices: u32, polygons: &[&[u32]]) -> Result<Mesh, BuildError> {
     let positions: Vec<_> = (0..vertices).map(|i| DVec3::splat(f64::from(i))).collect();
@@ -154,4 +156,41 @@ fn a_column_of_another_type_is_a_conflict() {
     assert_eq!(mesh.find_column(ElementKind::Face, "sharp"), None);
     let conflict = mesh.add_column(ElementKind::Edge, "sharp", Value::Int(1)).unwrap_err();
     assert_eq!(conflict.to_string(), "the edge attribute `sharp` is of type bool, not int");
+}
+
+/// Meshes of any level, by flips that nothing guards: polygons hold just those that they give back.
+#[test]
+fn polygons_hold_what_they_give_back() {
+    let text = "op flip(e: edge) {
+        before {
+          loop f0: v0 -a-> v1 -b-> v2 =P=> v0
+          loop f1: v1 -d-> v0 -g-> v3 =Q=> v1
+          edge e: a | d
+        }
+        after {
+          loop f0: v3 -a-> v2 =P=> v0 -g-> v3
+          loop f1: v2 -d-> v3 =Q=> v1 -b-> v2
+          edge e: a | d
+        }
+      }";
+    let program = Program::parse("flip.hedge", text).expect("it is proved");
+    let flip = program.op("flip").expect("it is there");
+    let mut dice = Dice(7);
+    let (mut held, mut others) = (0, 0);
+    for mesh in meshes(Level::Simple, &mut dice) {
+        let mut session = Session::new(&program, mesh);
+        for _ in 0..6 {
+            let edges: Vec<_> = session.mesh().edges().collect();
+            let edge = edges[dice.below(edges.len())];
+            session.apply(&flip, edge).expect("it can be asked");
+            let mesh = session.mesh();
+            let (positions, polygons) = mesh.to_polygons();
+            let again = Mesh::from_polygons(&positions, &polygons);
+            let same = again.is_ok_and(|again| equal_up_to_renumbering(mesh, &again));
+            assert_eq!(mesh.is_polygons(), same, "{positions:?} {polygons:?}");
+            held += usize::from(same);
+            others += usize::from(!same);
+        }
+    }
+    assert!(held > 50 && others > 50, "{held} and {others}");
 }

@@ -42,7 +42,7 @@ def rules(kind, strict=False):
     ops = tuple(
         program[f"strict_{name}" if strict and name != "cleanup" else name] for name in actions
     )
-    at_edges = tuple(op.parameters[0][1] == "edge" for op in ops)
+    at_edges = tuple(op.parameters[0].type == "edge" for op in ops)
     return Rules(kind, _SIDES[kind], actions, ops, at_edges, program.measure)
 
 

@@ -16,6 +16,9 @@ type Input<'t, 'p> = InputRef<'t, 'p, Tokens<'t>, Extra<'t>>;
 /// The greatest distance of the beginning of a condition, in tokens.
 const FARTHEST: usize = 64;
 
+/// The words of the note about a block without braces.
+pub(super) const IN_BRACES: &str = "a block stands in braces";
+
 const COMMENT: &str = "a comment begins with `//` and ends with its line";
 
 /// Tells how something is written here, if it is written so elsewhere.
@@ -66,9 +69,9 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
         T::Dot if last == Some(T::Dot) => {
             told.note("there are no ranges; `repeat n { … }` does something `n` times")
         }
-        T::Colon if failure.wanted.has(T::LeftBrace) => told.note("a block stands in braces"),
+        T::Colon if failure.wanted.has(T::LeftBrace) => told.note(IN_BRACES),
         _ if failure.wanted.has(T::LeftBrace) && failure.wanted.phrases().next().is_none() => {
-            told.note("a block stands in braces: `{ … }`")
+            told.note(format!("{IN_BRACES}: `{{ … }}`"))
         }
         _ if failure.wanted.has(T::Else) && is_value_of_if(before) => {
             told.note("an `if` that is a value says what it is otherwise: `if c { x } else { y }`")
@@ -77,9 +80,7 @@ pub(super) fn told_here(told: Diagnostic, failure: &Failure, around: &Around) ->
             told.note("an arrow has the name of its halfedge: `v0 -a-> v1`")
         }
         T::Word => match around.text.get(here.span.range()) {
-            Some("then" | "do") if failure.wanted.has(T::LeftBrace) => {
-                told.note("a block stands in braces")
-            }
+            Some("then" | "do") if failure.wanted.has(T::LeftBrace) => told.note(IN_BRACES),
             Some("of") if failure.wanted.has(T::In) => written(told, here.span, "in"),
             Some(word) if begins_item(failure) => match item_word(word) {
                 Some(ours) => written(told, here.span, ours),

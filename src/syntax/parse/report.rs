@@ -1,7 +1,7 @@
 //! From failures of the grammar to diagnostics: the one place with the words.
 
 use super::failure::{Failure, Mistake, Phrase};
-use super::foreign_syntax::{path_meant, told_here};
+use super::foreign_syntax::{IN_BRACES, path_meant, told_here};
 use super::recover::begins_part;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
@@ -63,7 +63,7 @@ fn open_braces(tokens: &[Token]) -> Vec<Option<Token>> {
 }
 
 /// Tells the failures of an item in words, but not what follows from others: a second one on a
-/// line, a closing brace that is left over, the same again.
+/// line, a closing brace that is left over, the same again, all behind a block without braces.
 pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     for failure in failures {
@@ -74,7 +74,8 @@ pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnos
             let same = !said.notes.is_empty()
                 && said.notes == other.notes
                 && said.labels[0].text == other.labels[0].text;
-            leftover || same || same_line(around.text, other.span(), said.span())
+            let unbraced = other.notes.iter().any(|note| note.starts_with(IN_BRACES));
+            leftover || same || unbraced || same_line(around.text, other.span(), said.span())
         });
         if is_mistake || !follows {
             told.push(said);

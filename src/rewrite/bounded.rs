@@ -1,0 +1,105 @@
+//! Operations as questions whose answers depend on known paths.
+
+use super::paths::Paths;
+use super::reads::question_paths;
+use super::{Code, Inst, Plan, Question, Reg, Unbounded};
+use crate::mesh::{ElementKind, Value};
+
+/// An int is small up to this. The sum of two small ones has one bit more.
+const SMALL: u64 = 1 << 40;
+
+/// The greatest number of sums, so that none of small ints is too large.
+const MOST_SUMS: usize = 20;
+
+/// Whether a value is a small int.
+pub(super) fn is_small(value: Value) -> bool {
+    matches!(value, Value::Int(value) if value.unsigned_abs() <= SMALL)
+}
+
+/// The question whether an operation would be applied, with the paths of what it reads.
+#[derive(Clone, Debug)]
+pub struct Bounded {
+    pub(super) paths: Paths,
+    /// The code of the operation up to its first write.
+    pub(super) code: Code,
+    /// The attributes that it reads for anything but the values of such that it would count up or
+    /// down.
+    asked: Vec<u16>,
+}
+
+impl Bounded {
+    /// The question, asked of the element of a kind in a slot of the window.
+    ///
+    /// # Errors
+    /// Its paths are not bounded, and why.
+    pub fn new(plan: &Plan, kind: ElementKind, slot: usize) -> Result<Self, Unbounded> {
+        let paths = question_paths(plan, kind, slot)?;
+        let asked = asked_attributes(&plan.code);
+        let mut code = plan.code.clone();
+        for inst in code.insts.iter_mut().filter(|inst| inst.writes()) {
+            *inst = Inst::Return { result: None };
+        }
+        Ok(Self { paths, code, asked })
+    }
+
+    /// True if an attribute is read for nothing but to count it up or down: then the answer is the
+    /// same whatever it is, unless it is so large that it cannot be counted.
+    pub(super) fn only_counts(&self, attribute: u16) -> bool {
+        !self.asked.contains(&attribute)
+    }
+}
+
+/// The attributes that are read before the last sums, which come before a write.
+fn asked_attributes(code: &Code) -> Vec<u16> {
+    let load = |inst: &Inst| match *inst {
+        Inst::LoadAttribute { attribute, .. } => Some(attribute),
+        _ => None,
+    };
+    let mut asked = Vec::new();
+    let mut since = 0;
+    let mut sums = Sums::default();
+    for (at, inst) in code.insts.iter().enumerate() {
+        if sums.take(inst) {
+            continue;
+        }
+        if !inst.writes() {
+            asked.extend(code.insts[since..=at].iter().filter_map(load));
+        }
+        since = at + 1;
+        sums = Sums::default();
+    }
+    asked.extend(code.insts[since..].iter().filter_map(load));
+    let called = code.with_called();
+    asked.extend(called[1..].iter().flat_map(|code| &code.insts).filter_map(load));
+    asked
+}
+
+/// Sums of small ints, one after the other.
+#[derive(Default)]
+struct Sums {
+    count: usize,
+    /// The registers that hold sums, or what is small if the attributes are.
+    small: Vec<Reg>,
+}
+
+impl Sums {
+    /// Takes an instruction in that can fail by nothing but too large a sum.
+    fn take(&mut self, inst: &Inst) -> bool {
+        let to = match *inst {
+            Inst::LoadAttribute { to, .. }
+            | Inst::Ask { question: Question::Degree | Question::FaceSize, to, .. } => to,
+            Inst::Const { to, bits } if (bits as i64).unsigned_abs() <= SMALL => to,
+            Inst::AddInt { to, left, right } | Inst::SubInt { to, left, right }
+                if self.count < MOST_SUMS
+                    && self.small.contains(&left)
+                    && self.small.contains(&right) =>
+            {
+                self.count += 1;
+                to
+            }
+            _ => return false,
+        };
+        self.small.push(to);
+        true
+    }
+}

@@ -1,0 +1,31 @@
+//! Elements of which something is to be computed anew.
+
+/// A stack of numbers, none of which stands in it twice.
+#[derive(Debug, Default)]
+pub(super) struct Stale {
+    all: Vec<u32>,
+    is_in: Vec<bool>,
+}
+
+impl Stale {
+    pub(super) fn push(&mut self, id: u32) {
+        let index = id as usize;
+        if self.is_in.len() <= index {
+            self.is_in.resize(index + 1, false);
+        }
+        if !std::mem::replace(&mut self.is_in[index], true) {
+            self.all.push(id);
+        }
+    }
+
+    pub(super) fn pop(&mut self) -> Option<u32> {
+        let id = self.all.pop()?;
+        self.is_in[id as usize] = false;
+        Some(id)
+    }
+
+    /// The memory that it takes, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.all.capacity() * size_of::<u32>() + self.is_in.capacity()
+    }
+}
