@@ -68,9 +68,7 @@ pub(super) enum Format {
 /// What runs operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum EngineName {
-    /// One instruction after the other, everywhere
     Machine,
-    /// Native code from the first call on
     #[cfg(feature = "native")]
     Native,
 }
@@ -143,8 +141,9 @@ pub(super) struct RunArguments {
     /// Also tell how each `drain` keeps its keys current
     #[arg(short, long)]
     pub verbose: bool,
-    /// What runs operations: the results are the same. If not given,
-    /// native code where it pays to compile it
+    /// What runs operations: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
     pub engine: Option<EngineName>,
     /// Format of the answer
@@ -176,8 +175,9 @@ pub(super) struct ApplyArguments {
     /// File for the result, in one of these formats
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// What runs operations: the results are the same. If not given,
-    /// native code where it pays to compile it
+    /// What runs operations: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
     pub engine: Option<EngineName>,
     /// Format of the answer
@@ -428,8 +428,9 @@ pub(super) struct TestArguments {
     /// if not given, three quarters of what there is
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
-    /// What runs operations: the results are the same. If not given,
-    /// native code where it pays to compile it
+    /// What runs operations: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
     pub engine: Option<EngineName>,
     /// Format of the answer

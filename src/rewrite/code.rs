@@ -80,14 +80,6 @@ impl Code {
         self.insts.iter().any(changes)
     }
 
-    /// True if it may come to an instruction again.
-    pub fn loops(&self) -> bool {
-        self.insts.iter().enumerate().any(|(at, inst)| {
-            let mut jump = *inst;
-            jump.target_mut().is_some_and(|to| to.0 as usize <= at)
-        })
-    }
-
     /// The number of the place in the source of an instruction that can trap.
     pub fn place(&self, inst: usize) -> Option<u32> {
         let at = u32::try_from(inst).ok()?;

@@ -5,10 +5,10 @@
 pub enum Engine {
     /// The machine takes one instruction after the other, everywhere.
     Machine,
-    /// Native code, from when something has run so often that it pays to compile it; the machine
-    /// until then, and where native code is not available.
+    /// Native code for operations, from when one has run so often that it pays to compile it; the
+    /// machine until then, for scripts, within drains, and where native code is not available.
     #[default]
     Native,
-    /// Native code from the first run on.
+    /// Native code for all that runs, from the first run on.
     NativeAtOnce,
 }

@@ -6,9 +6,10 @@ use hedgerow::diagram::Type;
 use hedgerow::library;
 use hedgerow::mesh::{ElementKind, Mesh, identical, shape};
 use hedgerow::rewrite::{Engine, Unwatched, Watch};
-use hedgerow::run::{Application, Argument, Conditions, test};
+use hedgerow::run::{Application, Argument, Conditions, prepare, test};
 use hedgerow::source::Sources;
 use support::dice::Dice;
+use support::engines::run_on_both;
 use support::reference::examples::{elements, examples};
 use support::reference::printing::mesh_text;
 
@@ -154,4 +155,23 @@ fn tests_of_the_library_do_the_same_on_both() {
         }
     }
     assert!(done > 40, "{done} tests");
+}
+
+/// Scripts that call functions that loop and drain, on a mesh on which operations run often enough
+/// to be compiled on the way.
+#[test]
+fn scripts_do_the_same_on_a_larger_mesh() {
+    let text = "use \"std/remesh.hedge\"\nuse \"std/simplify.hedge\"\nuse \"std/subdivide.hedge\"
+        use \"std/smooth.hedge\"
+        script main() { loop_subdivide() laplacian(1) simplify(-1, 1, 0.5) remesh(0, 1) }";
+    let analysis = analyse("larger.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    for engine in [Engine::Native, Engine::NativeAtOnce] {
+        let mut mesh = shape::triangle_torus(20, 15);
+        let (report, _) = run_on_both(&prepared, &mut mesh, &[], engine);
+        let report = report.expect("it comes to its end");
+        assert!(report.ops.iter().map(|op| op.applied).sum::<u64>() > 2000, "{report:?}");
+    }
 }

@@ -43,8 +43,8 @@ use operands::Surroundings;
 use translate::Text;
 
 use super::call::MOST_CALLS;
-use super::{Call, Code, Engine, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
-use crate::mesh::{ColumnId, ElementKind, Mesh};
+use super::{Call, Engine, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
+use crate::mesh::{ColumnId, Mesh};
 
 /// The ways in which a code is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,9 +60,6 @@ pub(super) enum Variant {
 /// How often a code runs on the machine before it is compiled, which takes as long as some
 /// thousand runs do.
 const RUNS: u32 = 500;
-
-/// The number of halfedges of a mesh from which on a script is compiled for it.
-const HALFEDGES: usize = 5000;
 
 /// How deep native code may be nested: beyond, the machine runs what is called, which takes no
 /// more of the stack for functions that call each other.
@@ -88,7 +85,6 @@ pub struct Native(OnceLock<Box<Made>>);
 #[derive(Default)]
 struct Made {
     runs: AtomicU32,
-    loops: OnceLock<bool>,
     variants: [OnceLock<Option<Compiled>>; 3],
 }
 
@@ -113,21 +109,14 @@ impl std::fmt::Debug for Native {
 }
 
 impl Native {
-    /// True if it pays to compile a code now.
-    fn is_due(&self, mesh: &Mesh, text: Text<'_>) -> bool {
-        let made = self.0.get_or_init(Box::default);
-        // What loops may go around often, though it runs once.
-        let loops = || match text.way {
-            Way::Script => text.code.with_called().into_iter().any(Code::loops),
-            Way::Function => text.code.loops(),
-            Way::Whole | Way::Dry => false,
-        };
-        if mesh.capacity(ElementKind::Halfedge) >= HALFEDGES && *made.loops.get_or_init(loops) {
-            return true;
-        }
-        if text.way == Way::Script {
+    /// True if it pays to compile a code now: an operation, or a function that it calls, that has run
+    /// often, where nobody is told what it writes.
+    #[inline]
+    fn is_due(&self, way: Way, variant: Variant) -> bool {
+        if way == Way::Script || variant == Variant::Careful {
             return false;
         }
+        let made = self.0.get_or_init(Box::default);
         let runs = made.runs.load(Ordering::Relaxed);
         if runs < RUNS {
             made.runs.store(runs + 1, Ordering::Relaxed);
@@ -166,7 +155,7 @@ impl Machine {
             Surroundings { plans: call.plans, functions: call.functions, types: &types };
         let text = Text { code: call.code, refusals: call.refusals, way, surroundings };
         let native = &call.code.native;
-        let compiled = match self.engine == Engine::NativeAtOnce || native.is_due(mesh, text) {
+        let compiled = match self.engine == Engine::NativeAtOnce || native.is_due(way, variant) {
             true => native.get(variant, || Compiled::make(text, variant)),
             false => None,
         };
@@ -212,10 +201,8 @@ impl Machine {
         self.frames += 1;
         let outcome = match self.run_native(mesh, call, Way::Function, watch) {
             Some(outcome) => outcome,
-            None if !self.drains.is_empty() || call.code.drains() => {
-                self.execute::<true>(mesh, call, watch)
-            }
-            None => self.execute::<false>(mesh, call, watch),
+            // A function that it calls may drain.
+            None => self.execute::<true>(mesh, call, watch),
         };
         self.frames -= 1;
         outcome.map_err(|trap| trap.through(caller, inst))?;
