@@ -12,7 +12,7 @@ use crate::session::{Error, Op, Outcome, Program, Script, Session};
 /// The largest distance between coordinates that count as the same.
 const NEAR: f64 = 1e-9;
 
-/// Why a text does not solve a lesson.
+/// The reason why a text does not solve a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rejection {
     /// The common mistake that it is, if it is one.
@@ -35,8 +35,8 @@ impl std::error::Error for Rejection {}
 /// Compares a text with the program of a lesson.
 ///
 /// # Errors
-/// What is still missing, and whether it is a mistake of the lesson: one whose program is wrong in
-/// the same way, or does the same.
+/// The faults that are left, and whether one is a mistake of the lesson: one whose program is wrong
+/// in the same way, or does the same.
 pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
     let given = read(lesson, text);
     let wanted = read(lesson, &lesson.solution);

@@ -62,7 +62,7 @@ fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileR
     })
 }
 
-/// Why a mesh is not of level simple, in words.
+/// The reason why a mesh is not of level simple, in words.
 fn below_simple(mesh: &Mesh) -> String {
     let level = validate_level(mesh, Level::Simple);
     level.map_or_else(|below| format!(", since {below}"), |()| String::new())
