@@ -1,5 +1,6 @@
 // Puts the page together in `dist`: `node build.js`. The WebAssembly module has to be there.
 
+import { createHash } from 'node:crypto'
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -25,14 +26,33 @@ const examples = {
 
 rmSync(dist, { recursive: true, force: true })
 mkdirSync(dist)
+const shared = {
+  bundle: true, minify: true, format: 'esm', target: 'es2022', plugins: [examples],
+  loader: { '.html': 'text' }, legalComments: 'linked', logLevel: 'warning',
+}
 await esbuild.build({
-  entryPoints: [join(here, 'src/main.js'), join(here, 'src/worker.js'), join(here, 'src/style.css')],
-  outdir: dist, bundle: true, minify: true, format: 'esm', target: 'es2022', plugins: [examples],
-  legalComments: 'linked', logLevel: 'warning',
+  ...shared, entryPoints: ['main.js', 'worker.js', 'style.css'].map(name => join(here, 'src', name)),
+  outdir: dist,
 })
-copyFileSync(join(here, 'src/index.html'), join(dist, 'index.html'))
+// What the panel of the VS Code extension takes along.
+const panel = join(here, 'dist-panel')
+rmSync(panel, { recursive: true, force: true })
+await esbuild.build({
+  ...shared, entryPoints: ['panel.js', 'panel.css', 'worker.js'].map(name => join(here, 'src', name)),
+  outdir: panel, legalComments: 'none',
+})
+for (const name of ['index.html', 'icon.svg']) copyFileSync(join(here, 'src', name), join(dist, name))
 copyFileSync(join(root, 'examples/meshes/bunny.obj'), join(dist, 'bunny.obj'))
 if (!process.argv.includes('--without-wasm')) {
   const built = 'wasm/target/wasm32-unknown-unknown/release/hedgerow_web.wasm'
   copyFileSync(join(here, built), join(dist, 'hedgerow.wasm'))
 }
+// What keeps the page for times without a network knows its files, and changes with them.
+const names = readdirSync(dist).sort()
+const hash = createHash('sha256')
+for (const name of names) hash.update(name).update(readFileSync(join(dist, name)))
+const files = names.filter(name => !name.endsWith('.txt')).map(name => name === 'index.html' ? './' : name)
+await esbuild.build({
+  ...shared, entryPoints: [join(here, 'src/offline.js')], outdir: dist,
+  define: { VERSION: JSON.stringify(hash.digest('hex').slice(0, 12)), FILES: JSON.stringify(files) },
+})

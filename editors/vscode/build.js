@@ -1,5 +1,5 @@
 // Bundles the extension, once for the desktop and once for the browser, and takes the grammar, the
-// licences and the server as WebAssembly (built in `web/wasm`) from where they are kept.
+// licences, the server as WebAssembly and the page of the panel (built in `web`) from where they are.
 
 const esbuild = require("esbuild");
 const fs = require("fs");
@@ -9,9 +9,14 @@ const shared = { bundle: true, external: ["vscode"], format: "cjs", minify: true
 fs.mkdirSync("dist", { recursive: true });
 fs.copyFileSync("../../grammar/hedgerow.tmLanguage.json", "dist/hedgerow.tmLanguage.json");
 for (const name of ["LICENSE-APACHE", "LICENSE-MIT"]) fs.copyFileSync(`../../${name}`, `dist/${name}`);
-const module = "../../web/wasm/target/wasm32-unknown-unknown/release/hedgerow_web.wasm";
-if (fs.existsSync(module)) fs.copyFileSync(module, "dist/hedgerow.wasm");
-else console.warn("without the bundled server: build web/wasm first");
+if (!fs.existsSync("../../web/dist/hedgerow.wasm")) {
+  console.error("build the page first, whose parts come along: ../../web/make");
+  process.exit(1);
+}
+for (const name of ["hedgerow.wasm", "bunny.obj"]) fs.copyFileSync(`../../web/dist/${name}`, `dist/${name}`);
+for (const name of fs.readdirSync("../../web/dist-panel")) {
+  fs.copyFileSync(`../../web/dist-panel/${name}`, `dist/${name}`);
+}
 const server = { ...shared, entryPoints: ["src/server.js"] };
 Promise.all([
   esbuild.build({ ...server, outfile: "dist/server-node.js", platform: "node" }),

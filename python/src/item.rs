@@ -1,4 +1,4 @@
-//! What operations, scripts and functions have in common to Python.
+//! Parts that operations, scripts and functions have in common to Python.
 
 /// The methods of one of them, with those that are its own. It has the fields `item`, `program` and
 /// `parameters`.

@@ -25,7 +25,7 @@ mod watch;
 
 use pyo3::prelude::*;
 
-/// What is compiled of the package.
+/// The compiled part of the package.
 #[pymodule]
 mod _hedgerow {
     #[pymodule_export]

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use super::error::in_call;
 use super::mesh::MeshTables;
 
-/// Where an operation would be applied, kept current while the mesh changes.
+/// A mask of the places where an operation would be applied, kept current while the mesh changes.
 #[pyclass(frozen, module = "hedgerow")]
 pub struct LiveMask {
     mesh: Py<MeshTables>,
@@ -28,7 +28,7 @@ impl LiveMask {
     }
 }
 
-/// How many are true.
+/// The number of true ones.
 fn count(mask: &[bool]) -> usize {
     mask.iter().map(|&can| usize::from(can)).sum()
 }
@@ -83,8 +83,8 @@ impl LiveMask {
         self.with(py, count)
     }
 
-    /// The number of one of these elements: the one at `share` of the way through them, 0 the first,
-    /// below 1; `None` if there are none. With a random number it is a random one.
+    /// The number of one of these elements: the one at `share` of the way through them, 0 the
+    /// first, below 1; `None` if there are none. With a random number it is a random one.
     fn pick(&self, py: Python<'_>, share: f64) -> PyResult<Option<usize>> {
         self.with(py, |mask| {
             let all = count(mask);

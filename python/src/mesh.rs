@@ -27,13 +27,13 @@ pub struct MeshTables {
     state: Mutex<State>,
 }
 
-/// What a mesh holds.
+/// The state of a mesh.
 pub struct State {
     pub session: Session,
     /// The masks that are kept for operations that were asked near something.
     near: Vec<(Op, KeptMask)>,
     marks: Vec<Mark>,
-    /// What the file said besides, if it comes from one; without the mesh.
+    /// The other contents of the file that it comes from, if there is one; without the mesh.
     file: Option<MeshFile>,
 }
 
@@ -245,7 +245,7 @@ impl MeshTables {
         Ok(level.map_or("map", |level| level.name()))
     }
 
-    /// What is wrong with the tables, if something is.
+    /// The fault of the tables, if there is one.
     #[pyo3(name = "_invalid")]
     fn invalid(&self, py: Python<'_>) -> PyResult<Option<String>> {
         let state = self.hold(py)?;

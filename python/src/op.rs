@@ -17,7 +17,7 @@ use super::outcome::{Applied, Refused};
 use super::parameters::Parameters;
 use super::program::{Program, Reduced};
 
-/// What stands for an element at which an operation would be applied, and for one that is none.
+/// The marks of an element at which an operation would be applied, and of one that is none.
 const APPLIES: i64 = -1;
 const GONE: i64 = -2;
 
@@ -53,8 +53,8 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
     }
 
     /// Applies the operation at one element after the other: `elements` are numbers for its first
-    /// parameter that is an element and not given. The answer tells where it was applied; an element
-    /// that has gone meanwhile counts as refused.
+    /// parameter that is an element and not given. The answer tells where it was applied; an
+    /// element that has gone meanwhile counts as refused.
     #[pyo3(signature = (mesh, elements, /, *args, **kwargs))]
     fn each<'py>(
         &self,
@@ -128,9 +128,9 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         Ok(PyArray1::from_vec(py, mask).into_any())
     }
 
-    /// Why the operation would refuse: a text, or `None` if it would not. Without an element: for
-    /// each the number of the reason among `reasons`, -1 where it would be applied, and -2 where
-    /// there is no element.
+    /// The reason why the operation would refuse: a text, or `None` if it would not. Without an
+    /// element: for each the number of the reason among `reasons`, -1 where it would be applied,
+    /// and -2 where there is no element.
     #[pyo3(signature = (mesh, /, *args, **kwargs))]
     fn why<'py>(
         &self,
@@ -174,7 +174,7 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         Ok(LiveMask::new(mesh.clone().unbind(), kept))
     }
 
-    /// Why the operation may refuse; different numbers may have the same text.
+    /// The reason why the operation may refuse; different numbers may have the same text.
     #[getter]
     fn reasons(&self) -> Vec<String> {
         self.item.reasons().iter().map(|reason| reason.to_string()).collect()
@@ -204,7 +204,7 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         py.detach(|| self.item.svg()).ok()
     }
 
-    /// What is proved of the operation: its level, the levels that it keeps, and for each rule what
+    /// The proof of the operation: its level, the levels that it keeps, and for each rule what
     /// is kept, how the numbers of elements change, and what it costs.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let verdict = self.item.proved();
@@ -237,7 +237,7 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
     }
 }}
 
-/// What a value is to Python.
+/// A value as an object of Python.
 pub fn value<'py>(py: Python<'py>, value: Argument) -> PyResult<Bound<'py, PyAny>> {
     match value {
         Argument::Bool(value) => value.into_bound_py_any(py),

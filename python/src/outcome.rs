@@ -1,4 +1,4 @@
-//! What becomes of a call of an operation.
+//! Results of calls of operations.
 
 use hedgerow::mesh::Element;
 use hedgerow::{Reason, Session};
@@ -29,13 +29,13 @@ impl Applied {
         ("result", "created", "erased")
     }
 
-    /// What it created.
+    /// The elements that it created.
     #[getter]
     fn created(&self) -> Elements {
         Elements::new(&self.created)
     }
 
-    /// What it erased.
+    /// The elements that it erased.
     #[getter]
     fn erased(&self) -> Elements {
         Elements::new(&self.erased)
@@ -71,7 +71,7 @@ impl Refused {
         ("reason",)
     }
 
-    /// Why, in words.
+    /// The reason, in words.
     #[getter]
     fn reason(&self) -> &str {
         &self.reason.text

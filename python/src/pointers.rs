@@ -4,7 +4,7 @@ use hedgerow::mesh::{ElementKind, FaceId, HalfedgeRecord, Mesh, VertexId};
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 
-/// What stands for no element.
+/// The number that stands for no element.
 const NOTHING: i64 = -1;
 
 /// The pointer of a name, for each slot of a kind.

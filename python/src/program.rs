@@ -19,7 +19,7 @@ pub type Reduced<'py, A> = PyResult<(Bound<'py, PyAny>, A)>;
 #[pyclass(frozen, module = "hedgerow")]
 pub struct Program {
     program: hedgerow::Program,
-    /// What has been asked for, by name.
+    /// The items that have been asked for, by name.
     known: Py<PyDict>,
 }
 
@@ -29,7 +29,7 @@ impl Program {
         Ok(Self { program, known: PyDict::new(py).unbind() })
     }
 
-    /// What has a name: a script before an operation before a function.
+    /// The item of a name: a script before an operation before a function.
     fn find<'py>(this: &Bound<'py, Self>, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
         let py = this.py();
         let me = this.get();
@@ -103,7 +103,7 @@ impl Program {
         self.program.texts().swap_remove(0).0
     }
 
-    /// What is doubtful about it, as dictionaries.
+    /// The warnings about it, as dictionaries.
     #[getter]
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         diagnostics(py, self.program.warnings(), self.program.sources())
@@ -166,7 +166,7 @@ impl Program {
     }
 }
 
-/// What is wrong in a text, as dictionaries; nothing if it is sound and proved.
+/// The errors and warnings of a text, as dictionaries; none if it is sound and proved.
 #[pyfunction]
 pub fn check_text<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py, PyList>> {
     match py.detach(|| hedgerow::Program::parse(name, text)) {

@@ -12,7 +12,7 @@ use super::parameters::Parameters;
 use super::program::{Program, Reduced};
 use super::watch::Watcher;
 
-/// What a script takes besides its parameters.
+/// The arguments of a script besides its parameters.
 const OPTIONS: [&str; 2] = ["seed", "progress"];
 
 // A script of a program. It has no doc comment: `__doc__` is that of the program.

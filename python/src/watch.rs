@@ -6,14 +6,14 @@ use std::time::{Duration, Instant};
 use hedgerow::Watch;
 use pyo3::prelude::*;
 
-/// How long nobody looks at signals and progress.
+/// The time for which nobody looks at signals and progress.
 const BETWEEN: Duration = Duration::from_millis(50);
 
 /// Looks on for Python. The interpreter's lock is taken only now and then.
 pub struct Watcher {
     progress: Option<Py<PyAny>>,
     next: Instant,
-    /// What was raised while it looked on, which ends the run.
+    /// The exception that was raised while it looked on, which ends the run.
     raised: Option<PyErr>,
     loops: Vec<(u64, Option<u64>)>,
 }

@@ -26,7 +26,7 @@ pub struct NamesAsOne {
     pub names: Vec<Vec<String>>,
     /// In a word: `fine`, `breaks`, `impossible` or `unproved`.
     pub verdict: &'static str,
-    /// Why it is not fine.
+    /// The reason why it is not fine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
     /// The results on a small mesh that breaks.

@@ -1,4 +1,4 @@
-//! Why each operation is proved, to read.
+//! Reasons why each operation is proved, to read.
 
 use super::Analysis;
 use crate::check::Argument;

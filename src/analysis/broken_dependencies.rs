@@ -1,4 +1,5 @@
-//! Why an op is not proved in which nothing is wrong: something that it depends on is broken.
+//! Reasons why an op is not proved in which nothing is wrong: something that it depends on is
+//! broken.
 
 use super::files::Part;
 use crate::diagnostic::Diagnostic;

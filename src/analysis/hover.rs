@@ -61,7 +61,7 @@ pub struct OpCard {
     pub docs: Vec<String>,
     /// Its diagrams, if they could ever be read; of an op in steps examples.
     pub diagram: Option<Rc<diagram::Op>>,
-    /// Why there is none of an op in steps that is proved.
+    /// The reason why there is none of an op in steps that is proved.
     pub no_example: Option<NoExample>,
     /// True if they are those of this text; else they are the last that could be read.
     pub is_current: bool,

@@ -103,7 +103,7 @@ pub struct GuardVerdict {
 pub struct ProvedStatement {
     /// The statement that holds after.
     pub statement: String,
-    /// Why it does.
+    /// The reason why it does.
     pub because: &'static str,
 }
 

@@ -15,7 +15,7 @@ use crate::diagram::{Drawing, Edge, Kind, Loop, NameId, Ref, Rule, Side};
 pub struct Argument {
     /// The law.
     pub law: &'static str,
-    /// Why it holds, a line each.
+    /// The reasons why it holds, a line each.
     pub lines: Vec<String>,
 }
 

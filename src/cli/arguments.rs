@@ -423,8 +423,8 @@ pub(super) struct StdArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct PlayArguments {
-    /// A program (.hedge), a mesh, or both
-    #[arg(value_name = "FILE", num_args = 0..=2)]
+    /// A program (.hedge), a mesh, a folder; the page lists what lies beside them
+    #[arg(value_name = "FILE", num_args = 0..=3)]
     pub files: Vec<PathBuf>,
     /// The port; 0 for any that is free
     #[arg(long, default_value_t = 0)]

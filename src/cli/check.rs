@@ -126,7 +126,7 @@ fn show(file: &str, verdicts: &[Verdict], verbose: bool) -> String {
     std::iter::once(file.to_string()).chain(lines).collect::<Vec<_>>().join("\n")
 }
 
-/// Why something is not proved that is not wrong itself.
+/// The reason why something is not proved that is not wrong itself.
 pub(super) fn depends(lacks: &str) -> String {
     match lacks.contains(' ') {
         true => format!("depends on {lacks}"),

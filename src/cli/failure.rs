@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use super::output::complain;
 
-/// Why a command ends without success.
+/// The reason why a command ends without success.
 #[derive(Debug)]
 pub(super) enum Failure {
     /// Something is not proved, or a script failed; it has been said already.

@@ -31,6 +31,9 @@ pub(super) fn learn(arguments: &LearnArguments) -> Result<(), Failure> {
 fn show(lesson: &Lesson) -> Result<(), Failure> {
     let number = lesson.number();
     say(&format!("{number}. {}\n\n{}\n\n{}", lesson.title, lesson.text, lesson.program));
+    for mistake in &lesson.mistakes {
+        say(&format!("A common mistake: {}\n\n{}\n", mistake.title, mistake.text));
+    }
     say(&format!(
         "`hedgerow learn {number} lesson.hedge --start` writes this program to a file; edit it, \
          and\n`hedgerow learn {number} lesson.hedge` says whether the lesson is solved"
@@ -61,7 +64,7 @@ fn check(lesson: &Lesson, file: &Path) -> Result<(), Failure> {
             Ok(())
         }
         Err(why) => {
-            complain(why.trim_end());
+            complain(why.to_string().trim_end());
             complain(&format!("not solved yet: {}", lesson.title));
             Err(Failure::NotProved)
         }

@@ -14,7 +14,7 @@ use crate::source::Sources;
 /// The number of diagnostics that are printed at most.
 const MOST_DIAGNOSTICS: usize = 50;
 
-/// Why standard output could not be written, for the first time.
+/// The reason why standard output could not be written, for the first time.
 static LOST: Mutex<Option<io::Error>> = Mutex::new(None);
 
 /// Prints a text to standard output, with a line end; nothing in it that a terminal would obey.

@@ -133,7 +133,7 @@ impl Collect<'_, '_, '_, '_> {
         self.row(Cell::Set { target, value: each });
     }
 
-    /// What an attempt begins with, in words: a halfedge, or the first of a path.
+    /// The beginning of an attempt, in words: a halfedge, or the first of a path.
     fn begin_word(&self, halfedge: NameId) -> String {
         let bound = match self.drawing.rule.kind(halfedge) {
             Kind::Path => Bound::First(halfedge),

@@ -134,7 +134,7 @@ impl Collect<'_, '_, '_, '_> {
         self.row(Cell::Test { claim, reason });
     }
 
-    /// What to ask of which elements.
+    /// The questions, each with its elements.
     fn question(&mut self, statement: &Statement) -> (Foreseen, Reg, Reg) {
         let (condition, element, at) = match statement {
             Statement::ThreeSides(face) => (Foreseen::ThreeSides, face, face),

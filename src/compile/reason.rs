@@ -68,7 +68,7 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
     }
 }
 
-/// Why a claim fails, as a refusal says it.
+/// The reason why a claim fails, as a refusal says it.
 pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
     let rule = drawing.rule;
     let tick = |text: String| format!("`{text}`");

@@ -15,7 +15,7 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub drawing: &'d Drawing<'d>,
     pub registers: Registers,
     pub collected: &'d Collected,
-    /// Where the pointers are set.
+    /// The place where the pointers are set.
     pub onto: Onto,
     pub rows: &'r mut Vec<Row>,
 }

@@ -13,14 +13,14 @@ pub(super) enum Onto {
     Preview(Looks),
 }
 
-/// What the tests of a guard look at. None looks at edges.
+/// The fields that the tests of a guard look at. None looks at edges.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Looks {
     /// Walks around vertices.
     pub stars: bool,
     /// Walks around loops.
     pub loops: bool,
-    /// Where halfedges start.
+    /// The vertices where halfedges start.
     pub origins: bool,
     /// In which loops they lie, and which of these are holes.
     pub faces: bool,

@@ -13,7 +13,7 @@ use super::shape::{FADED, Ink, Paint, Path, Picture, Step};
 /// The largest side of an image.
 const MOST_PIXELS: f64 = 16_384.0;
 
-/// Why a picture cannot be an image.
+/// The reason why a picture cannot be an image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TooLarge {
     width: u32,

@@ -51,7 +51,7 @@ pub struct NotEmitted {
     pub what: String,
     /// Its place in the source.
     pub span: Span,
-    /// Why not, if it is not only since there is no code for it.
+    /// The reason why not, if it is not only since there is no code for it.
     pub why: Option<String>,
 }
 

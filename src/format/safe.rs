@@ -17,7 +17,7 @@ pub struct Formatted {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Why a text is left alone: a mistake of the formatter, noticed in time.
+/// The reason why a text is left alone: a mistake of the formatter, noticed in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// A token or a comment would change, at this byte of the text.

@@ -1,33 +1,74 @@
 //! The verdict on a text that is to solve a lesson.
 
-use super::Lesson;
+use std::fmt;
+use std::ops::ControlFlow;
+
+use super::{Lesson, Mistake};
 use crate::analysis::Nowhere;
-use crate::mesh::{Element, ElementKind, Mesh, same_up_to_renumbering, shape};
+use crate::mesh::{Element, ElementKind, Mesh, difference, same_up_to_renumbering, shape};
+use crate::rewrite::Watch;
 use crate::session::{Error, Op, Outcome, Program, Script, Session};
 
 /// The largest distance between coordinates that count as the same.
 const NEAR: f64 = 1e-9;
 
+/// The reason why a text does not solve a lesson.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rejection {
+    /// The common mistake that it is, if it is one.
+    pub mistake: Option<Mistake>,
+    /// In words, what is still missing.
+    pub why: String,
+}
+
+impl fmt::Display for Rejection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(Mistake { title, text, .. }) = &self.mistake {
+            write!(f, "a common mistake: {title}\n\n{text}\n\n")?;
+        }
+        f.write_str(&self.why)
+    }
+}
+
+impl std::error::Error for Rejection {}
+
 /// Compares a text with the program of a lesson.
 ///
 /// # Errors
-/// In words, what is still missing.
-pub fn judge(lesson: &Lesson, text: &str) -> Result<(), String> {
-    let name = format!("{}.hedge", lesson.name);
-    let wanted = Program::parse_with(&name, &lesson.solution, &mut Nowhere)
-        .map_err(|error| error.to_string())?;
-    let given =
-        Program::parse_with(&name, text, &mut Nowhere).map_err(|error| error.to_string())?;
+/// The faults that are left, and whether one is a mistake of the lesson: one whose program is wrong
+/// in the same way, or does the same.
+pub fn judge(lesson: &Lesson, text: &str) -> Result<(), Rejection> {
+    let given = read(lesson, text);
+    let wanted = read(lesson, &lesson.solution);
+    same(&wanted, &given).map_err(|why| {
+        let is_it = |mistake: &&Mistake| match (&read(lesson, &mistake.program), &given) {
+            (Err(mistake), Err(given)) => {
+                mistake.code() == given.code() && mistake.message() == given.message()
+            }
+            (mistake, given) => same(mistake, given).is_ok(),
+        };
+        Rejection { mistake: lesson.mistakes.iter().find(is_it).cloned(), why }
+    })
+}
+
+fn read(lesson: &Lesson, text: &str) -> Result<Program, Error> {
+    Program::parse_with(&format!("{}.hedge", lesson.name), text, &mut Nowhere)
+}
+
+/// The operations and scripts of the one program do the same in the other.
+fn same(wanted: &Result<Program, Error>, given: &Result<Program, Error>) -> Result<(), String> {
+    let wanted = wanted.as_ref().map_err(Error::to_string)?;
+    let given = given.as_ref().map_err(Error::to_string)?;
     for op in wanted.ops().filter(|op| wanted.is_own(op.name())) {
         let yours = given.op(op.name()).map_err(|error| error.message().to_owned())?;
         for (name, mesh) in meshes() {
-            same_op([(&wanted, &op), (&given, &yours)], name, &mesh)?;
+            same_op([(wanted, &op), (given, &yours)], name, &mesh)?;
         }
     }
     for script in wanted.scripts().filter(|script| wanted.is_own(script.name())) {
         let yours = given.script(script.name()).map_err(|error| error.message().to_owned())?;
         for (name, mesh) in meshes() {
-            same_script([(&wanted, &script), (&given, &yours)], name, &mesh)?;
+            same_script([(wanted, &script), (given, &yours)], name, &mesh)?;
         }
     }
     Ok(())
@@ -71,8 +112,9 @@ fn same_op(
         let place = || format!("on {name}, at {} {index}", kind.name());
         match outcomes {
             (Ok(Outcome::Applied(_)), Ok(Outcome::Applied(_))) => {
-                if !same_up_to_renumbering(ours.mesh(), theirs.mesh(), NEAR) {
-                    return Err(format!("{}: the mesh should be another one afterwards", place()));
+                let [ours, theirs] = [ours.mesh(), theirs.mesh()];
+                if !same_up_to_renumbering(ours, theirs, NEAR) {
+                    return Err(format!("{}: {}", place(), another(ours, theirs)));
                 }
             }
             (Ok(Outcome::Applied(_)), Ok(Outcome::Refused(reason))) => {
@@ -104,14 +146,46 @@ fn same_script(
 ) -> Result<(), String> {
     let run = |program: &Program, script: &Script| -> Result<Mesh, Error> {
         let mut session = Session::new(program, mesh.clone());
-        session.run(script, ())?;
+        session.run_watched(script, (), &mut Patience(0))?;
         Ok(session.into_mesh())
     };
     match (run(wanted, script), run(given, yours)) {
         (Ok(ours), Ok(theirs)) if !same_up_to_renumbering(&ours, &theirs, NEAR) => {
-            Err(format!("on {name}: the mesh should be another one afterwards"))
+            Err(format!("on {name}: {}", another(&ours, &theirs)))
         }
         (Ok(_), Err(error)) => Err(format!("on {name}: {}", error.message())),
         _ => Ok(()),
+    }
+}
+
+/// The words for a mesh that is not the wanted one.
+fn another(wanted: &Mesh, given: &Mesh) -> String {
+    let difference = difference(given, wanted, NEAR);
+    format!("the mesh should be another one afterwards. Compared with that one: {difference}")
+}
+
+/// Stops what comes to no end.
+struct Patience(u32);
+
+impl Patience {
+    /// The most looks at a script: on small meshes a good one needs a few.
+    const MOST: u32 = 20_000;
+
+    fn look(&mut self) -> ControlFlow<()> {
+        self.0 += 1;
+        match self.0 > Self::MOST {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    }
+}
+
+impl Watch for Patience {
+    fn turn(&mut self, _depth: u16, _done: u64, _total: Option<u64>) -> ControlFlow<()> {
+        self.look()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        self.look()
     }
 }

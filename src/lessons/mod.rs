@@ -2,7 +2,9 @@
 //!
 //! A lesson is a file of [`texts`](self): a title, the mesh that it is tried on, the text in
 //! Markdown, and the program as it should be in the end. Between `//{` and `//}` stands what is
-//! left out; lines that begin with `//|` stand there instead at first.
+//! left out; lines that begin with `//|` stand there instead at first. Below stand the mistakes of
+//! hand-written operations that the lesson is about, seventeen in all lessons together: a title, a
+//! text, and how the solution is changed by it, as lines with `-`, `+` or a space before them.
 //!
 //! A text solves a lesson if it does what the lesson's own program does: every operation is proved,
 //! applies and refuses at the same elements of small meshes, and leaves the same mesh; every script
@@ -10,7 +12,7 @@
 
 mod judge;
 
-pub use judge::judge;
+pub use judge::{Rejection, judge};
 
 /// A lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +29,19 @@ pub struct Lesson {
     pub program: String,
     /// The program as it should be.
     pub(crate) solution: String,
+    /// The common mistakes that it is about.
+    pub mistakes: Vec<Mistake>,
+}
+
+/// A mistake that is common in operations written by hand.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// The mistake in a few words.
+    pub title: &'static str,
+    /// Its consequences, in Markdown.
+    pub text: &'static str,
+    /// The solution of the lesson with the mistake in it.
+    pub program: String,
 }
 
 macro_rules! lessons {
@@ -69,14 +84,17 @@ impl Lesson {
         let (title, rest) = file.strip_prefix("# ")?.split_once('\n')?;
         let (mesh, rest) = rest.strip_prefix("mesh: ")?.split_once('\n')?;
         let (text, program) = rest.split_once("```hedge\n")?;
-        let program = program.strip_suffix("```\n")?;
+        let (program, mistakes) = program.split_once("```\n")?;
+        let solution = version(program, true);
+        let mistakes = mistakes.split("\n## ").skip(1);
         Some(Self {
             name,
             title,
             mesh,
             text: text.trim(),
             program: version(program, false),
-            solution: version(program, true),
+            mistakes: mistakes.map(|file| Mistake::read(file, &solution)).collect::<Option<_>>()?,
+            solution,
         })
     }
 
@@ -88,6 +106,21 @@ impl Lesson {
     /// The program with its gap filled.
     pub fn solution(&self) -> &str {
         &self.solution
+    }
+}
+
+impl Mistake {
+    fn read(file: &'static str, solution: &str) -> Option<Self> {
+        let (title, rest) = file.split_once('\n')?;
+        let (text, rest) = rest.split_once("```diff\n")?;
+        let (change, _) = rest.split_once("```")?;
+        let lines = |without: char| {
+            let kept = change.lines().filter(|line| !line.starts_with(without));
+            kept.map(|line| format!("{}\n", line.get(1..).unwrap_or(""))).collect::<String>()
+        };
+        let (before, after) = (lines('+'), lines('-'));
+        let program = solution.replacen(&before, &after, 1);
+        (program != solution).then_some(Self { title, text: text.trim(), program })
     }
 }
 

@@ -1,4 +1,5 @@
-//! The files that programs use: as they stand in open documents, else as the reader has them.
+//! The files that programs use: as they stand in open documents, else as the client gives them, else
+//! as the reader has them.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -16,6 +17,7 @@ use crate::library;
 #[derive(Clone)]
 pub(super) struct Files {
     open: Rc<RefCell<BTreeMap<String, Held>>>,
+    given: Rc<RefCell<BTreeMap<String, Held>>>,
     rest: Rc<RefCell<Box<dyn Reader>>>,
 }
 
@@ -35,19 +37,31 @@ impl fmt::Debug for Files {
 pub(super) fn name(of: &Uri) -> String {
     match uri::path(of) {
         Some(path) => path.display().to_string().replace('\\', "/"),
-        None => of.0.clone(),
+        // As a path that a program uses is put together: without empty steps.
+        None => of.0.replace("//", "/"),
     }
 }
 
 impl Files {
     pub(super) fn new(rest: Box<dyn Reader>) -> Self {
-        Self { open: Rc::default(), rest: Rc::new(RefCell::new(rest)) }
+        let (open, given) = (Rc::default(), Rc::default());
+        Self { open, given, rest: Rc::new(RefCell::new(rest)) }
     }
 
     /// The text of an open document.
     pub(super) fn hold(&self, uri: &Uri, text: &str) {
         let held = Held { uri: uri.clone(), text: text.into() };
         self.open.borrow_mut().insert(name(uri), held);
+    }
+
+    /// The text of a file that no document is open for, from a client whose files cannot be read; or
+    /// that there is none.
+    pub(super) fn give(&self, uri: &Uri, text: Option<&str>) {
+        let mut given = self.given.borrow_mut();
+        match text {
+            Some(text) => given.insert(name(uri), Held { uri: uri.clone(), text: text.into() }),
+            None => given.remove(&name(uri)),
+        };
     }
 
     /// True if a document of this name is open.
@@ -63,8 +77,10 @@ impl Files {
     /// The URI at which an editor finds a file of this name and text. A file of the library is
     /// written to a temporary folder, since it is on no disk.
     pub(super) fn uri(&self, name: &str, text: &str) -> Option<Uri> {
-        if let Some(held) = self.open.borrow().get(name) {
-            return Some(held.uri.clone());
+        for held in [&self.open, &self.given] {
+            if let Some(held) = held.borrow().get(name) {
+                return Some(held.uri.clone());
+            }
         }
         if name.starts_with(library::FOLDER) {
             return match cfg!(target_family = "wasm") {
@@ -94,8 +110,10 @@ fn written(name: &str, text: &str) -> std::io::Result<Uri> {
 
 impl Reader for Files {
     fn read(&mut self, name: &str) -> Result<String, String> {
-        if let Some(held) = self.open.borrow().get(name) {
-            return Ok(held.text.to_string());
+        for held in [&self.open, &self.given] {
+            if let Some(held) = held.borrow().get(name) {
+                return Ok(held.text.to_string());
+            }
         }
         self.rest.borrow_mut().read(name)
     }
@@ -103,15 +121,18 @@ impl Reader for Files {
     fn beside(&mut self, name: &str) -> Vec<String> {
         let mut names = self.rest.borrow_mut().beside(name);
         let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
-        let open = self.open.borrow();
-        let beside =
-            open.keys().filter(|known| known.rsplit_once('/').map_or("", |(of, _)| of) == folder);
-        names.extend(beside.cloned());
+        let is_beside = |known: &&String| known.rsplit_once('/').map_or("", |(of, _)| of) == folder;
+        for held in [&self.open, &self.given] {
+            names.extend(held.borrow().keys().filter(is_beside).cloned());
+        }
         names.sort();
         names.dedup();
         names
     }
     fn under(&mut self, folder: &str) -> Vec<String> {
-        self.rest.borrow_mut().under(folder)
+        let mut names = self.rest.borrow_mut().under(folder);
+        let inside = format!("{}/", folder.trim_end_matches('/'));
+        names.extend(self.given.borrow().keys().filter(|it| it.starts_with(&inside)).cloned());
+        names
     }
 }

@@ -2,12 +2,27 @@
 
 use gen_lsp_types::*;
 use lsp_server::Notification as Notice;
+use serde::Deserialize;
 use serde_json::Value;
 
 use super::client::Settings;
 use super::document::Document;
 use super::files::name;
 use super::server::{Asked, Server};
+
+/// The texts of files that a server without a disk cannot read.
+#[derive(Deserialize)]
+struct FilesParams {
+    files: Vec<FileParams>,
+}
+
+/// A file; without a text, one that is no longer there.
+#[derive(Deserialize)]
+struct FileParams {
+    uri: Uri,
+    #[serde(default)]
+    text: Option<String>,
+}
 
 impl Server {
     /// Takes in a notification; one that cannot be read, or that nobody knows, is let be.
@@ -27,7 +42,16 @@ impl Server {
                 });
             }
             Method::Custom("hedgerow/cursor") => read(params, |params| self.cursor(params)),
+            Method::Custom("hedgerow/files") => read(params, |params| self.given(params)),
             _ => {}
+        }
+    }
+
+    /// `hedgerow/files`
+    fn given(&mut self, params: FilesParams) {
+        for FileParams { uri, text } in params.files {
+            self.files.give(&uri, text.as_deref());
+            self.file_changed(&name(&uri));
         }
     }
 

@@ -10,12 +10,12 @@ use serde_json::Value;
 use super::document::Document;
 use super::server::{Server, Stage};
 
-/// Why a request gets no answer.
+/// The reason why a request gets no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Refusal {
     /// The kind of failure.
     pub(super) code: i32,
-    /// Why, for a person.
+    /// The reason, for a person.
     pub(super) why: String,
 }
 

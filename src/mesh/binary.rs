@@ -34,7 +34,7 @@ const VERSION: u32 = 1;
 /// The greatest number of attributes that are read.
 const MOST_COLUMNS: u32 = 1 << 12;
 
-/// Why bytes are no mesh.
+/// The reason why bytes are no mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BinaryError {
     /// They are something else.

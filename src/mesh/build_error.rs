@@ -1,4 +1,4 @@
-//! Why a list of polygons is no mesh, in the numbers of the list.
+//! Reasons why a list of polygons is no mesh, in the numbers of the list.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::id::ElementKind;
 
-/// Why a list of polygons is no mesh. Polygons and vertices go by their places in the
+/// The reason why a list of polygons is no mesh. Polygons and vertices go by their places in the
 /// lists, from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BuildError {

@@ -1,4 +1,4 @@
-//! When two meshes are the same up to renumbering.
+//! Equality of two meshes up to renumbering.
 //!
 //! That is: there is a way to pair the elements of one mesh with those of the other that
 //! respects every pointer, the holes, and the positions as far as asked. Which halfedge

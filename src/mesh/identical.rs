@@ -1,4 +1,4 @@
-//! When two meshes are the same, table by table.
+//! Identity of two meshes, table by table.
 
 use glam::DVec3;
 

@@ -46,7 +46,7 @@ impl fmt::Display for Level {
     }
 }
 
-/// Why a mesh does not have a level.
+/// The reason why a mesh does not have a level.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BelowLevel {
     Invalid(Invalid),
@@ -121,8 +121,8 @@ pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
     Ok(())
 }
 
-/// True if a mesh, which has to be valid, is of level surface, and each edge joins two vertices that
-/// no other joins.
+/// True if a mesh, which has to be valid, is of level surface, and each edge joins two vertices
+/// that no other joins.
 pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
     let tested = is_surface(mesh).and_then(|()| edges_have_two_ends(mesh));
     tested.and_then(|()| edges_are_single(mesh)).is_ok()

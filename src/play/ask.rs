@@ -20,11 +20,13 @@ pub(super) enum Ask {
     },
     /// A mesh that has a name: `icosphere`.
     Shape { name: String },
-    /// A mesh file, whose bytes stand beside it.
+    /// A mesh file, whose bytes stand beside it; or one of the host.
     Mesh {
         name: String,
         #[serde(default)]
         repair: bool,
+        #[serde(default)]
+        of_host: bool,
     },
     /// The mesh as arrays; with the values of an attribute, `vertex.height`.
     View {

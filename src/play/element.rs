@@ -8,9 +8,13 @@ use crate::mesh::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, Mesh, Vertex
 /// The distance at which a halfedge is drawn from its edge, towards the middle of its face.
 const INSIDE: f64 = 0.14;
 
+/// The distance of its name from there.
+const FURTHER: f64 = 0.13;
+
 /// An element with a place for its name and a line to draw: the corners of a face, the ends of an
-/// edge, a halfedge a little inside its face.
+/// edge, a halfedge a little inside its face, with its name further inside.
 pub(super) fn shown(mesh: &Mesh, Element { kind, index }: Element) -> Value {
+    let mut inside = None;
     let line: Vec<DVec3> = match kind {
         _ if !mesh.is_alive(kind, index) => Vec::new(),
         ElementKind::Vertex => vec![mesh.position(VertexId(index))],
@@ -28,6 +32,7 @@ pub(super) fn shown(mesh: &Mesh, Element { kind, index }: Element) -> Value {
                 }
                 false => mean(&corners(mesh, face)),
             };
+            inside = Some(middle);
             [(from, to), (to, from)]
                 .map(|(near, far)| near.lerp(far, INSIDE).lerp(middle, INSIDE))
                 .to_vec()
@@ -35,11 +40,13 @@ pub(super) fn shown(mesh: &Mesh, Element { kind, index }: Element) -> Value {
     };
     let is_hole =
         kind == ElementKind::Face && mesh.is_alive(kind, index) && mesh.is_hole(FaceId(index));
+    let at = mean(&line);
+    let at = inside.map_or(at, |inside| at.lerp(inside, FURTHER));
     json!({
         "kind": kind.name(),
         "index": index,
         "hole": is_hole,
-        "at": numbers(mean(&line)),
+        "at": numbers(at),
         "line": line.iter().map(|&at| numbers(at)).collect::<Vec<_>>(),
     })
 }

@@ -13,7 +13,7 @@ pub struct Message {
 
 impl Message {
     /// JSON alone.
-    pub(super) fn of(json: Value) -> Self {
+    pub fn of(json: Value) -> Self {
         Self { json, bytes: Vec::new() }
     }
 

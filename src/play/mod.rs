@@ -10,6 +10,7 @@
 //! same each time.
 
 mod ask;
+mod broken;
 mod code;
 mod element;
 mod layout;

@@ -7,6 +7,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::ask::{Ask, Given};
+use super::broken::broken;
 use super::code::code;
 use super::element::shown;
 use super::layout::laid_out;
@@ -14,7 +15,7 @@ use super::message::Message;
 use super::past::Past;
 use super::run::{Ran, run};
 use super::view::{counts, view};
-use crate::analysis::{Analysis, Reader};
+use crate::analysis::{Counterexample, Reader};
 use crate::diagram::Rule;
 use crate::draw::{draw_op, fates};
 use crate::lessons;
@@ -24,7 +25,6 @@ use crate::mesh::{
 };
 use crate::run::{Argument, Report};
 use crate::session::{Op, Outcome, Parameter, Program, Script, Session, Verdict};
-use crate::source::Sources;
 
 /// The surroundings of a workbench: told how far a script is, they may stop it.
 pub trait Host {
@@ -35,26 +35,30 @@ pub trait Host {
 
     /// The reader of the files that a program uses and a page does not give.
     fn reader(&self) -> Box<dyn Reader>;
+
+    /// A mesh file that a page names and does not give.
+    ///
+    /// # Errors
+    /// In words, why there is none.
+    fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
+        Err(format!("{name}: there are no files here"))
+    }
 }
 
 /// A program and a mesh.
 #[derive(Debug)]
 pub struct Workbench {
-    /// The program as it stands, sound or not.
-    source: Source,
-    /// The last one that was sound.
+    /// The name of the program as it stands, sound or not, and the meshes that it breaks.
+    name: String,
+    counterexamples: Vec<Counterexample>,
+    /// The last one of this name that was sound.
     program: Program,
     session: Session,
     past: Past,
+    /// True if somebody has chosen the mesh.
+    is_chosen: bool,
     /// The script that was run last, if nothing was done since.
     last_run: Option<LastRun>,
-}
-
-#[derive(Debug, Default)]
-struct Source {
-    name: String,
-    text: String,
-    files: BTreeMap<String, String>,
 }
 
 #[derive(Clone, Debug)]
@@ -66,11 +70,23 @@ struct LastRun {
 
 impl Default for Workbench {
     fn default() -> Self {
-        let program = Program::parse_with("empty.hedge", "", &mut crate::analysis::Nowhere);
-        let program = program.expect("an empty program is sound");
-        let session = Session::new(&program, shape::icosphere(2));
-        Self { source: Source::default(), program, session, past: Past::default(), last_run: None }
+        let program = nothing();
+        Self {
+            name: String::new(),
+            counterexamples: Vec::new(),
+            session: Session::new(&program, shape::icosphere(2)),
+            program,
+            past: Past::default(),
+            is_chosen: false,
+            last_run: None,
+        }
     }
+}
+
+/// A program without anything in it.
+fn nothing() -> Program {
+    let program = Program::parse_with("empty.hedge", "", &mut crate::analysis::Nowhere);
+    program.expect("an empty program is sound")
 }
 
 /// An answer, or in words why there is none.
@@ -89,16 +105,16 @@ impl Workbench {
 
     fn take(&mut self, ask: Ask, bytes: &[u8], host: &mut dyn Host) -> Answer {
         match ask {
-            Ask::Program { name, text, files } => {
-                self.source = Source { name, text, files };
-                Ok(self.read_program(host))
-            }
+            Ask::Program { name, text, files } => Ok(self.read_program(name, &text, &files, host)),
             Ask::Shape { name } => {
                 let mesh = named_shape(&name).ok_or_else(|| format!("there is no `{name}`"))?;
                 self.replace(mesh);
                 Ok(self.state(json!({})))
             }
-            Ask::Mesh { name, repair } => self.open(&name, bytes, repair),
+            Ask::Mesh { name, repair, of_host: false } => self.open(&name, bytes, repair),
+            Ask::Mesh { name, repair, of_host: true } => {
+                self.open(&name, &host.mesh(&name)?, repair)
+            }
             Ask::View { attribute } => Ok(view(self.session.mesh(), attribute.as_deref())),
             Ask::Places { op, given } => self.places(&op, &given),
             Ask::Names { op, element, given } => self.names(&op, element.into(), &given),
@@ -109,13 +125,17 @@ impl Workbench {
             Ask::Redo => Ok(self.travel(Past::redo)),
             Ask::Save { name } => self.save(&name),
             Ask::Code { op, language } => Ok(code(&self.program, op.as_deref(), language)),
-            Ask::Counterexamples => Ok(self.counterexamples(host)),
+            Ask::Counterexamples => Ok(self.counterexamples()),
             Ask::Lessons => Ok(lessons_as_data()),
             Ask::Judge { lesson, text } => {
                 let lesson = lessons::lesson(&lesson).ok_or("there is no such lesson")?;
-                let verdict = lessons::judge(&lesson, &text);
-                let solved = verdict.is_ok();
-                Ok(Message::of(json!({ "solved": solved, "said": verdict.err() })))
+                let rejected = lessons::judge(&lesson, &text).err();
+                let mistake = rejected.as_ref().and_then(|it| it.mistake.as_ref());
+                Ok(Message::of(json!({
+                    "solved": rejected.is_none(),
+                    "mistake": mistake.map(|mistake| mistake.title),
+                    "said": rejected.as_ref().map(|it| &it.why),
+                })))
             }
             Ask::Library => {
                 let file = |file: library::LibraryFile| json!([file.name, file.text]);
@@ -134,7 +154,9 @@ impl Workbench {
 
     /// Another mesh takes the place of this one, which can be had back.
     fn replace(&mut self, mesh: Mesh) {
-        self.past.keep(self.session.mesh().clone());
+        if std::mem::replace(&mut self.is_chosen, true) || self.past.depth() != [0, 0] {
+            self.past.keep(self.session.mesh().clone());
+        }
         self.set(mesh);
         self.last_run = None;
     }
@@ -151,19 +173,30 @@ impl Workbench {
         self.state(json!({}))
     }
 
-    fn read_program(&mut self, host: &dyn Host) -> Message {
-        let Source { name, text, files } = &self.source;
+    fn read_program(
+        &mut self,
+        name: String,
+        text: &str,
+        files: &BTreeMap<String, String>,
+        host: &dyn Host,
+    ) -> Message {
         let mut reader = Files { files, rest: host.reader() };
-        match Program::parse_with(name, text, &mut reader) {
-            Ok(program) => {
-                self.program = program;
-                let mesh = self.session.mesh().clone();
-                self.set(mesh);
-                self.last_run = None;
-                self.items(json!({ "sound": true }))
-            }
-            Err(error) => self.items(json!({ "sound": false, "why": error.to_string() })),
+        let (program, counterexamples) = Program::examined(&name, text, &mut reader);
+        let is_other = self.name != name;
+        (self.name, self.counterexamples) = (name, counterexamples);
+        let why = program.as_ref().err().map(ToString::to_string);
+        let program = program.ok().or_else(|| is_other.then(nothing));
+        if let Some(program) = program {
+            self.program = program;
+            let mesh = self.session.mesh().clone();
+            self.set(mesh);
+            self.last_run = None;
         }
+        self.items(json!({
+            "sound": why.is_none(),
+            "why": why,
+            "breaks": self.counterexamples.len(),
+        }))
     }
 
     /// The operations and scripts that can be called.
@@ -343,14 +376,9 @@ impl Workbench {
         Ok(self.state(told(&ran, last.total)))
     }
 
-    fn counterexamples(&self, host: &dyn Host) -> Message {
-        let Source { name, text, files } = &self.source;
-        let mut reader = Files { files, rest: host.reader() };
-        let mut sources = Sources::new();
-        let file = sources.add(name, text);
-        let analysis = Analysis::with(&mut sources, file, &mut reader);
+    fn counterexamples(&self) -> Message {
         let mut bytes = Vec::new();
-        let examples = analysis.counterexamples.iter().map(|example| {
+        let examples = self.counterexamples.iter().map(|example| {
             let mesh = laid_out(&example.before);
             let before = view(&mesh, None);
             let range = [bytes.len(), before.bytes.len()];
@@ -364,6 +392,7 @@ impl Workbench {
                 "rule": example.rule,
                 "code": example.code,
                 "verdict": example.verdict,
+                "broken": broken(&example.invalid, &mesh),
                 "svg": draw_op(&example.drawn()).svg(),
                 "names": names.collect::<Vec<_>>(),
                 "view": before.json,
@@ -395,12 +424,16 @@ fn told(ran: &Ran, total: u64) -> Value {
 
 fn lessons_as_data() -> Message {
     let lesson = |lesson: lessons::Lesson| {
+        let mistakes = lesson.mistakes.iter().map(|mistake| {
+            json!({ "title": mistake.title, "text": mistake.text, "program": mistake.program })
+        });
         json!({
             "name": lesson.name,
             "title": lesson.title,
             "text": lesson.text,
             "program": lesson.program,
             "mesh": lesson.mesh,
+            "mistakes": mistakes.collect::<Vec<_>>(),
         })
     };
     Message::of(json!({ "lessons": lessons::all().map(lesson).collect::<Vec<_>>() }))

@@ -43,7 +43,7 @@ impl Parameter {
     }
 }
 
-/// Whose parameters they are.
+/// The item whose parameters they are.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
     /// An op: elements and values; a default names nothing.

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::{ElementField, Elements, Fault, HalfedgeField, Walk};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, VertexId};
 
-/// Why there is no such element.
+/// The reason why there is no such element.
 #[cold]
 pub(super) fn gone(kind: ElementKind, id: u32) -> Fault {
     match id {

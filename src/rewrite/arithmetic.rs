@@ -1,4 +1,4 @@
-//! What single instructions compute, where a method of the number would not do.
+//! Computations of single instructions, where a method of the number would not do.
 
 use glam::DVec3;
 

@@ -1,9 +1,9 @@
 //! Operations that are asked at all elements again and again, between which the mesh is written.
 //!
-//! What is written makes stale the elements whose answers may depend on it, and only those are asked
-//! again. They are found as the changed keys of a `drain` are: by walking back along the
-//! [paths](super::paths) of the question; of an operation that has none, by noting what each answer reads.
-//! Nothing depends on how they are found, but the time.
+//! What is written makes stale the elements whose answers may depend on it, and only those are
+//! asked again. They are found as the changed keys of a `drain` are: by walking back along the
+//! [paths](super::paths) of the question; of an operation that has none, by noting what each answer
+//! reads. Nothing depends on how they are found, but the time.
 
 use std::sync::Arc;
 
@@ -47,8 +47,8 @@ struct Used {
 }
 
 impl Asked {
-    /// Elements of a kind, none of which has been asked: with the question, if its paths are bounded,
-    /// and the attributes that it may read, each with its number.
+    /// Elements of a kind, none of which has been asked: with the question, if its paths are
+    /// bounded, and the attributes that it may read, each with its number.
     pub fn new<'n>(
         kind: ElementKind,
         question: Option<Arc<Bounded>>,
@@ -114,8 +114,8 @@ impl Asked {
         }
     }
 
-    /// The next slot of which the answer is not known. Who does not get one asks again. `window` has
-    /// the values of the parameters.
+    /// The next slot of which the answer is not known. Who does not get one asks again. `window`
+    /// has the values of the parameters.
     pub fn next_stale(&mut self, mesh: &Mesh, window: &[u64]) -> Option<u32> {
         let capacity = mesh.capacity(self.kind);
         self.walk_back(mesh, window);
@@ -167,7 +167,7 @@ impl Asked {
     }
 }
 
-/// Where notes are made of what is read.
+/// The drains that note what is read.
 fn drains_of(kind: ElementKind) -> Drains {
     Drains::alone(match kind {
         ElementKind::Vertex => Elements::Vertices,

@@ -109,7 +109,7 @@ impl Machine {
         outcome
     }
 
-    /// Why an operation refuses, in words; nothing if it does not.
+    /// The reason why an operation refuses, in words; nothing if it does not.
     pub(super) fn reason_of(&self, op: u16, outcome: Outcome) -> &str {
         let Outcome::Refused { reason } = outcome else {
             return "";

@@ -13,7 +13,7 @@ use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 /// In the place of an attribute's number: what is kept back is a position.
 const POSITION: u32 = u32::MAX;
 
-/// What begins a value that is kept back: how many slots it takes, and of which attribute.
+/// The head of a value that is kept back: the number of slots it takes, and its attribute.
 fn header(attribute: u32, width: u16) -> u64 {
     u64::from(width) << 32 | u64::from(attribute)
 }
@@ -24,14 +24,14 @@ pub(super) fn hold_position(vertex: VertexId, position: DVec3, held: &mut Vec<u6
     held.extend(position.to_array().map(f64::to_bits));
 }
 
-/// Where an attribute lies in the mesh.
+/// The place of an attribute in the mesh.
 #[inline]
 pub(super) fn column(columns: &[Option<ColumnId>], attribute: u16) -> Result<ColumnId, Fault> {
     let column = columns.get(usize::from(attribute)).copied().flatten();
     column.ok_or(Fault::Malformed)
 }
 
-/// How many slots a value takes.
+/// The number of slots that a value takes.
 #[inline]
 fn width(data: &ColumnData) -> u16 {
     match data {
@@ -148,7 +148,8 @@ pub(super) fn hold(
     Ok(())
 }
 
-/// What is kept back, in order: a column, or none for a position; the element; the slots.
+/// The values that are kept back, in order: a column, or none for a position; the element; the
+/// slots.
 pub(super) struct Held<'h> {
     columns: &'h [Option<ColumnId>],
     rest: &'h [u64],

@@ -2,12 +2,12 @@
 
 use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
 
-/// What became of a run that did not trap.
+/// The end of a run that did not trap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It went through; in the code of an operation: it has been applied.
     Applied {
-        /// What it returned, if anything.
+        /// The value that it returned, if any.
         result: Option<u32>,
     },
     /// The operation does not apply here; the mesh is as it was.
@@ -17,7 +17,7 @@ pub enum Outcome {
     },
 }
 
-/// How deep functions may call each other.
+/// The depth to which functions may call each other.
 pub(super) const MOST_CALLS: usize = 1000;
 
 /// One run of a code.
@@ -35,7 +35,7 @@ pub(super) struct Call<'c> {
     pub(super) steps: Option<&'c Steps>,
     /// The number of the function.
     pub(super) function: Option<u16>,
-    /// Where its window begins, and its buffers.
+    /// The place where its window begins, and its buffers.
     pub(super) base: usize,
     pub(super) buffers: usize,
     pub(super) depth: usize,
@@ -110,7 +110,7 @@ impl<'c> Call<'c> {
     }
 }
 
-/// Where a function was called, to go on there.
+/// The place where a function was called, to go on there.
 #[derive(Debug)]
 pub(super) struct Frame<'c> {
     code: &'c Code,
@@ -119,7 +119,7 @@ pub(super) struct Frame<'c> {
     buffers: usize,
     /// The instruction behind the call.
     pub(super) at: usize,
-    /// Where the value goes.
+    /// The register that gets the value.
     pub(super) to: Reg,
     /// Whether the caller still needs ids.
     pub(super) holds: bool,

@@ -36,7 +36,7 @@ pub struct Code {
     pub registers: u16,
     /// The number of buffers it uses.
     pub buffers: u16,
-    /// Why each trapping instruction could fail, by its index: see [`Traps`].
+    /// The reason why each trapping instruction could fail, by its index: see [`Traps`].
     pub traps: Traps,
     /// The constant texts, by number; no two are equal.
     pub texts: Vec<String>,

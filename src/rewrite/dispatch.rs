@@ -18,7 +18,7 @@ use super::window::{Window, reserve};
 use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Triangles, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
-/// How far apart the coordinates of meshes may lie that count as the same.
+/// The distance up to which coordinates of meshes count as the same.
 const NEAR: f64 = 1e-9;
 
 /// The most slots that a write takes that is kept back.

@@ -3,7 +3,7 @@
 /// Up to so many are told apart by comparing them.
 const FEW: usize = 48;
 
-/// How many bits they are told apart by at first.
+/// The number of bits by which they are told apart at first.
 const BITS: usize = 256;
 
 /// Whether no two numbers are the same.

@@ -26,14 +26,14 @@ pub(super) struct Drains {
     all: Vec<Drain>,
     /// The first so many of them are not told what is written, since it will be undone.
     quiet: usize,
-    /// How many keys have been computed.
+    /// The number of keys that have been computed.
     computed: u32,
-    /// How many compute a key whose reads are to be noted.
+    /// The number of those that compute a key whose reads are to be noted.
     noting: usize,
     walk: WalkBack,
 }
 
-/// How those are found whose keys may have changed.
+/// The way in which those are found whose keys may have changed.
 #[derive(Debug)]
 enum Changes {
     Noted(Box<Readers>),
@@ -44,7 +44,7 @@ enum Changes {
     },
 }
 
-/// How many keys are computed between looks at the memory that they take.
+/// The number of keys that are computed between looks at the memory that they take.
 const KEYS_PER_LOOK: u32 = 1024;
 
 #[derive(Debug)]
@@ -207,7 +207,7 @@ impl Drains {
         self.all.get_mut(self.quiet..).unwrap_or_default()
     }
 
-    /// How many are open.
+    /// The number of open ones.
     pub(super) fn open_ones(&self) -> usize {
         self.all.len()
     }
@@ -427,7 +427,7 @@ impl Drains {
     }
 }
 
-/// Where fields of an element lie.
+/// The places of the fields of an element.
 fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<Place> {
     match kind {
         ElementKind::Vertex if fields == Fields::FIRST => Some(Place::VertexHalfedge(id)),
@@ -437,7 +437,7 @@ fn place_of(mesh: &Mesh, kind: ElementKind, id: u32, fields: Fields) -> Option<P
     }
 }
 
-/// Where the attributes of an element lie.
+/// The places of the attributes of an element.
 pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::VertexAttributes(id)),
@@ -447,7 +447,7 @@ pub(super) fn attributes_place(mesh: &Mesh, kind: ElementKind, id: u32) -> Optio
     }
 }
 
-/// Where an element lies. `None` for a halfedge that does not live.
+/// The place of an element. `None` for a halfedge that does not live.
 pub(super) fn place(mesh: &Mesh, kind: ElementKind, id: u32) -> Option<Place> {
     match kind {
         ElementKind::Vertex => Some(Place::Vertex(id)),

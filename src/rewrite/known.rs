@@ -1,4 +1,4 @@
-//! What is known of the level of the mesh while operations change it.
+//! Knowledge of the level of the mesh while operations change it.
 //!
 //! An operation with a guard takes for granted that the mesh has its level. Most operations keep
 //! the level; after another one the mesh may have it still, so it is asked anew, where an
@@ -11,10 +11,10 @@ use crate::mesh::{
     BelowLevel, Bookmark, ElementKind, Footprint, Level, Mesh, validate_level, validate_level_near,
 };
 
-/// How many levels an operation keeps that keeps all.
+/// The number of levels that an operation keeps that keeps all.
 const MOST_KEPT: usize = 2;
 
-/// What is known of the level of a mesh.
+/// The known level of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct KnownLevel {
     /// It has this level.
@@ -93,7 +93,7 @@ impl Machine {
         })
     }
 
-    /// What a call within steps knows of the level, before any of them is taken. What is given
+    /// The known level at a call within steps, before any of them is taken. What is given
     /// back is known again when they are undone, or done.
     pub(super) fn begin_steps(&mut self, mesh: &Mesh, calls: &[(u16, u16)]) -> KnownLevel {
         let plans = calls.iter().filter_map(|&(op, _)| self.plans.get(usize::from(op))?.as_ref());

@@ -39,7 +39,7 @@ pub struct Machine {
     counts: Vec<Count>,
     /// The level that the mesh is known to have.
     pub(super) known: KnownLevel,
-    /// Why the op called last refused.
+    /// The reason why the op called last refused.
     pub(super) last_reason: Option<u16>,
     /// True if the operation that runs is only asked: it ends at its first write.
     pub(super) is_dry: bool,
@@ -337,7 +337,7 @@ impl Machine {
         }
     }
 
-    /// Why an operation refused, if it was the last to do so.
+    /// The reason why an operation refused, if it was the last to do so.
     pub(super) fn last_reason(&self, op: u16) -> Option<&str> {
         let plan = self.plans.get(usize::from(op))?.as_ref()?;
         let refusal = plan.refusals.get(usize::from(self.last_reason?))?;

@@ -3,7 +3,7 @@
 //! Open addressing with linear probing (D. Knuth, The Art of Computer Programming, volume 3, 1973,
 //! section 6.4). Most operations note a few dozen halfedges, so the table stays small, and near.
 
-/// How many slots there are at first; a power of two.
+/// The number of slots at first; a power of two.
 const FIRST: usize = 128;
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,7 +39,7 @@ impl Noted {
         }
     }
 
-    /// Where the search for a number begins.
+    /// The slot at which the search for a number begins.
     #[inline]
     fn start(&self, id: u32) -> usize {
         // Fibonacci hashing: neighbors lie apart.

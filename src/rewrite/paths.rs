@@ -23,9 +23,9 @@
 //! was created counts as written in every field.
 //!
 //! The paths of a key form a tree: its root is the element, its nodes are sets of elements, and
-//! each step leads from one to the next. Two steps there and back are none. Who follows `next`, or turns around a vertex, again and
-//! again stays in one orbit, and so in one node. A key that follows pointers without bound
-//! otherwise has no tree.
+//! each step leads from one to the next. Two steps there and back are none. Who follows `next`, or
+//! turns around a vertex, again and again stays in one orbit, and so in one node. A key that
+//! follows pointers without bound otherwise has no tree.
 //!
 //! The same holds of the question whether an operation would be applied, in place of a key.
 
@@ -40,7 +40,7 @@ const MOST_STEPS: u16 = 32;
 /// The greatest number of nodes of a tree.
 const MOST_NODES: usize = 500;
 
-/// Why a key has no tree of paths.
+/// The reason why a key has no tree of paths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unbounded {
     /// It follows pointers for as long as a condition says, or along very many paths.
@@ -216,8 +216,8 @@ impl Paths {
         Ok(self.places.len() as Node - 1)
     }
 
-    /// Where a step from a node stays in an orbit: the node of that, or where its walk starts if the
-    /// same steps have been taken three times.
+    /// Where a step from a node stays in an orbit: the node of that, or where its walk starts if
+    /// the same steps have been taken three times.
     fn orbit_of(&self, parent: Node, step: Step) -> Option<(Node, Option<Walk>)> {
         use HalfedgeField::{Next, Prev, Twin};
         let turns: [(Walk, &[HalfedgeField]); 4] = [
@@ -318,7 +318,7 @@ impl Seen {
     }
 }
 
-/// Whose keys may have changed.
+/// The elements whose keys may have changed.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Candidates<'w> {
     All,

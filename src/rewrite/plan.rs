@@ -27,11 +27,12 @@ pub struct Plan {
     pub code: Code,
     /// The places in the source where the code can trap, by the numbers in [`Code::traps`].
     pub places: Vec<Span>,
-    /// Why it can refuse, by number.
+    /// The reasons why it can refuse, by number.
     pub refusals: Vec<Refusal>,
     /// Each alternative in four phases, to read; none of an op in steps.
     pub stages: Vec<Stage>,
-    /// The places where, for each alternative, its names stand when it has matched; none of an op in steps.
+    /// The places where, for each alternative, its names stand when it has matched; none of an op
+    /// in steps.
     pub matched: Vec<Matched>,
     /// The steps, where it is an op in steps, which calls others, all or nothing.
     pub steps: Option<Steps>,
@@ -63,7 +64,7 @@ impl Plan {
     }
 }
 
-/// Why an op can refuse.
+/// The reason why an op can refuse.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Refusal {
     /// The reason, as a person reads it: "`f0` is a hole".

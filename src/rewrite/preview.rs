@@ -44,7 +44,7 @@ pub struct Preview {
     runs: Vec<(u32, u32)>,
 }
 
-/// What a question has read of the mesh under the sheet.
+/// The reads of the mesh under the sheet that a question has made.
 #[derive(Clone, Copy, Debug)]
 pub enum Looked {
     Halfedge(u32),
@@ -61,7 +61,7 @@ const NOTHING: HalfedgeRecord = HalfedgeRecord {
     face: FaceId::NONE,
 };
 
-/// What would be set.
+/// The values that would be set.
 impl Preview {
     /// An empty sheet.
     pub fn clear(&mut self) {
@@ -142,14 +142,14 @@ impl Preview {
     }
 }
 
-/// What there would be.
+/// The mesh that there would be.
 impl Preview {
     /// From now on tells what is read of the mesh, or no longer.
     pub fn listen(&mut self, listens: bool) {
         self.listens.set(listens);
     }
 
-    /// What has been read of the mesh since.
+    /// The reads of the mesh since.
     pub fn looked(&mut self) -> Vec<Looked> {
         std::mem::take(self.looked.get_mut())
     }

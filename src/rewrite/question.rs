@@ -1,4 +1,4 @@
-//! What can be asked of an element that takes a walk or a measurement to answer.
+//! Questions about an element that take a walk or a measurement to answer.
 //!
 //! Each asks the mesh, which says how it is meant; here is only which elements are read and
 //! where the answer goes.

@@ -9,7 +9,7 @@
 /// The place of what is not queued.
 const NOWHERE: u32 = u32::MAX;
 
-/// How many children an element has.
+/// The number of children of an element.
 const CHILDREN: usize = 4;
 
 #[derive(Clone, Copy, Debug)]

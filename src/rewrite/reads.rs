@@ -96,7 +96,7 @@ impl State {
         unite(all, nodes);
     }
 
-    /// What the preview has been told of a pointer, of whatever element.
+    /// The words that the preview has been told of a pointer, of whatever element.
     pub(super) fn foreseen(&self, pointer: u32) -> Nodes {
         self.0.get(&(PREVIEW | pointer)).cloned().unwrap_or_default()
     }

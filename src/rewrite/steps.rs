@@ -17,7 +17,7 @@ pub struct Steps {
     pub below: u16,
 }
 
-/// Why a mesh is not of its level any more.
+/// The reason why a mesh is not of its level any more.
 pub const BELOW: [&str; 10] = [
     "the mesh would be broken",
     "a face or hole would have fewer than three sides",

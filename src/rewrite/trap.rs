@@ -1,4 +1,4 @@
-//! Why a run could not go on, and where.
+//! Reasons why a run could not go on, and the places.
 //!
 //! A trap names places by number; whoever made the code knows the spans. It is not a
 //! refusal: that is an answer, and the run goes on.
@@ -10,9 +10,9 @@ use crate::mesh::{ElementKind, Level};
 /// A run that could not go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trap {
-    /// Why.
+    /// The reason.
     pub message: Message,
-    /// Where: the innermost call first.
+    /// The places: the innermost call first.
     pub trace: Vec<Site>,
 }
 
@@ -27,7 +27,7 @@ pub struct Site {
     pub place: Option<u32>,
 }
 
-/// Why a run could not go on.
+/// The reason why a run could not go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Message {
     /// The element has been erased, or never was.
@@ -56,11 +56,11 @@ pub enum Message {
     OutOfRange,
     /// A walk does not come to its end: only a broken mesh does this.
     Endless,
-    /// What the program says itself.
+    /// The words of the program itself.
     Said(String),
     /// An assertion does not hold.
     Asserted {
-        /// What the program says.
+        /// The words of the program.
         said: String,
         /// The values that were compared, in words; perhaps nothing.
         values: String,
@@ -78,7 +78,7 @@ pub enum Message {
         op: String,
         /// The level.
         level: Level,
-        /// What is wrong with the mesh.
+        /// The fault of the mesh.
         why: String,
         /// The op applied last that may have made it so.
         after: Option<String>,
@@ -93,7 +93,8 @@ pub enum Message {
     Malformed,
 }
 
-/// Why an instruction could not be taken. Instructions tell it on every way, so it is small.
+/// The reason why an instruction could not be taken. Instructions tell it on every way, so it is
+/// small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
     Gone(ElementKind),

@@ -8,7 +8,7 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use super::Reg;
 use super::window::Window;
 
-/// What is computed component by component, or of all components of one or two values.
+/// Computations component by component, or of all components of one or two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lanes {
     Add,
@@ -29,7 +29,7 @@ pub enum Lanes {
     IsFinite,
 }
 
-/// What is computed of matrices.
+/// Computations of matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Matrix {
     /// The real on the left along the diagonal, zero elsewhere.

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::Reg;
 
-/// How many slots a register can name.
+/// The number of slots that a register can name.
 pub(super) const SLOTS: usize = 1 << 16;
 
 /// The slots from the base of a call on. What lies behind its own registers belongs to

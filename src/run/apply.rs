@@ -137,7 +137,7 @@ impl Application {
         self.wanted
     }
 
-    /// Why a mesh is not of its level, if it is not.
+    /// The reason why a mesh is not of its level, if it is not.
     pub(crate) fn expect_level(&self, mesh: &Mesh) -> Result<(), Diagnostic> {
         expect_level(self.plan(), mesh, self.place)
     }
@@ -237,7 +237,7 @@ impl Application {
     }
 }
 
-/// Why an operation refuses that notes no reason.
+/// The reason why an operation refuses that notes no reason.
 pub(crate) const UNKNOWN_REASON: &str = "the diagram does not match here";
 
 fn failure(diagnostic: Diagnostic) -> Box<Failure> {

@@ -27,7 +27,7 @@ pub(super) struct Lowering<'p> {
     pub(super) functions: Vec<usize>,
     /// The numbers of the places of assertions, in order.
     pub(super) assertions: Vec<u32>,
-    /// Why an operation in steps may refuse by itself.
+    /// The reason why an operation in steps may refuse by itself.
     pub(super) refusals: Vec<Refusal>,
     /// The label to jump to where it does.
     refuses: Label,

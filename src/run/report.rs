@@ -28,7 +28,7 @@ pub struct OpReport {
 /// A script that did not come to its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// Why and where; the calls that led there are labels.
+    /// The reason and the place; the calls that led there are labels.
     pub diagnostic: Diagnostic,
     /// The report up to there.
     pub report: Report,

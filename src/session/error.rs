@@ -13,7 +13,7 @@ const MOST: usize = 50;
 /// No place in any text.
 pub(super) const NOWHERE: Span = Span { file: FileId(u32::MAX), start: 0, end: 0 };
 
-/// Why a program cannot be used, or a call was not carried out.
+/// The reason why a program cannot be used, or a call was not carried out.
 ///
 /// Shown as text it is what the command line prints, with the places in the program. It is no
 /// refusal: that is an answer.

@@ -121,8 +121,8 @@ impl Op {
         self.application().map_or(Level::Map, |application| application.plan().level)
     }
 
-    /// Why it may refuse. The place is the number of the reason; different numbers may have the
-    /// same text, where different tests fail.
+    /// The reasons why it may refuse. The place is the number of the reason; different numbers may
+    /// have the same text, where different tests fail.
     pub fn reasons(&self) -> &[Arc<str>] {
         self.program.0.reasons[self.index].get_or_init(|| {
             let plan = self.application().map(Application::plan);

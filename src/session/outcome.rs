@@ -28,7 +28,7 @@ impl Outcome {
         }
     }
 
-    /// Why it refused.
+    /// The reason why it refused.
     pub fn reason(&self) -> Option<&Reason> {
         match self {
             Self::Applied(_) => None,
@@ -37,7 +37,7 @@ impl Outcome {
     }
 }
 
-/// Why an operation refuses: one of [`Op::reasons`](super::Op::reasons).
+/// The reason why an operation refuses: one of [`Op::reasons`](super::Op::reasons).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reason {
     /// Its number among them.

@@ -7,6 +7,8 @@ use strsim::damerau_levenshtein;
 
 use super::item::ApplicationOrError;
 use super::{Error, Function, Op, Script};
+#[cfg(feature = "play")]
+use crate::analysis::Counterexample;
 use crate::analysis::{Analysis, Disk, Nowhere, Reader, read_program};
 use crate::diagnostic::Diagnostic;
 use crate::library;
@@ -106,12 +108,30 @@ impl Program {
         Self::analysed(sources, file, reader)
     }
 
+    /// The same as [`parse_with`](Self::parse_with), and the meshes that its operations break.
+    #[cfg(feature = "play")]
+    pub(crate) fn examined(
+        name: &str,
+        text: &str,
+        reader: &mut dyn Reader,
+    ) -> (Result<Self, Error>, Vec<Counterexample>) {
+        let mut sources = Sources::new();
+        let file = sources.add(name, text);
+        let mut analysis = Analysis::with(&mut sources, file, reader);
+        let counterexamples = std::mem::take(&mut analysis.counterexamples);
+        (Self::of(analysis, sources), counterexamples)
+    }
+
     fn analysed(
         mut sources: Sources,
         file: FileId,
         reader: &mut dyn Reader,
     ) -> Result<Self, Error> {
         let analysis = Analysis::with(&mut sources, file, reader);
+        Self::of(analysis, sources)
+    }
+
+    fn of(analysis: Analysis, sources: Sources) -> Result<Self, Error> {
         let sources = Arc::new(sources);
         if !analysis.is_sound() {
             return Err(Error::new(analysis.diagnostics, &sources));

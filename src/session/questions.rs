@@ -63,7 +63,7 @@ impl Session {
         Ok(self.ask(op, arguments)?.is_none())
     }
 
-    /// Why an operation would refuse, if it would.
+    /// The reason why an operation would refuse, if it would.
     ///
     /// # Errors
     /// As of [`apply`](Self::apply).

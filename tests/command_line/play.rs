@@ -87,9 +87,18 @@ fn the_page_is_served_to_its_owner_only() {
     ] {
         assert_eq!(served.ask(&request, &headers, b"").0, 403, "{request} {headers:?}");
     }
-    let (status, body) = served.ask(&format!("POST /{token}/start"), &[], b"");
-    assert_eq!(status, 200);
-    assert!(String::from_utf8_lossy(&body).contains("op flip"));
+    let post = |path: &str, body: &[u8]| {
+        let (status, body) = served.ask(&format!("POST /{token}/{path}"), &[], body);
+        assert_eq!(status, 200, "{path}");
+        String::from_utf8_lossy(&body).into_owned()
+    };
+    let started = post("start", b"");
+    assert!(started.contains("\"program\":\"mine.hedge\""), "{started}");
+    assert!(
+        started.contains("\"mesh\":\"square.obj\"") && started.contains("file:///"),
+        "{started}"
+    );
+    assert!(post("open", br#"{"name":"mine.hedge"}"#).contains("op flip"));
     let question = br#"{"ask":"shape","name":"cube"}"#;
     let mut message = (question.len() as u32).to_le_bytes().to_vec();
     message.extend(question);
@@ -100,9 +109,66 @@ fn the_page_is_served_to_its_owner_only() {
         assert_eq!(served.ask(&format!("POST /{token}/ask"), &[], broken).0, 400);
         assert_eq!(served.ask(&format!("POST /{token}/lsp"), &[], broken).0, 400);
     }
-    let (status, _) = served.ask(&format!("POST /{token}/save"), &[], b"// mine\n");
-    assert_eq!(status, 200);
-    assert_eq!(bench.read("mine.hedge"), "// mine\n");
+}
+
+#[test]
+fn programs_of_the_folder_are_listed_opened_and_saved_and_no_others() {
+    let bench = Bench::with_square();
+    let folder = bench.path("inside");
+    std::fs::create_dir(&folder).unwrap();
+    bench.write("outside.hedge", "// not yours\n");
+    bench.write("inside/main.hedge", "use \"part.hedge\"\nscript none() { lift() }\n");
+    bench.write("inside/part.hedge", "script lift() { }\n");
+    bench.write("inside/notes.txt", "no mesh\n");
+    bench.write("inside/tri.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let Some(served) = Served::start(&bench, &["inside", "square.obj"]) else {
+        return;
+    };
+    let post = |path: &str, body: &str| {
+        let request = format!("POST /{}/{path}", served.token);
+        let (status, body) = served.ask(&request, &[], body.as_bytes());
+        assert_eq!(status, 200, "{path}");
+        String::from_utf8_lossy(&body).into_owned()
+    };
+    let files = post("files", "");
+    assert!(files.contains("\"programs\":[\"main.hedge\",\"part.hedge\"]"), "{files}");
+    assert!(files.contains("tri.obj") && files.contains("square.obj"), "{files}");
+    assert!(!files.contains("notes.txt") && !files.contains("outside"), "{files}");
+    for name in ["../outside.hedge", "notes.txt", "nowhere.hedge"] {
+        let said = post("open", &format!("{{\"name\":\"{name}\"}}"));
+        assert!(said.contains("\"error\"") && !said.contains("not yours"), "{name}: {said}");
+    }
+    let outside = bench.path("outside.hedge").display().to_string();
+    assert!(post("open", &format!("{{\"name\":{outside:?}}}")).contains("\"error\""));
+    let ask = |json: &str| {
+        let mut message = (json.len() as u32).to_le_bytes().to_vec();
+        message.extend(json.as_bytes());
+        post("ask", &String::from_utf8(message).unwrap())
+    };
+    // What a program uses is found beside it, and a mesh without its bytes in the folder.
+    let name = bench.path("inside/main.hedge").display().to_string();
+    let text = bench.read("inside/main.hedge");
+    let program = ask(&format!("{{\"ask\":\"program\",\"name\":{name:?},\"text\":{text:?}}}"));
+    assert!(program.contains("\"sound\":true") && program.contains("\"lift\""), "{program}");
+    let mesh = ask(r#"{"ask":"mesh","name":"tri.obj","of_host":true}"#);
+    assert!(mesh.contains("\"faces\":1"), "{mesh}");
+    assert!(ask(r#"{"ask":"mesh","name":"notes.txt","of_host":true}"#).contains("error"));
+    // Nothing that somebody else has written is overwritten.
+    let save = |name: &str, was: &str, text: &str| {
+        post("save", &format!("{{\"name\":\"{name}\",\"was\":{was},\"text\":\"{text}\"}}"))
+    };
+    assert!(save("part.hedge", "\"script lift() { }\\n\"", "// mine").contains("saved"));
+    assert_eq!(bench.read("inside/part.hedge"), "// mine");
+    assert!(
+        save("part.hedge", "\"script lift() { }\\n\"", "// again").contains("changed elsewhere")
+    );
+    assert!(save("part.hedge", "null", "// again").contains("is there already"));
+    assert!(save("new.hedge", "null", "// new").contains("saved"));
+    assert_eq!(bench.read("inside/new.hedge"), "// new");
+    for name in ["../new.hedge", "new.txt", ".hedge", "", "sub/new.hedge"] {
+        assert!(save(name, "null", "// no").contains("\"error\""), "{name}");
+    }
+    assert_eq!(bench.read("inside/part.hedge"), "// mine");
 }
 
 #[test]

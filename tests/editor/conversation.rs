@@ -312,3 +312,34 @@ fn a_hover_draws_where_the_client_does_and_it_fits() {
     }
     assert!(drawn >= 5, "only {drawn} pictures are small enough");
 }
+
+#[test]
+fn files_that_the_server_cannot_read_are_given_to_it() {
+    let mut client = Client::able("utf-16");
+    for folder in ["file:///work/", "vscode-vfs://github/somebody/meshes/"] {
+        let uri = |name: &str| format!("{folder}{name}");
+        let errors = |client: &mut Client| {
+            client.settle(None);
+            let mut told = client.told.iter().rev();
+            let last = told.find(|notice| {
+                notice.method == "textDocument/publishDiagnostics"
+                    && notice.params["uri"] == uri("main.hedge")
+            });
+            last.map(|notice| notice.params["diagnostics"].as_array().map_or(0, Vec::len))
+        };
+        let give = |client: &mut Client, text: Value| {
+            let files = json!([{ "uri": uri("part.hedge"), "text": text }]);
+            client.notify("hedgerow/files", json!({ "files": files }));
+        };
+        client.open_as(&uri("main.hedge"), "use \"part.hedge\"\nscript go() { part() }\n");
+        assert!(errors(&mut client).is_some_and(|many| many > 0), "{folder}");
+        give(&mut client, json!("script part() { }\n"));
+        assert_eq!(errors(&mut client), Some(0), "{folder}");
+        let place = json!({ "line": 1, "character": 15 });
+        let params = json!({ "textDocument": { "uri": uri("main.hedge") }, "position": place });
+        let found = client.request("textDocument/definition", params).unwrap();
+        assert!(found.to_string().contains(&uri("part.hedge")), "{found}");
+        give(&mut client, Value::Null);
+        assert!(errors(&mut client).is_some_and(|many| many > 0), "{folder}");
+    }
+}

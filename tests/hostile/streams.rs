@@ -153,6 +153,7 @@ fn a_client_may_say_anything() {
             json!({ "settings": { "hover": { "picture": "svg" } } }),
         ),
         told("hedgerow/cursor", json!({ "textDocument": document, "position": place })),
+        told("hedgerow/files", json!({ "files": [{ "uri": uri, "text": text }, { "uri": uri }] })),
         json!({ "jsonrpc": "2.0", "id": "hedgerow-1", "result": [null] }),
     ]);
     let hello = json!({ "jsonrpc": "2.0", "id": 1, "method": "initialize", "params": { "capabilities": {} } });

@@ -55,7 +55,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "analysis",
         ],
     ),
-    ("lessons", &["mesh", "analysis", "session"]),
+    ("lessons", &["mesh", "rewrite", "analysis", "session"]),
     (
         "play",
         &[

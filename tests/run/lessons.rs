@@ -1,5 +1,7 @@
 //! Lessons: each has a gap, and is solved by its own program only.
 
+use std::collections::BTreeSet;
+
 use hedgerow::lessons::{all, judge, lesson};
 
 #[test]
@@ -17,6 +19,47 @@ fn lessons_are_solved_by_their_own_program_and_not_by_the_one_given() {
 }
 
 #[test]
+fn seventeen_common_mistakes_are_rejected_each_with_its_own_message() {
+    let mut messages = BTreeSet::new();
+    let mut titles = BTreeSet::new();
+    for lesson in all() {
+        assert!(!lesson.mistakes.is_empty(), "{} is about no mistake", lesson.name);
+        for mistake in &lesson.mistakes {
+            let rejected = judge(&lesson, &mistake.program).expect_err(mistake.title);
+            assert_eq!(rejected.mistake.as_ref(), Some(mistake), "{}", rejected.why);
+            assert!(rejected.to_string().contains(mistake.text), "{rejected}");
+            assert!(messages.insert(rejected.why), "{} has the message of another", mistake.title);
+            titles.insert(mistake.title);
+        }
+    }
+    assert_eq!(titles.len(), 17);
+    assert_eq!(messages.len(), 17);
+}
+
+#[test]
+fn a_mistake_is_known_in_other_words_and_others_are_not_taken_for_it() {
+    let flip = lesson("5").expect("there is one");
+    let unguarded = flip.solution().replace("guard simple", "require true else \"no\"");
+    let rejected = judge(&flip, &unguarded).unwrap_err();
+    let title = "An edge is flipped although the other diagonal is there";
+    assert_eq!(rejected.mistake.map(|mistake| mistake.title), Some(title));
+    let refusing = flip.solution().replace("guard simple", "require false else \"no\"");
+    assert_eq!(judge(&flip, &refusing).unwrap_err().mistake, None);
+    assert_eq!(judge(&flip, "op flip(").unwrap_err().mistake, None);
+}
+
+#[test]
+fn what_comes_to_no_end_is_no_solution() {
+    let script = lesson("11").expect("there is one");
+    let text = script.solution().replace(
+        "script refine(longest: real = 0.3) {",
+        "script refine(longest: real = 0.3) { while true { }",
+    );
+    let said = judge(&script, &text).unwrap_err().why;
+    assert!(said.contains("on a tetrahedron"), "{said}");
+}
+
+#[test]
 fn lessons_are_found_by_name_and_number() {
     assert_eq!(lesson("3"), lesson("03_flip"));
     assert_eq!(lesson("03").map(|lesson| lesson.title), Some("The flip"));
@@ -28,12 +71,12 @@ fn lessons_are_found_by_name_and_number() {
 fn what_does_something_else_is_told_with_a_place() {
     let flip = lesson("5").expect("there is one");
     let all_refused = flip.solution().replace("guard simple", "require false else \"no\"");
-    let said = judge(&flip, &all_refused).unwrap_err();
+    let said = judge(&flip, &all_refused).unwrap_err().why;
     assert!(said.contains("at edge 0") && said.contains("should apply"), "{said}");
     let other_name = flip.solution().replace("op flip", "op flop");
-    assert!(judge(&flip, &other_name).unwrap_err().contains("flip"));
+    assert!(judge(&flip, &other_name).unwrap_err().why.contains("flip"));
     let moved = lesson("6").expect("there is one");
     let text = moved.solution().replace("m.position = centroid(f)", "m.position = vec3(0, 9, 0)");
-    let said = judge(&moved, &text).unwrap_err();
+    let said = judge(&moved, &text).unwrap_err().why;
     assert!(said.contains("the mesh should be another one"), "{said}");
 }

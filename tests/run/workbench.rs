@@ -88,9 +88,10 @@ fn an_operation_is_asked_applied_and_undone() {
     assert_eq!(names["names"].as_array().map(Vec::len), Some(13));
     let before = ask_with(&mut workbench, json!({ "ask": "view" }), &[]);
     let applied = ask(&mut workbench, json!({ "ask": "apply", "op": "flip", "element": at }));
-    assert_eq!(applied["past"], json!([2, 0]));
+    // The mesh that nobody chose is none to go back to.
+    assert_eq!(applied["past"], json!([1, 0]));
     let refused = ask(&mut workbench, json!({ "ask": "apply", "op": "flip", "element": at }));
-    assert!(refused["refused"].is_string() || refused["past"] == json!([3, 0]), "{refused}");
+    assert!(refused["refused"].is_string() || refused["past"] == json!([2, 0]), "{refused}");
     ask(&mut workbench, json!({ "ask": "undo" }));
     if refused["refused"].is_null() {
         ask(&mut workbench, json!({ "ask": "undo" }));
@@ -200,6 +201,31 @@ fn code_counterexamples_and_files() {
     let question = json!({ "ask": "mesh", "name": "b.obj", "repair": true });
     let mended = ask_with(&mut workbench, question, bow);
     assert_eq!(mended.json["repaired"], json!(["split off 1 vertex"]));
+}
+
+#[test]
+fn what_breaks_a_mesh_is_shown_as_pointers() {
+    let mut workbench = with_program();
+    let broken = PROGRAM.replace("-h-> v1 -b-> v2", "-h-> v2");
+    let told = ask(&mut workbench, json!({ "ask": "program", "name": "a.hedge", "text": broken }));
+    assert_eq!((&told["sound"], &told["breaks"]), (&json!(false), &json!(1)), "{told}");
+    let found = ask(&mut workbench, json!({ "ask": "counterexamples" }));
+    let example = &found["examples"][0];
+    let pointers = example["broken"].as_array().expect("there are pointers");
+    assert!(!pointers.is_empty(), "{example}");
+    for pointer in pointers {
+        let said = pointer["pointer"].as_str().expect("it has a name");
+        assert!(example["verdict"].as_str().is_some_and(|it| it.contains(said)), "{example}");
+        assert!(pointer["from"]["at"].is_array() && pointer["to"]["at"].is_array());
+    }
+    // As it was before while it is broken; nothing of another program.
+    let program = |text: &str, name: &str| json!({ "ask": "program", "name": name, "text": text });
+    assert_eq!(ask(&mut workbench, program(PROGRAM, "a.hedge"))["ops"][0]["name"], "flip");
+    assert_eq!(ask(&mut workbench, program("op", "a.hedge"))["ops"][0]["name"], "flip");
+    assert_eq!(ask(&mut workbench, program("op", "b.hedge"))["ops"], json!([]));
+    assert_eq!(ask(&mut workbench, program(PROGRAM, "b.hedge"))["breaks"], 0);
+    let absent = ask(&mut workbench, json!({ "ask": "mesh", "name": "a.obj", "of_host": true }));
+    assert!(absent["error"].as_str().is_some_and(|it| it.contains("no files")), "{absent}");
 }
 
 #[test]

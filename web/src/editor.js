@@ -1,11 +1,11 @@
-// The editor: CodeMirror with the language server.
+// The editor: CodeMirror with the language server, which knows all open files.
 
 import { autocompletion } from '@codemirror/autocomplete'
 import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands'
 import { bracketMatching, foldGutter, indentUnit } from '@codemirror/language'
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint'
 import {
-  LSPClient, LSPPlugin, findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap,
+  LSPClient, findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap,
   renameKeymap, serverCompletion, signatureHelp,
 } from '@codemirror/lsp-client'
 import { highlightSelectionMatches, searchKeymap } from '@codemirror/search'
@@ -14,9 +14,8 @@ import {
   Decoration, EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap,
   lineNumbers,
 } from '@codemirror/view'
-
-/** The document has this address whatever it is called: there is one at a time. */
-const FOLDER = 'hedgerow:/page/'
+import { inline } from './dom.js'
+import { Files } from './workspace.js'
 
 const SEVERITIES = ['error', 'error', 'warning', 'info', 'hint']
 
@@ -36,21 +35,21 @@ export class Editor {
   #timer
   #events
   view
-  name = ''
 
   /**
-   * `events.changed(text)` is called a moment after typing, `events.cursor(offset)` when the cursor
-   * has moved, `events.diagnostics(list)` when the server has said what is wrong.
+   * `events.changed()` is called a moment after typing, `events.cursor()` when the cursor has moved,
+   * `events.diagnostics(list)` when the server has said what is wrong, `events.files()` when other
+   * files are open.
    */
   constructor(parent, transport, events) {
     this.#events = events
-    const publish = (client, { uri, diagnostics, version }) => {
-      this.#show(uri, diagnostics, version)
+    const publish = (client, { uri, diagnostics }) => {
+      this.#show(uri, diagnostics)
       return true
     }
     this.#client = new LSPClient({
       timeout: 20000,
-      rootUri: FOLDER,
+      workspace: client => new Files(client),
       notificationHandlers: { 'textDocument/publishDiagnostics': publish },
       extensions: [
         { clientCapabilities: CAPABILITIES },
@@ -59,42 +58,86 @@ export class Editor {
           ...formatKeymap, ...renameKeymap, ...jumpToDefinitionKeymap, ...findReferencesKeymap,
         ]),
       ],
-    }).connect(transport)
+    })
     this.view = new EditorView({ parent })
+    this.files.view = this.view
+    this.files.onShown = file => this.show(file)
+    this.#client.connect(transport)
   }
 
-  /** Shows a program. */
-  open(name, text) {
-    this.name = name
-    this.view.setState(EditorState.create({
+  /** The open files. */
+  get files() {
+    return this.#client.workspace
+  }
+
+  get name() {
+    return this.files.shown?.name ?? ''
+  }
+
+  /** Opens a program of a sort, see `OpenFile`, and shows it, in the place of one that gives way. */
+  open(name, text, sort = {}) {
+    const { shown } = this.files
+    if (shown?.isPassing && !shown.isChanged) this.files.remove(shown.name)
+    const file = this.files.add(name, this.#state(name, text), sort)
+    this.show(file)
+    // The first operation, or the first script, is what one wants to see.
+    const first = /^(op|script|fn) +\w/m.exec(text)
+    const at = first ? first.index + first[0].length - 1 : 0
+    const effects = EditorView.scrollIntoView(at, { y: 'start', yMargin: 70 })
+    this.view.dispatch({ selection: { anchor: at }, effects })
+  }
+
+  #state(name, text) {
+    return EditorState.create({
       doc: text,
       extensions: [
         lineNumbers(), foldGutter(), highlightActiveLineGutter(), highlightActiveLine(), history(),
         drawSelection(), bracketMatching(), highlightSelectionMatches(), lintGutter(),
         autocompletion(), indentUnit.of('  '), colours,
-        EditorView.contentAttributes.of({ 'aria-label': `program ${name}` }),
+        EditorView.contentAttributes.of({ 'aria-label': `program ${name}`, tabindex: '0' }),
         keymap.of([
           ...lintKeymap, ...searchKeymap, ...historyKeymap, ...defaultKeymap, indentWithTab,
         ]),
-        this.#client.plugin(FOLDER + name, 'hedgerow'),
+        this.#client.plugin(this.files.uri(name), 'hedgerow'),
         EditorView.updateListener.of(update => {
           if (update.docChanged) this.#later()
-          if (update.docChanged || update.selectionSet) this.#events.cursor(this.offset)
+          if (update.docChanged || update.selectionSet) this.#events.cursor()
         }),
       ],
-    }))
-    // The first operation, or the first script, is what one wants to see.
-    const first = /^(op|script|fn) +\w/m.exec(text)
-    const at = first ? first.index + first[0].length - 1 : 0
-    const effects = EditorView.scrollIntoView(at, { y: 'center' })
-    this.view.dispatch({ selection: { anchor: at }, effects })
+    })
+  }
+
+  /** Shows an open file. */
+  show(file) {
+    this.files.show(file)
     this.#paint()
-    this.#events.changed(text)
-    this.#events.cursor(at)
+    this.#events.files()
+    this.#events.diagnostics([])
+    this.#events.changed()
+    this.#events.cursor()
+    // What the server has said of it is said again.
+    if (file.told) this.#show(file.uri, file.told)
+  }
+
+  close(name) {
+    const at = this.files.files.findIndex(file => file.name === name)
+    const isShown = this.files.shown?.name === name
+    this.files.remove(name)
+    const { files } = this.files
+    if (isShown && files.length) this.show(files[Math.min(at, files.length - 1)])
+    else this.#events.files()
   }
 
   get text() {
     return this.view.state.doc.toString()
+  }
+
+  /** Goes to a place of the text. */
+  go(offset) {
+    this.view.dispatch({
+      selection: { anchor: Math.min(offset, this.view.state.doc.length) }, scrollIntoView: true,
+    })
+    this.view.focus()
   }
 
   get offset() {
@@ -106,7 +149,7 @@ export class Editor {
     this.#timer = setTimeout(() => {
       this.#client.sync()
       this.#paint()
-      this.#events.changed(this.text)
+      this.#events.changed()
     }, 120)
   }
 
@@ -114,7 +157,7 @@ export class Editor {
   async request(method, params = {}) {
     await this.#client.initializing
     this.#client.sync()
-    const textDocument = { uri: FOLDER + this.name }
+    const textDocument = { uri: this.files.shown?.uri }
     return this.#client.request(method, { textDocument, ...params })
   }
 
@@ -140,8 +183,11 @@ export class Editor {
     return this.request('textDocument/documentSymbol')
   }
 
-  async #show(uri, diagnostics, version) {
-    if (uri !== FOLDER + this.name) return
+  async #show(uri, diagnostics) {
+    const file = this.files.getFile(uri)
+    if (!file) return
+    file.told = diagnostics
+    if (file !== this.files.shown) return
     const doc = this.view.state.doc
     const shown = await Promise.all(diagnostics.slice(0, 40).map(async diagnostic => {
       const { range, severity, message, code } = diagnostic
@@ -149,7 +195,7 @@ export class Editor {
       const actions = await this.#fixes(diagnostic).catch(() => [])
       return {
         from, to: Math.max(from, this.#place(range.end)), severity: SEVERITIES[severity ?? 1],
-        source: code, message, actions,
+        source: code, message, actions, renderMessage: () => inline(message),
       }
     }))
     // What was said of an older text is told anew soon.
@@ -164,7 +210,7 @@ export class Editor {
       range: diagnostic.range, context,
     })
     return (actions ?? []).filter(action => action.edit).slice(0, 3).map(action => ({
-      name: action.title,
+      name: action.title.replaceAll('`', ''),
       apply: () => this.#apply(action.edit),
     }))
   }

@@ -27,6 +27,7 @@ export function unpack(all) {
 /** The engine in this browser: two workers with an instance each, so that a long run can be stopped. */
 export class WasmEngine {
   #module
+  #worker
   #server
   #runner
   #handlers = new Set()
@@ -37,20 +38,23 @@ export class WasmEngine {
   /** Called when a run was stopped and the workbench is an empty one again. */
   onRestart = async () => {}
 
-  constructor(module) {
+  /** `worker` starts a worker; without a server there is a workbench only. */
+  constructor(module, worker, hasServer = true) {
     this.#module = module
-    this.#server = this.#start(message => {
+    this.#worker = worker
+    this.#server = hasServer && this.#start(message => {
       for (const text of message.lsp) this.#handlers.forEach(handler => handler(text))
     })
     this.#runner = this.#start(message => this.#answered(message))
   }
 
   static async load(url) {
-    return new WasmEngine(await WebAssembly.compileStreaming(fetch(url)))
+    const worker = () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' })
+    return new WasmEngine(await WebAssembly.compileStreaming(fetch(url)), worker)
   }
 
   #start(heard) {
-    const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' })
+    const worker = this.#worker()
     worker.onmessage = event => heard(event.data)
     worker.postMessage({ module: this.#module })
     return worker
@@ -139,13 +143,23 @@ export class LocalEngine {
     await this.#post('stop', '')
   }
 
-  /** The program and the mesh that `hedgerow play` was started with. */
+  /** The folder, the program and the mesh that `hedgerow play` was started with. */
   async start() {
     return unpack(await this.#post('start', ''))
   }
 
-  /** Writes the program to the file that it came from. */
-  async save(text) {
-    return unpack(await this.#post('save', text))
+  /** The programs and meshes of the folder. */
+  async files() {
+    return unpack(await this.#post('files', ''))
+  }
+
+  /** A program of the folder. */
+  async open(name) {
+    return unpack(await this.#post('open', JSON.stringify({ name })))
+  }
+
+  /** Writes a program to the folder, where it still says `was`; null where it is new there. */
+  async save(name, was, text) {
+    return unpack(await this.#post('save', JSON.stringify({ name, was, text })))
   }
 }

@@ -1,18 +1,19 @@
 // The tutorial: a text, a program with a gap, and whether it is filled.
 
 import { marked } from 'marked'
-import { find, make } from './dom.js'
+import { find, inline, make } from './dom.js'
 
 const KEY = 'hedgerow-lessons'
 
 export class Lessons {
   list = []
   current = null
+  #texts = new Map()
   #engine
   #editor
   #open
 
-  /** `open(lesson, text)` shows a lesson's program and mesh. */
+  /** `open(lesson, program)` shows a program, and the mesh of the lesson. */
   constructor(engine, editor, open) {
     this.#engine = engine
     this.#editor = editor
@@ -21,6 +22,7 @@ export class Lessons {
     find('lesson-next').addEventListener('click', () => this.#step(1))
     find('lesson-back').addEventListener('click', () => this.#step(-1))
     find('lesson-close').addEventListener('click', () => this.close())
+    find('lesson-again').addEventListener('click', () => this.#open(this.current, this.current.program))
   }
 
   async load() {
@@ -36,24 +38,64 @@ export class Lessons {
     }
   }
 
+  /** The first lesson that is not solved. */
+  get next() {
+    const { solved } = this
+    return (this.list.find(lesson => !solved.has(lesson.name)) ?? this.list[0]).name
+  }
+
   start(name) {
     const lesson = this.list.find(lesson => lesson.name === name)
     if (!lesson) return
+    this.#keep()
     this.current = lesson
     const number = this.list.indexOf(lesson) + 1
-    find('lesson').hidden = false
+    this.#toggle(true)
     find('lesson-title').textContent = `${number} of ${this.list.length}: ${lesson.title}`
     find('lesson-text').innerHTML = marked.parse(lesson.text)
     find('lesson-verdict').replaceChildren()
     find('lesson-back').disabled = number === 1
     find('lesson-next').disabled = number === this.list.length
-    this.#open(lesson)
-    find('lesson-text').scrollTop = 0
+    find('lesson-next').classList.remove('primary')
+    this.#tellSolved()
+    const [summary, list] = find('mistakes').children
+    const { mistakes } = lesson
+    find('mistakes').open = false
+    summary.textContent = mistakes.length === 1 ? 'A common mistake' : `${mistakes.length} common mistakes`
+    list.replaceChildren(...mistakes.map(({ title, text, program }) => {
+      const attempt = make('button', { type: 'button' }, 'Try it')
+      attempt.setAttribute('aria-label', `try the mistake: ${title}`)
+      attempt.addEventListener('click', () => this.#open(lesson, program))
+      return make('section', {}, make('h3', {}, inline(title)), make('p', {}, inline(text)), attempt)
+    }))
+    this.#open(lesson, this.#texts.get(name) ?? lesson.program)
+    find('lesson').scrollTop = 0
   }
 
+  /** What has been written in a lesson is there when somebody comes back. */
+  #keep() {
+    if (this.current && this.#editor.name === `lesson_${this.current.name}.hedge`) {
+      this.#texts.set(this.current.name, this.#editor.text)
+    }
+  }
+
+  #tellSolved() {
+    find('lesson-solved').textContent = this.solved.has(this.current.name) ? '✓ solved' : ''
+    this.onSolved()
+  }
+
+  /** Called when lessons may have been solved. */
+  onSolved = () => {}
+
   close() {
+    this.#keep()
     this.current = null
-    find('lesson').hidden = true
+    this.#toggle(false)
+  }
+
+  #toggle(isOpen) {
+    find('lesson').hidden = !isOpen
+    find('lesson').parentElement.classList.toggle('teaching', isOpen)
   }
 
   #step(by) {
@@ -73,12 +115,17 @@ export class Lessons {
         localStorage.setItem(KEY, JSON.stringify([...solved]))
       } catch { /* Nothing is kept where the browser keeps nothing. */ }
       const rest = this.list.length - solved.size
-      const more = rest ? `${rest} to go.` : 'That was the last one.'
+      const more = rest > 0 ? `${rest} to go.` : 'That was the last one.'
       verdict.replaceChildren(make('p', { className: 'proved' }, `Solved. ${more}`))
+      find('lesson-next').classList.add('primary')
+      this.#tellSolved()
     } else {
       const [first, ...lines] = json.said.trim().split('\n')
-      verdict.replaceChildren(make('p', { className: 'rejected' }, first),
-        ...(lines.length ? [make('pre', { tabIndex: 0 }, lines.join('\n'))] : []))
+      const known = json.mistake ? [make('p', {}, 'A common mistake: ', inline(json.mistake))] : []
+      verdict.replaceChildren(...known,
+        make('p', { className: 'rejected' }, inline(first.replace(/^error\[[\w-]+\]: /, ''))),
+        ...(lines.length ? [make('details', {}, make('summary', {}, 'All of it'),
+          make('pre', { tabIndex: 0 }, lines.join('\n')))] : []))
     }
   }
 }

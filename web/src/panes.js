@@ -1,7 +1,7 @@
 // What stands below the program: its diagram, its plan, code in other languages, and the meshes that
 // it breaks.
 
-import { find, make } from './dom.js'
+import { count, find, inline, make, picture, verdict } from './dom.js'
 
 const PHASES = {
   collect: '1. Collect', allocate: '2. Allocate', reassign: '3. Reassign', erase: '4. Erase',
@@ -9,24 +9,25 @@ const PHASES = {
 
 export class Panes {
   shown = 'diagram'
+  /** Called with a counterexample, and the arrays of its mesh. */
+  onCounterexample = () => {}
   #editor
   #engine
-  #scene
-  #op = null
-  #busy = 0
+  #turn = 0
 
-  constructor(editor, engine, scene) {
-    Object.assign(this, { onCounterexample: () => {} })
+  constructor(editor, engine) {
     this.#editor = editor
     this.#engine = engine
-    this.#scene = scene
     const tabs = [...document.querySelectorAll('[role=tab]')]
     for (const tab of tabs) {
       tab.addEventListener('click', () => this.choose(tab.dataset.pane))
       tab.addEventListener('keydown', event => {
-        const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key]
-        if (!by) return
-        const next = tabs[(tabs.indexOf(tab) + by + tabs.length) % tabs.length]
+        const at = {
+          ArrowRight: tabs.indexOf(tab) + 1, ArrowLeft: tabs.indexOf(tab) - 1, Home: 0, End: -1,
+        }[event.key]
+        if (at === undefined) return
+        event.preventDefault()
+        const next = tabs.at(at % tabs.length)
         next.focus()
         next.click()
       })
@@ -40,7 +41,16 @@ export class Panes {
       tab.setAttribute('aria-selected', chosen)
       tab.tabIndex = chosen ? 0 : -1
     }
+    find('pane').scrollTop = 0
     return this.refresh()
+  }
+
+  /** The program breaks so many meshes. */
+  breaks(many) {
+    find('breaks').hidden = !many
+    find('breaks').textContent = many
+    find('breaks').title = `${count(many, 'mesh', 'meshes')} that the program breaks`
+    if (this.shown === 'counterexample') this.refresh()
   }
 
   /** The picture that is shown, as a file. */
@@ -50,9 +60,9 @@ export class Panes {
 
   /** Shows what belongs to the cursor. */
   async refresh() {
-    const turn = ++this.#busy
+    const turn = ++this.#turn
     const content = await this.#content().catch(error => note(String(error.message ?? error)))
-    if (turn !== this.#busy || !content) return
+    if (turn !== this.#turn || !content) return
     const pane = find('pane')
     pane.setAttribute('aria-labelledby', `tab-${this.shown}`)
     pane.replaceChildren(...[content].flat())
@@ -61,59 +71,45 @@ export class Panes {
   async #content() {
     if (this.shown === 'counterexample') return this.#counterexamples()
     const diagram = await this.#editor.diagram()
-    this.#op = diagram?.name ?? null
-    find('verdict').textContent = ''
     if (!diagram) {
       return note('Put the cursor into an operation: its diagram, plan and code show here.')
     }
     if (this.shown === 'diagram') {
-      const picture = svg(diagram.svg)
-      const verdict = make('p', { className: diagram.proved ? 'proved' : 'rejected' })
-      verdict.textContent = plain(diagram.verdict)
-      return [picture, verdict]
+      const old = diagram.isCurrent ? [] : [note('The text cannot be read; this is as it was before.')]
+      const title = `diagram of ${diagram.name}, before and after`
+      return [picture(diagram.svg, title), ...old, verdict(diagram)]
     }
     if (!diagram.proved) return note('Only an operation that is proved has a plan and code.')
     const language = this.shown
     const { json } = await this.#engine.ask({ ask: 'code', op: diagram.name, language })
     if (json.error) return note(json.error)
     if (language === 'plan') return json.rules.map(plan)
-    return make('pre', { className: 'code', tabIndex: 0 }, json.text)
+    return make('pre', { className: 'code' }, json.text)
   }
 
   async #counterexamples() {
     const { json, bytes } = await this.#engine.ask({ ask: 'counterexamples' })
     if (!json.examples.length) {
-      return note('No operation of this program is known to break a mesh.')
+      return note('No operation of this program is known to break a mesh. Where one does, the smallest '
+        + 'such mesh shows here, and in 3D.')
     }
     return json.examples.map(example => {
       const [from, length] = example.range
-      const show = make('button', { type: 'button' }, 'Show the mesh in 3D')
+      const show = make('button', { type: 'button', className: 'primary' }, 'Show it in 3D')
       show.addEventListener('click', () => {
         this.onCounterexample(example, bytes.slice(from, from + length))
       })
       const rule = example.rule ? `, rule ${example.rule}` : ''
       return make('section', { className: 'counterexample' },
         make('h3', {}, `${example.op}${rule}: ${example.code}`),
-        make('p', {}, example.verdict), show, svg(example.svg))
+        make('p', {}, 'On this mesh: ', inline(example.verdict), '.'), show,
+        picture(example.svg, `${example.op} on a mesh that it breaks, before and after`))
     })
   }
 }
 
-/** A picture of the server's own making. It is shown as an image, so nothing in it is run. */
-function svg(text) {
-  const holder = make('div', { className: 'picture' })
-  const parsed = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement
-  if (parsed.nodeName === 'svg') holder.append(document.importNode(parsed, true))
-  return holder
-}
-
 function note(text) {
   return make('p', { className: 'note' }, text)
-}
-
-/** Markdown without its marks. */
-function plain(markdown) {
-  return markdown.replace(/[`*\\]/g, '')
 }
 
 function plan({ op, rule, phases }) {
@@ -121,7 +117,7 @@ function plan({ op, rule, phases }) {
   const bodies = phases.filter(({ rows }) => rows.length).map(({ phase, rows }) => {
     const head = make('tr', {}, make('th', { colSpan: 2, scope: 'rowgroup' }, PHASES[phase]))
     const lines = rows.map(([target, value, executed]) => make('tr',
-      { className: executed ? '' : 'unchanged' },
+      { className: executed ? '' : 'unchanged', title: executed ? '' : 'is so already: not executed' },
       make('td', {}, target), make('td', {}, value === null ? '' : `= ${value}`)))
     return make('tbody', {}, head, ...lines)
   })

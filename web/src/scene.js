@@ -6,11 +6,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'
 import { CSS2DObject, CSS2DRenderer } from 'three/examples/jsm/renderers/CSS2DRenderer.js'
-
-/** The colours of S. van der Walt and N. Smith, "A better default colormap for Matplotlib", 2015. */
-const VIRIDIS = [
-  0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
-].map(colour => new THREE.Color(colour))
+import { clustered, disc, typicalLength, viridis } from './shapes.js'
 
 /** The colours of the diagrams. */
 const FATES = { kept: '#334155', reassigned: '#2563eb', new: '#15803d', erased: '#dc2626' }
@@ -20,6 +16,12 @@ const DARK_FATES = { kept: '#cbd5e1', reassigned: '#7cb0ff', new: '#5fd08a', era
 const QUICK = 60_000
 /** More marks than this are drawn thin. */
 const FAT = 30_000
+/** Edges that are shorter than this on the screen, in pixels, are not drawn: they would hide the faces. */
+const SHORTEST = 3
+/** A picture that takes longer than this while the mesh is turned, in milliseconds, is made coarser. */
+const SLOW = 45
+/** The triangles of a mesh that stands for a larger one while that is turned. */
+const COARSE = 12_000
 
 /** The arrays of an answer, by name. */
 export function arraysOf(json, bytes) {
@@ -38,8 +40,18 @@ export class Scene {
   onPoint = () => {}
   /** The kind of the elements that are pointed at. */
   kind = 'edge'
+  /** The values that colours stand for, from the least to the greatest. */
+  range = null
+  #turning = false
+  #isDrawn = false
+  #last = 0
+  #slow = 0
+  /** How much coarser the mesh is while it is turned. */
+  #level = 0
+  #withEdges = true
   #mesh = null
   #box = new THREE.Box3()
+  #framed = null
   #dirty = true
   #dark = matchMedia('(prefers-color-scheme: dark)')
 
@@ -53,6 +65,7 @@ export class Scene {
     const canvas = this.renderer.domElement
     canvas.tabIndex = 0
     canvas.setAttribute('role', 'img')
+    this.name = 'the mesh'
     this.scene = new THREE.Scene()
     this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 1000)
     this.camera.position.set(1.6, 1.3, 3)
@@ -60,6 +73,9 @@ export class Scene {
     this.scene.add(this.light, new THREE.HemisphereLight(0xffffff, 0x8899aa, 1.6))
     this.controls = new OrbitControls(this.camera, canvas)
     this.controls.addEventListener('change', () => this.#wake())
+    this.controls.addEventListener('start', () => this.#turn(true))
+    this.controls.addEventListener('end', () => this.#turn(false))
+    this.disc = disc()
     this.base = new THREE.Group()
     this.marks = new THREE.Group()
     this.names = new THREE.Group()
@@ -67,11 +83,24 @@ export class Scene {
     new ResizeObserver(() => this.#resize()).observe(parent)
     this.#dark.addEventListener('change', () => this.#mesh && this.show(this.#mesh))
     this.#listen(canvas)
-    const frame = () => {
+    const frame = now => {
       requestAnimationFrame(frame)
+      if (this.#turning && this.#isDrawn) this.#measure(now - this.#last)
+      this.#last = now
+      this.#isDrawn = this.#dirty
       if (this.#dirty) this.#draw()
     }
-    frame()
+    frame(0)
+  }
+
+  get #isDark() {
+    const scheme = getComputedStyle(this.parent).colorScheme
+    return scheme.includes('light') ? scheme.includes('dark') && this.#dark.matches : scheme === 'dark'
+  }
+
+  /** What the mesh is called where nobody sees it. */
+  set name(name) {
+    this.renderer.domElement.setAttribute('aria-label', name)
   }
 
   #wake() {
@@ -81,8 +110,55 @@ export class Scene {
   #draw() {
     this.#dirty = false
     this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.4, 1, 0.2))
+    if (this.lines) this.lines.visible = this.#withEdges && this.#edgeLength() > SHORTEST
     this.renderer.render(this.scene, this.camera)
     this.labels.render(this.scene, this.camera)
+  }
+
+  /** The length of a typical edge on the screen, in pixels. */
+  #edgeLength() {
+    const far = this.camera.position.distanceTo(this.controls.target)
+    const height = 2 * far * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2))
+    return (this.#mesh?.length ?? 0) * this.parent.clientHeight / height
+  }
+
+  /** Somebody begins to turn the mesh, or lets it go. */
+  #turn(isTurning) {
+    this.#turning = isTurning
+    this.#slow = 0
+    this.#coarsen()
+  }
+
+  /** Where pictures come too slowly while the mesh is turned, they are made coarser, step by step. */
+  #measure(time) {
+    if (time > SLOW) this.#slow += 1
+    if (this.#slow < 2 || this.#level === 3) return
+    this.#slow = 0
+    this.#level = Math.min(3, this.#level + (time > 4 * SLOW ? 2 : 1))
+    this.#coarsen()
+  }
+
+  /** First without edges, then with fewer triangles, at last with fewer pixels; whole at rest. */
+  #coarsen() {
+    const level = this.#turning ? this.#level : 0
+    this.#withEdges = level < 1
+    const isCoarse = level > 1 && this.#mesh?.arrays.faces.length > 2 * COARSE
+    if (isCoarse && !this.coarse) {
+      const geometry = clustered(this.#mesh.arrays.positions, this.#mesh.arrays.triangles, COARSE)
+      this.coarse = new THREE.Mesh(geometry, this.faces.material.clone())
+      this.coarse.material.vertexColors = false
+      this.coarse.material.color.set(this.#plain())
+      this.base.add(this.coarse)
+    }
+    if (this.coarse) this.coarse.visible = isCoarse
+    if (this.faces) this.faces.visible = !isCoarse
+    const ratio = Math.min(devicePixelRatio, 2) * (level > 2 ? 0.5 : 1)
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio)
+    this.#wake()
+  }
+
+  #plain() {
+    return this.#isDark ? 0x7fa3cf : 0xb2cdec
   }
 
   #resize() {
@@ -102,27 +178,37 @@ export class Scene {
   show(mesh) {
     this.#mesh = mesh
     clear(this.base)
+    this.coarse = null
+    this.#level = 0
+    this.range = null
     const { arrays, json } = mesh
-    const dark = this.#dark.matches
+    const dark = this.#isDark
     const positions = new THREE.BufferAttribute(arrays.positions, 3)
     const surface = new THREE.BufferGeometry()
     surface.setAttribute('position', positions)
     surface.setIndex(new THREE.BufferAttribute(arrays.triangles, 1))
-    const coloured = this.#colour(surface, arrays, json.valuesOf)
-    this.faces = new THREE.Mesh(coloured ?? surface, new THREE.MeshStandardMaterial({
-      color: coloured || json.valuesOf === 'edge' ? 0xffffff : dark ? 0x7fa3cf : 0xb2cdec,
-      vertexColors: !!coloured, flatShading: true, side: THREE.DoubleSide, roughness: 0.75,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-    }))
-    this.picked = surface
     const edges = new THREE.BufferGeometry()
     edges.setAttribute('position', positions)
     edges.setIndex(new THREE.BufferAttribute(arrays.edges, 1))
-    const lines = new THREE.LineBasicMaterial({
-      color: dark ? 0x0b1220 : 0x1f2937, transparent: true,
-      opacity: Math.min(0.85, Math.max(0.12, 3000 / Math.sqrt(arrays.edges.length + 1) / 10)),
-    })
-    this.base.add(this.faces, new THREE.LineSegments(edges, lines))
+    mesh.length = typicalLength(arrays)
+    const coloured = this.#colour(surface, edges, arrays, json.valuesOf)
+    const isOnEdges = coloured && ['edge', 'halfedge'].includes(json.valuesOf)
+    this.faces = new THREE.Mesh(isOnEdges ? surface : coloured ?? surface, new THREE.MeshLambertMaterial({
+      color: isOnEdges ? (dark ? 0x39424f : 0xffffff) : coloured ? 0xffffff : this.#plain(),
+      vertexColors: !!coloured && !isOnEdges, flatShading: true, side: THREE.DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    }))
+    this.picked = surface
+    const lines = isOnEdges
+      ? new THREE.LineBasicMaterial({ vertexColors: true })
+      : new THREE.LineBasicMaterial({
+        color: dark ? 0x0b1220 : 0x1f2937, transparent: true,
+        opacity: Math.min(0.85, Math.max(0.12, 3000 / Math.sqrt(arrays.edges.length + 1) / 10)),
+      })
+    this.lines = isOnEdges && arrays.edgeIds.length <= FAT
+      ? this.#segments(coloured.attributes.position.array, 0xffffff, 3, false, coloured.attributes.color.array)
+      : new THREE.LineSegments(isOnEdges ? coloured : edges, lines)
+    this.base.add(this.faces, this.lines)
     const border = []
     for (let at = 0; at < arrays.edgeIsBoundary.length; at++) {
       if (arrays.edgeIsBoundary[at]) border.push(at)
@@ -133,23 +219,29 @@ export class Scene {
     this.#wake()
   }
 
-  /** Puts the whole mesh into the middle of the view. */
-  frame() {
-    if (!this.#mesh) return
+  /** The middle of the mesh, and how far it reaches. */
+  #extent() {
     this.#box.makeEmpty()
     const { positions, edges } = this.#mesh.arrays
     const point = new THREE.Vector3()
+    for (const vertex of edges) this.#box.expandByPoint(point.fromArray(positions, 3 * vertex))
+    const center = this.#box.getCenter(new THREE.Vector3())
+    let farthest = 0
     for (const vertex of edges) {
-      this.#box.expandByPoint(point.fromArray(positions, 3 * vertex))
+      farthest = Math.max(farthest, point.fromArray(positions, 3 * vertex).distanceToSquared(center))
     }
-    if (this.#box.isEmpty()) return
-    const sphere = this.#box.getBoundingSphere(new THREE.Sphere())
-    const radius = sphere.radius || 1
+    return { center, radius: Math.sqrt(farthest) || 1 }
+  }
+
+  /** Puts the whole mesh into the middle of the view. */
+  frame() {
+    if (!this.#mesh?.arrays.edges.length) return
+    const { center, radius } = this.#framed = this.#extent()
     const way = this.camera.position.clone().sub(this.controls.target).normalize()
-    this.controls.target.copy(sphere.center)
+    this.controls.target.copy(center)
     const aspect = Math.min(1, this.camera.aspect)
     const far = radius / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2)) / aspect
-    this.camera.position.copy(sphere.center).addScaledVector(way, far * 1.05)
+    this.camera.position.copy(center).addScaledVector(way, far * 1.08)
     this.camera.near = radius / 200
     this.camera.far = radius * 60
     this.camera.updateProjectionMatrix()
@@ -157,21 +249,38 @@ export class Scene {
     this.#wake()
   }
 
-  /** Colours for values: a geometry with them, or nothing. */
-  #colour(surface, arrays, kind) {
-    const { values, faces, triangles } = arrays
-    if (!values || !['vertex', 'face'].includes(kind)) return null
+  /** Does so if the mesh has become another one in size or place. */
+  keepInView() {
+    if (!this.#mesh?.arrays.edges.length || !this.#framed) return
+    const { center, radius } = this.#extent()
+    const { center: before, radius: size } = this.#framed
+    const grown = (radius + center.distanceTo(before)) / size
+    if (grown > 1.25 || radius < 0.6 * size) this.frame()
+  }
+
+  /** Colours for values: a geometry with them, of faces or of edges; or nothing. */
+  #colour(surface, edges, arrays, kind) {
+    const { values, faces, edgeIds, halfedges } = arrays
+    if (!values) return null
+    // The slot of each point of the geometry. The side of an edge at which a halfedge starts has the
+    // colour of that halfedge.
+    const [geometry, slot] = {
+      vertex: () => [surface.clone(), at => at],
+      face: () => [surface.toNonIndexed(), at => faces[Math.floor(at / 3)]],
+      edge: () => [edges.toNonIndexed(), at => edgeIds[at >> 1]],
+      halfedge: () => [edges.toNonIndexed(), at => halfedges[at]],
+    }[kind]()
     let [low, high] = [Infinity, -Infinity]
     for (const value of values) {
       if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)]
     }
+    if (low > high) return null
     this.range = [low, high]
-    const geometry = kind === 'face' ? surface.toNonIndexed() : surface.clone()
-    const count = geometry.attributes.position.count
-    const colours = new Float32Array(3 * count)
-    for (let at = 0; at < count; at++) {
-      const of = kind === 'face' ? faces[Math.floor(at / 3)] : at
-      viridis((values[of] - low) / (high - low)).toArray(colours, 3 * at)
+    const number = geometry.attributes.position.count
+    const colours = new Float32Array(3 * number)
+    for (let at = 0; at < number; at++) {
+      const part = (values[slot(at)] - low) / (high - low || 1)
+      viridis(part).toArray(colours, 3 * at)
     }
     geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3))
     return geometry
@@ -190,15 +299,18 @@ export class Scene {
     return ends
   }
 
-  #segments(ends, colour, width, onTop = false) {
-    const material = { color: colour, linewidth: width, depthTest: !onTop, transparent: onTop }
+  #segments(ends, colour, width, onTop = false, colours = null) {
+    const material = {
+      color: colour, linewidth: width, depthTest: !onTop, transparent: onTop, vertexColors: !!colours,
+    }
     if (ends.length / 6 > FAT) {
       const geometry = new THREE.BufferGeometry()
       geometry.setAttribute('position', new THREE.BufferAttribute(ends, 3))
       return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }))
     }
-    const lines = new LineSegments2(
-      new LineSegmentsGeometry().setPositions(ends), new LineMaterial(material))
+    const geometry = new LineSegmentsGeometry().setPositions(ends)
+    if (colours) geometry.setColors(colours)
+    const lines = new LineSegments2(geometry, new LineMaterial(material))
     lines.material.resolution.set(this.parent.clientWidth, this.parent.clientHeight)
     lines.renderOrder = onTop ? 2 : 1
     return lines
@@ -214,6 +326,7 @@ export class Scene {
     geometry.setAttribute('position', new THREE.BufferAttribute(places, 3))
     return new THREE.Points(geometry, new THREE.PointsMaterial({
       color: colour, size: size * this.renderer.getPixelRatio(), sizeAttenuation: false,
+      map: this.disc, alphaTest: 0.5,
     }))
   }
 
@@ -231,7 +344,7 @@ export class Scene {
   markPlaces(kind, mask) {
     clear(this.marks)
     const { arrays } = this.#mesh
-    const colour = this.#dark.matches ? 0x4ade80 : 0x16a34a
+    const colour = this.#isDark ? 0x4ade80 : 0x16a34a
     if (kind === 'edge' || kind === 'halfedge') {
       const places = []
       arrays.edgeIds.forEach((id, at) => {
@@ -263,48 +376,110 @@ export class Scene {
   /** Shows names at elements: `[name, { kind, at, line }, fate]` each. */
   showNames(names) {
     this.clearNames()
-    const fates = this.#dark.matches ? DARK_FATES : FATES
+    const fates = this.#isDark ? DARK_FATES : FATES
+    // On small faces lines and letters are smaller; names for which there is no room are left out.
+    const length = this.#edgeLength()
+    const size = Math.min(1, Math.max(0.45, length / 110))
     for (const [name, element, fate] of names) {
       const colour = fates[fate] ?? fates.kept
       if (!element.line.length) continue
       const flat = element.line.flat()
       if (element.kind === 'halfedge') {
-        this.names.add(this.#arrow(element.line, colour))
+        this.#arrow(element.line, element.at, colour, 3 * size)
       } else if (element.kind === 'edge') {
-        this.names.add(this.#segments(Float32Array.from(flat), colour, 4, true))
+        this.names.add(this.#segments(Float32Array.from(flat), colour, 3.5 * size, true))
       } else if (element.kind === 'vertex') {
         const geometry = new THREE.BufferGeometry()
         geometry.setAttribute('position', new THREE.Float32BufferAttribute(flat, 3))
         const points = new THREE.Points(geometry, new THREE.PointsMaterial({
-          color: colour, size: 11 * this.renderer.getPixelRatio(), sizeAttenuation: false,
-          depthTest: false,
+          color: colour, size: 11 * size * this.renderer.getPixelRatio(), sizeAttenuation: false,
+          depthTest: false, map: this.disc, transparent: true,
         }))
         points.renderOrder = 3
         this.names.add(points)
       }
-      const label = document.createElement('span')
-      label.className = `label label-${element.kind}`
-      label.textContent = name
-      label.style.color = colour
-      const object = new CSS2DObject(label)
-      object.position.fromArray(element.at)
-      this.names.add(object)
+      const room = { vertex: 0, face: 0, halfedge: 38, edge: 55 }[element.kind]
+      if (length < room) continue
+      this.#label(name, element.at, colour, `label-${element.kind}`, Math.max(11, 16 * size))
     }
     this.#wake()
   }
 
-  /** A halfedge as an arrow with half a head, on its side. */
-  #arrow([from, to], colour) {
+  /** Shows pointers that are broken: `{ from, pointer, to }` each, with the places of both. */
+  showPointers(pointers) {
+    const colour = (this.#isDark ? DARK_FATES : FATES).erased
+    const middle = this.#box.getCenter(new THREE.Vector3())
+    const size = this.#box.getSize(new THREE.Vector3()).length() || 1
+    pointers.forEach(({ from, pointer, to }, at) => {
+      const [a, b] = [from.at, to.at].map(place => new THREE.Vector3(...place))
+      for (const { line, at: place, kind } of [from, to]) {
+        if (kind === 'halfedge') this.#arrow(line, place, colour, 3.5)
+      }
+      // An arc away from the mesh, so that two of them do not lie on each other.
+      const out = a.clone().add(b).multiplyScalar(0.5).sub(middle)
+      const way = this.camera.position.clone().sub(middle).normalize()
+      const bend = out.normalize().addScaledVector(way, 1).multiplyScalar(size * (0.16 + 0.1 * at))
+      const top = a.clone().add(b).multiplyScalar(0.5).add(bend)
+      const points = new THREE.QuadraticBezierCurve3(a, top, b).getPoints(24)
+      const ends = points.slice(1).flatMap((point, at) => [...points[at].toArray(), ...point.toArray()])
+      this.names.add(this.#segments(Float32Array.from(ends), colour, 2, true))
+      const [before, last] = points.slice(-3)
+      const back = before.clone().sub(b)
+      const aside = back.clone().cross(way).normalize().multiplyScalar(size * 0.018)
+      const tip = b.clone().addScaledVector(back.normalize(), size * 0.05)
+      this.#triangle([b, tip.clone().add(aside), tip.sub(aside)], colour)
+      this.#label(pointer, points[12].toArray(), colour, 'label-pointer', 14)
+    })
+    this.#wake()
+  }
+
+  #label(text, place, colour, kind, size) {
+    const label = document.createElement('span')
+    label.className = `label ${kind}`
+    label.textContent = text
+    Object.assign(label.style, { color: colour, fontSize: `${size}px` })
+    const object = new CSS2DObject(label)
+    object.position.fromArray(place)
+    this.names.add(object)
+  }
+
+  #triangle(corners, colour) {
+    const geometry = new THREE.BufferGeometry().setFromPoints(corners)
+    const triangle = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
+      color: colour, side: THREE.DoubleSide, depthTest: false, transparent: true,
+    }))
+    triangle.renderOrder = 2
+    this.names.add(triangle)
+  }
+
+  /** A halfedge as an arrow with half a head, on the side where its face lies. */
+  #arrow([from, to], inside, colour, width) {
     const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)]
     const way = b.clone().sub(a)
-    const view = this.camera.position.clone().sub(b)
-    const aside = view.cross(way).normalize().multiplyScalar(way.length() * 0.11)
-    const barb = b.clone().addScaledVector(way, -0.2).add(aside)
-    const ends = [...a.toArray(), ...b.toArray(), ...b.toArray(), ...barb.toArray()]
-    return this.#segments(Float32Array.from(ends), colour, 3, true)
+    const aside = new THREE.Vector3(...inside).sub(a).sub(way.clone().multiplyScalar(0.5))
+    aside.addScaledVector(way, -aside.dot(way) / (way.lengthSq() || 1))
+    aside.normalize().multiplyScalar(way.length() * 0.06)
+    const back = b.clone().addScaledVector(way, -0.15)
+    this.names.add(this.#segments(Float32Array.from([...from, ...to]), colour, width, true))
+    this.#triangle([b, back.clone().add(aside), back], colour)
   }
 
   #listen(canvas) {
+    // What the pointer does, by keys: arrows turn the mesh, plus and minus bring it nearer and away.
+    canvas.addEventListener('keydown', event => {
+      const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key]
+      const near = { '+': 0.9, '=': 0.9, '-': 1 / 0.9 }[event.key]
+      if (!turn && !near || event.ctrlKey || event.metaKey) return
+      event.preventDefault()
+      const way = this.camera.position.clone().sub(this.controls.target)
+      const ball = new THREE.Spherical().setFromVector3(way)
+      ball.theta += 0.12 * (turn?.[0] ?? 0)
+      ball.phi += 0.12 * (turn?.[1] ?? 0)
+      ball.radius *= near ?? 1
+      this.camera.position.setFromSpherical(ball.makeSafe()).add(this.controls.target)
+      this.controls.update()
+      this.#wake()
+    })
     let pressed = null
     canvas.addEventListener('pointerdown', event => (pressed = [event.clientX, event.clientY]))
     canvas.addEventListener('pointerup', event => {
@@ -378,14 +553,6 @@ export class Scene {
     }
     return mesh.sides.get(face) ?? []
   }
-}
-
-/** The colour of a part between 0 and 1; grey for what is no number. */
-export function viridis(part) {
-  if (!Number.isFinite(part)) return new THREE.Color(0xcbd5e1)
-  const along = Math.min(1, Math.max(0, part)) * (VIRIDIS.length - 1)
-  const at = Math.min(Math.floor(along), VIRIDIS.length - 2)
-  return VIRIDIS[at].clone().lerp(VIRIDIS[at + 1], along - at)
 }
 
 function least(list, measure) {

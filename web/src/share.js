@@ -1,13 +1,16 @@
-// A program as part of an address: compressed, in the fragment, which no server ever sees.
+// Programs as part of an address: compressed, in the fragment, which no server ever sees. And kept in
+// this browser until the next time.
+
+const KEY = 'hedgerow-work'
 
 async function through(bytes, stream) {
   const response = new Response(new Blob([bytes]).stream().pipeThrough(stream))
   return new Uint8Array(await response.arrayBuffer())
 }
 
-/** The fragment for what is open: `{ name, text, mesh }`. */
-export async function fragment(shared) {
-  const bytes = new TextEncoder().encode(JSON.stringify(shared))
+/** The fragment for what is open: `{ files: [[name, text]], mesh }`. */
+export async function fragment(work) {
+  const bytes = new TextEncoder().encode(JSON.stringify(work))
   const small = await through(bytes, new CompressionStream('deflate-raw'))
   let binary = ''
   for (const byte of small) binary += String.fromCharCode(byte)
@@ -23,10 +26,30 @@ export async function shared(fragment) {
     const binary = atob(code.replaceAll('-', '+').replaceAll('_', '/'))
     const bytes = Uint8Array.from(binary, letter => letter.charCodeAt(0))
     const text = await through(bytes, new DecompressionStream('deflate-raw'))
-    const { name, text: program, mesh } = JSON.parse(new TextDecoder().decode(text))
-    if (typeof program !== 'string') return null
-    return { name: String(name ?? 'shared.hedge'), text: program, mesh: String(mesh ?? '') }
+    return sound(JSON.parse(new TextDecoder().decode(text)))
   } catch {
     return null
   }
+}
+
+/** Keeps what is open in this browser, where it can be. */
+export function keep(work) {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(work))
+  } catch { /* Nothing is kept where the browser keeps nothing. */ }
+}
+
+/** What was open the last time. */
+export function kept() {
+  try {
+    return sound(JSON.parse(localStorage.getItem(KEY)))
+  } catch {
+    return null
+  }
+}
+
+/** Programs with their names, at least one; nothing if it is something else. */
+function sound(work) {
+  const files = work?.files?.filter?.(file => file.length === 2 && file.every(it => typeof it === 'string'))
+  return files?.length ? { files, mesh: String(work.mesh ?? '') } : null
 }

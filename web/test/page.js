@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict'
 import { existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs'
 import { dirname, join } from 'node:path'
+import { createRequire } from 'node:module'
 import { after, before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { chromium } from 'playwright-core'
@@ -74,6 +75,7 @@ test('the first program is there, proved, with its diagram and a mesh', async ()
   await said('counts', /162 vertices, 480 edges, 320 faces/)
   assert.match(await text('pane'), /proved/i)
   await page.waitForSelector('.tok-keyword')
+  assert.ok(await page.locator('#undo').isDisabled(), 'there is nothing to undo')
   await picture('first')
 })
 
@@ -99,7 +101,7 @@ test('what is broken is told, shown, and mended by a fix', async () => {
   const broken = readFileSync(join(here, '../../examples/split.hedge'), 'utf8')
     .replaceAll('edge e2: p | r    edge e3: s | u', 'edge e2: p | r')
   await write(broken)
-  await said('problems', /error/)
+  await said('problems', /e3/)
   await page.waitForSelector('#stale', { state: 'visible' })
   await page.locator('#tab-counterexample').click()
   await picture('broken')
@@ -107,20 +109,26 @@ test('what is broken is told, shown, and mended by a fix', async () => {
   await page.locator('.cm-lint-marker-error').first().hover()
   await page.waitForSelector('.cm-diagnosticAction')
   await picture('fix')
-  await page.locator('.cm-diagnosticAction').first().click()
-  await page.waitForFunction(() => document.getElementById('problems').textContent === '')
+  await page.mouse.move(5, 5)
+  await page.locator('#problems .fix').first().click()
+  await page.waitForSelector('#problems', { state: 'hidden' })
   await page.locator('#tab-diagram').click()
 })
 
 test('a forgotten twin breaks a mesh, which is shown', async () => {
   await choose('program', 'lesson:04_outside')
-  await said('problems', /error/)
+  await said('problems', /twin/)
+  await said('breaks', /^1$/)
+  await said('nothing', /has errors/)
+  await page.waitForTimeout(300)
   await page.locator('#tab-counterexample').click()
   await page.waitForSelector('.counterexample svg')
   await page.locator('.counterexample button').first().click()
   await said('said', /carried out on this mesh/)
-  await page.waitForSelector('.label')
+  assert.equal(await page.locator('.label-pointer', { hasText: 'twin' }).count(), 2)
   await picture('counterexample')
+  await page.locator('#said button').click()
+  await said('counts', /162 vertices/)
   await page.locator('#tab-diagram').click()
 })
 
@@ -134,7 +142,10 @@ test('every lesson is solved by its solution and not before', async () => {
     await page.waitForSelector('#lesson:not([hidden])')
     await page.locator('#lesson-check').click()
     await page.waitForSelector('#lesson-verdict .rejected', { timeout: 60_000 })
-    if (file.startsWith('03')) await picture('lesson')
+    if (file.startsWith('03')) {
+      await page.locator('#mistakes summary').click()
+      await picture('lesson')
+    }
     const program = readFileSync(join(folder, file), 'utf8').split('```hedge\n')[1]
     const lines = program.split('```')[0].split('\n')
     await write(lines.filter(line => !line.startsWith('//')).join('\n'))
@@ -142,6 +153,20 @@ test('every lesson is solved by its solution and not before', async () => {
     await page.locator('#lesson-check').click()
     await page.waitForSelector('#lesson-verdict .proved', { timeout: 60_000 })
   }
+  assert.match(await text('lesson-verdict'), /That was the last one/)
+  await picture('solved')
+})
+
+test('a common mistake is tried, told by its name, and what was written is there again', async () => {
+  await choose('program', 'lesson:09_link')
+  assert.match(await page.locator('.cm-content').innerText(), /require link_condition/)
+  await page.locator('#mistakes summary').click()
+  await page.locator('#mistakes button').first().click()
+  await page.locator('#lesson-check').click()
+  await said('lesson-verdict', /A common mistake: An edge is collapsed without the link condition/)
+  await picture('mistake')
+  await page.locator('#lesson-again').click()
+  assert.match(await page.locator('.cm-content').innerText(), /Here a condition is missing/)
   await page.locator('#lesson-close').click()
 })
 
@@ -180,11 +205,12 @@ test('plan, C++ and Rust of an operation', async () => {
 test('a program is shared by its address and opened again', async () => {
   await write('/// Mine.\nop mine(f: face) { before { face f: a -h-> b =P=> a } after { face f: a -h-> b =P=> a } }\n')
   await page.locator('#share').click()
-  await said('said', /address/)
+  await said('shared', /address/)
   const { hash } = new URL(page.url())
   assert.match(hash, /^#p=/)
   const other = await open(hash)
   assert.match(await other.locator('.cm-content').innerText(), /op mine/)
+  assert.equal(await other.locator('#files .file').count(), await page.locator('#files .file').count())
   await other.context().close()
   const damaged = await open('#p=AAAA')
   assert.match(await damaged.locator('.cm-content').innerText(), /op flip/)
@@ -205,6 +231,143 @@ test('files are dropped, repaired and saved', async () => {
     page.waitForEvent('download'), page.selectOption('#save', 'ply'),
   ])
   assert.match(saved.suggestedFilename(), /\.ply$/)
+})
+
+test('programs use each other, and a name leads to the file that declares it', async () => {
+  const own = await open('')
+  const file = (name, body) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(body) })
+  const lift = 'op lift(f: face) { before { face f: v -h-> w =P=> v } after { keep f v.position = v.position + vec3(0, 1, 0) } }\n'
+  await own.locator('#file').setInputFiles([
+    file('part.hedge', lift),
+    file('main.hedge', 'use "part.hedge"\nscript raise_all() { for f in faces { lift(f) } }\n'),
+  ])
+  await own.waitForFunction(() => document.getElementById('script').value === 'raise_all')
+  await own.locator('#run').click()
+  await own.waitForFunction(() => /lift\s*320/.test(document.getElementById('report').innerText))
+  await own.waitForSelector('#problems', { state: 'hidden' })
+  await own.locator('.cm-line').nth(1).getByText('lift').click()
+  await own.keyboard.press('F12')
+  await own.waitForFunction(() =>
+    document.querySelector('#files [aria-current=true]').dataset.name === 'part.hedge')
+  await own.keyboard.press('Control+a')
+  await own.keyboard.insertText(lift.replace('op lift', 'op raise'))
+  await own.locator('#files .file[data-name="main.hedge"]').click()
+  await own.waitForFunction(() => /lift/.test(document.getElementById('problems').textContent))
+  await picture('files', own)
+  // What was changed is there the next time.
+  await own.waitForTimeout(400)
+  await own.reload()
+  await own.waitForSelector('body[data-ready]')
+  assert.equal(await own.locator('#files .file').count(), 2)
+  assert.match(await own.locator('#files [aria-current=true]').innerText(), /main\.hedge/)
+  await own.context().close()
+})
+
+test('once loaded, the page opens without a network, with all that it can do', async () => {
+  const own = await open('')
+  await own.evaluate(async () => {
+    const { active } = await navigator.serviceWorker.ready
+    if (active.state !== 'activated') {
+      await new Promise(resolve => active.addEventListener('statechange', resolve))
+    }
+  })
+  await own.context().setOffline(true)
+  await server.pause()
+  await own.reload()
+  await own.waitForSelector('body[data-ready]')
+  await own.selectOption('#shape', 'bunny')
+  await own.waitForFunction(() => /1839 vertices/.test(document.getElementById('counts').textContent))
+  await own.selectOption('#program', 'example:remesh.hedge')
+  await own.waitForFunction(() => document.getElementById('script').value === 'remesh')
+  await own.locator('#run').click()
+  await own.waitForFunction(() => /1619 vertices/.test(document.getElementById('counts').textContent))
+  await server.resume()
+  await own.context().close()
+})
+
+test('attributes of all kinds of elements are shown in colour', async () => {
+  const own = await open('')
+  await own.locator('.cm-content').click()
+  await own.keyboard.press('Control+a')
+  const kinds = ['vertex', 'halfedge', 'edge', 'face']
+  const many = { vertex: 'vertices', halfedge: 'halfedges', edge: 'edges', face: 'faces' }
+  await own.keyboard.insertText(kinds.map(kind => `attr ${kind}_value: ${kind} real = 0\n`).join('')
+    + `script paint() {\n  var n = 0.0\n${kinds.map(kind =>
+      `  for x in ${many[kind]} { n = n + 1 x.${kind}_value = n }\n`).join('')}}\n`)
+  await own.waitForFunction(() => document.getElementById('script').value === 'paint')
+  await own.locator('#run').click()
+  for (const kind of kinds) {
+    await own.selectOption('#attribute', `${kind}.${kind}_value`)
+    await own.waitForFunction(name =>
+      document.getElementById('legend').innerText.includes(name), `${kind}.${kind}_value`)
+    await picture(`colour-${kind}`, own)
+  }
+  await own.context().close()
+})
+
+test('everything has a name, is reached by keys, and can be told apart', async () => {
+  const source = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
+  for (const colorScheme of ['light', 'dark']) {
+    const own = await open('', { colorScheme, bypassCSP: true })
+    await own.selectOption('#program', 'lesson:04_outside')
+    await own.waitForSelector('#problems:not([hidden])')
+    await own.locator('#lesson-check').click()
+    await own.waitForSelector('#lesson-verdict .rejected')
+    await own.evaluate(source)
+    const { violations } = await own.evaluate(() => globalThis.axe.run(document))
+    const told = violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => node.html).join(' ')}`)
+    assert.deepEqual(told, [])
+    // The whole page by Tab: from the first to the last, each with a name. In the editor, Tab indents
+    // and Escape lets it leave.
+    await own.evaluate(() => {
+      document.body.tabIndex = -1
+      document.body.focus()
+    })
+    const reached = new Set()
+    for (let at = 0; at < 90; at++) {
+      await own.keyboard.press('Escape')
+      await own.keyboard.press('Tab')
+      const id = await own.evaluate(() => {
+        const here = document.activeElement
+        return here.id || here.tagName + here.className
+      })
+      if (id === 'BODY') break
+      reached.add(id)
+    }
+    for (const id of ['program', 'learn', 'share', 'lesson-check', 'split-main', 'shape', 'CANVAS']) {
+      assert.ok([...reached].some(it => it.startsWith(id)), `${id} of ${[...reached]}`)
+    }
+    await own.context().close()
+  }
+})
+
+test('without a mouse: the mesh is turned, an operation is applied, parts are made wider', async () => {
+  const own = await open('')
+  await own.locator('#view canvas').focus()
+  const before = await own.locator('#view').screenshot()
+  await own.keyboard.press('ArrowLeft')
+  await own.waitForTimeout(300)
+  assert.notDeepEqual(await own.locator('#view').screenshot(), before)
+  await own.locator('#element').focus()
+  await own.keyboard.type('7')
+  await own.keyboard.press('Enter')
+  await own.waitForFunction(() => /applied at edge 7/.test(document.getElementById('said').textContent))
+  const width = () => own.evaluate(() => document.getElementById('left').clientWidth)
+  const narrow = await width()
+  await own.locator('#split-main').focus()
+  await own.keyboard.press('ArrowRight')
+  assert.ok(await width() > narrow)
+  await own.context().close()
+})
+
+test('on a phone an edge is touched and flips', async () => {
+  const phone = await open('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true })
+  await phone.locator('#view').scrollIntoViewIfNeeded()
+  const box = await phone.locator('#view').boundingBox()
+  await phone.touchscreen.tap(box.x + box.width / 2 + 4, box.y + box.height / 2 + 6)
+  await phone.waitForFunction(() => /applied|refuses/.test(document.getElementById('said').textContent))
+  await picture('phone-touched', phone)
+  await phone.context().close()
 })
 
 test('dark, and narrow as a phone', async () => {

@@ -6,10 +6,10 @@ import { extname, join, normalize } from 'node:path'
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css',
-  '.wasm': 'application/wasm', '.obj': 'text/plain', '.txt': 'text/plain',
+  '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.obj': 'text/plain', '.txt': 'text/plain',
 }
 
-/** Serves a folder; promises its address, and how to end. */
+/** Serves a folder; promises its address, how to be silent for a while, and how to end. */
 export function serve(folder) {
   const asked = []
   const server = createServer((request, response) => {
@@ -26,7 +26,10 @@ export function serve(folder) {
         server.closeAllConnections()
         server.close(ended)
       })
-      resolve({ address: `http://127.0.0.1:${server.address().port}/`, asked, end })
+      const { port } = server.address()
+      const pause = () => end()
+      const resume = () => new Promise(resumed => server.listen(port, '127.0.0.1', resumed))
+      resolve({ address: `http://127.0.0.1:${port}/`, asked, pause, resume, end })
     })
   })
 }

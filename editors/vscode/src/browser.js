@@ -31,20 +31,21 @@ class Socket {
   }
 }
 
-/** The server that comes along, in a worker. */
-function bundled(context) {
-  const place = (name) => vscode.Uri.joinPath(context.extensionUri, "dist", name).toString(true);
-  const worker = new Worker(place("server-browser.js"));
-  worker.postMessage({ module: place("hedgerow.wasm") });
+/** The server that comes along, in a worker. Its module is read here, wherever the extension lies. */
+async function bundled(context) {
+  const place = (name) => vscode.Uri.joinPath(context.extensionUri, "dist", name);
+  const worker = new Worker(place("server-browser.js").toString(true));
+  worker.postMessage({ module: await vscode.workspace.fs.readFile(place("hedgerow.wasm")) });
   return worker;
 }
 
 exports.activate = (context) => {
-  const client = () => {
-    const address = settings().get("bridge");
-    const server = address ? new Socket(address) : bundled(context);
+  const address = () => settings().get("bridge");
+  const client = async () => {
+    const server = address() ? new Socket(address()) : await bundled(context);
     return new LanguageClient("hedgerow", "hedgerow", options(), server);
   };
-  return start(context, { client, answers: async () => true, commands: {} });
+  const isBundled = () => !address();
+  return start(context, { client, isBundled, answers: async () => true, commands: {} });
 };
 exports.deactivate = require("./extension").stop;

@@ -114,6 +114,6 @@ async function runScriptHere() {
 }
 
 exports.activate = (context) => start(context, {
-  client: client(context), answers, commands: { check, testHere, runScriptHere },
+  client: client(context), isBundled: () => !program, answers, commands: { check, testHere, runScriptHere },
 });
 exports.deactivate = require("./extension").stop;

@@ -1,10 +1,13 @@
 // What the extension does wherever it runs: it starts the language server, and shows beside the
-// text the diagram of the operation under the cursor. All answers are the server's.
+// text the diagram of the operation under the cursor, and a mesh to try it on.
 
 const vscode = require("vscode");
+const { Panel } = require("./panel");
+const { give, read } = require("./files");
 
 let running;
 let panel;
+let open;
 
 exports.settings = () => vscode.workspace.getConfiguration("hedgerow");
 
@@ -28,13 +31,14 @@ exports.options = (lenses = {}) => ({
   },
 });
 
-exports.start = async (context, { client, answers, commands }) => {
+exports.start = async (context, { client, answers, commands, isBundled }) => {
   const begin = async () => {
     await exports.stop();
     if (!await answers()) return;
-    running = client();
     try {
+      running = await client();
       await running.start();
+      if (isBundled()) await give(running);
     } catch (error) {
       running = undefined;
       vscode.window.showErrorMessage(`The language server of hedgerow does not start: ${error.message ?? error}`);
@@ -45,6 +49,7 @@ exports.start = async (context, { client, answers, commands }) => {
   );
   register("restart", begin);
   register("diagramBeside", () => showDiagram());
+  open = () => new Panel(context.extensionUri, () => { panel = undefined; });
   for (const [name, action] of Object.entries(commands)) register(name, action);
   let pause;
   const later = () => {
@@ -54,6 +59,7 @@ exports.start = async (context, { client, answers, commands }) => {
   context.subscriptions.push(
     vscode.window.onDidChangeTextEditorSelection(later),
     vscode.workspace.onDidChangeTextDocument(later),
+    vscode.window.onDidChangeActiveTextEditor(later),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("hedgerow.path")) begin();
     }),
@@ -72,14 +78,10 @@ exports.stop = async () => {
 };
 
 /** Shows a named operation of a document, or the one under the cursor. */
-function showDiagram(of) {
-  if (panel) {
-    panel.reveal(undefined, true);
-  } else {
-    const beside = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
-    panel = vscode.window.createWebviewPanel("hedgerow.diagram", "Diagram", beside, {});
-    panel.onDidDispose(() => { panel = undefined; });
-  }
+async function showDiagram(of) {
+  if (panel) panel.reveal();
+  else panel = open();
+  await panel.ready;
   return draw(of);
 }
 
@@ -87,48 +89,18 @@ function showDiagram(of) {
 async function draw(of) {
   const editor = vscode.window.activeTextEditor;
   const here = editor?.document.languageId === "hedgerow";
-  if (!panel || !running || (!of && !here)) return;
-  let answer;
+  const shown = panel;
+  if (!shown || !running || (!of && !here)) return;
+  const uri = of ? vscode.Uri.parse(of.uri) : editor.document.uri;
+  // As plain data: to a worker objects are handed by their fields.
+  const { line, character } = editor?.selection.active ?? {};
   try {
-    answer = await running.sendRequest("hedgerow/diagram", of
+    const answer = await running.sendRequest("hedgerow/diagram", of
       ? { textDocument: { uri: of.uri }, name: of.name }
-      : { textDocument: { uri: editor.document.uri.toString() }, position: editor.selection.active });
+      : { textDocument: { uri: uri.toString() }, position: { line, character } });
+    await shown.program(uri, read);
+    shown.diagram(answer);
   } catch (error) {
-    if (panel && !panel.webview.html) panel.webview.html = page(`<p>${escaped(error.message)}</p>`);
-    return;
-  }
-  if (!panel) return;
-  if (answer) {
-    panel.title = `Diagram: ${answer.name}`;
-    const old = answer.isCurrent ? "" : "<p>(as it was when it could last be read)</p>";
-    panel.webview.html = page(answer.svg + old + markdown(answer.verdict));
-  } else if (!panel.webview.html) {
-    panel.webview.html = page("<p>Put the cursor into an operation.</p>");
+    shown.fail(error.message);
   }
 }
-
-const escaped = (text) => String(text).replace(/[&<>]/g, (sign) => `&#${sign.charCodeAt(0)};`);
-
-/** Lines of Markdown: what is bold, code, an item of a list; all else is text. */
-const markdown = (text) => text.split("\n").filter((line) => line.trim()).map((line) => `<p>${
-  escaped(line.replace(/^- /, "\u2022 "))
-    .replace(/\*\*([^*]+)\*\*/g, "<b>$1</b>")
-    .replace(/`([^`]+)`/g, "<code>$1</code>")
-}</p>`).join("");
-
-// The pictures are drawn for paper, and for a dark page where such pages are preferred.
-const page = (body) => `<!DOCTYPE html>
-<html>
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:;">
-<style>
-body { background: white; color: #22262c; margin: 0; padding: 12px; font-size: 14px; }
-@media (prefers-color-scheme: dark) { body { background: #15181d; color: #d9dee5; } }
-p { margin: 6px 0; }
-code { color: inherit; background: none; font-family: monospace; }
-svg { display: block; width: 100%; height: auto; max-height: 90vh; }
-</style>
-</head>
-<body>${body}</body>
-</html>`;

@@ -1,5 +1,5 @@
 // The language server as WebAssembly, in a worker: what answers where no program is installed.
-// The first message says where the module is; all others are of the protocol.
+// The first message is the module, or the path of its file; all others are of the protocol.
 
 const isNode = typeof process !== "undefined" && Boolean(process.versions?.node);
 const port = isNode ? require("worker_threads").parentPort : self;
@@ -11,9 +11,7 @@ let instance;
 const early = [];
 
 async function load(place) {
-  const bytes = isNode
-    ? await require("fs").promises.readFile(place)
-    : await (await fetch(place)).arrayBuffer();
+  const bytes = typeof place === "string" ? await require("fs").promises.readFile(place) : place;
   const host = { progress: () => {} };
   ({ instance } = await WebAssembly.instantiate(bytes, { host }));
   early.splice(0).forEach(answer);

@@ -22,7 +22,7 @@ use crate::resolve::Program;
 use crate::rewrite::Plans;
 use crate::source::Span;
 
-/// Why nothing shows what an op does.
+/// The reason why nothing shows what an op does.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoExample {
     op: String,

@@ -11,7 +11,7 @@ use crate::check::chain::corners;
 use crate::check::port::{Links, Port};
 use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Spoke, Star};
 
-/// Why names cannot be one, or that it was not found out.
+/// The reason why names cannot be one, or that it was not found out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::check) enum Contradiction {
     /// No mesh is like that.

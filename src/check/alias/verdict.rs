@@ -144,7 +144,7 @@ fn verdict(op: &Op, rule: &Rule, quotients: Vec<Quotient>) -> Verdict {
     }
 }
 
-/// Why a quotient is not proved.
+/// The reason why a quotient is not proved.
 pub(super) enum Failed {
     /// No mesh matches it.
     Impossible(String),

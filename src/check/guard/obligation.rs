@@ -20,7 +20,7 @@ pub enum Statement {
     FacesDiffer {
         /// The vertex.
         vertex: NameId,
-        /// Whose stars it takes over.
+        /// The vertex whose stars it takes over.
         from: Vec<NameId>,
     },
     /// A vertex has two spokes or more.
@@ -29,7 +29,7 @@ pub enum Statement {
     OneHole {
         /// The vertex.
         vertex: NameId,
-        /// Whose stars it takes over.
+        /// The vertex whose stars it takes over.
         from: Vec<NameId>,
     },
     /// So it is at every vertex along a path that goes from a face to a hole.
@@ -39,7 +39,7 @@ pub enum Statement {
     NeighborsDiffer {
         /// The vertex.
         vertex: NameId,
-        /// Whose stars it takes over.
+        /// The vertex whose stars it takes over.
         from: Vec<NameId>,
     },
     /// No other edge has the ends of the edge of a halfedge.
@@ -65,7 +65,7 @@ pub enum Statement {
 pub struct Obligation {
     /// The condition.
     pub statement: Statement,
-    /// Why it does; without a reason it is left to test.
+    /// The reason why it does; without one it is left to test.
     pub because: Option<&'static str>,
 }
 
@@ -157,7 +157,7 @@ impl Statement {
         }
     }
 
-    /// Why an operation refuses where it would not hold.
+    /// The reason why an operation refuses where it would not hold.
     pub fn refusal(&self, rule: &Rule) -> String {
         let quoted = |name: NameId| rule.quoted(name);
         // The two whose stars become one, if that is what happens.

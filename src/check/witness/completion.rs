@@ -16,7 +16,7 @@ use super::sketch::{HalfedgeRole, Shape, Sketch, VertexRole};
 use crate::diagram::{Drawing, Kind, NameId};
 use crate::mesh::Level;
 
-/// Why looking at meshes came to an end.
+/// The end of looking at meshes.
 pub(super) enum End {
     /// One was found.
     Found(Box<Shown>),

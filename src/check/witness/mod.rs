@@ -3,8 +3,8 @@
 //! The drawing of `before` is laid down as a [`sketch`], its [`outside`] is closed in one of
 //! the ways it can run, and the result is a [`place`]: a valid mesh with the match in it. There
 //! the rewrite is carried out, [`literal`]ly, and what `validate` says of the outcome is put
-//! into [`words`]. The [`search`] goes from small to large; every [`completion`] of the drawing that
-//! is smaller than what it finds is looked at, too.
+//! into [`words`]. The [`search`] goes from small to large; every [`completion`] of the drawing
+//! that is smaller than what it finds is looked at, too.
 //!
 //! A counterexample is never part of a proof: it shows to a person, and to the tests, that a law
 //! was not broken for nothing.
@@ -43,7 +43,7 @@ pub struct Counterexample {
     pub after: Mesh,
     /// The elements of each name: one element, the halfedges of a path, the spokes of a fan.
     pub names: Vec<(String, Vec<Element>)>,
-    /// Why `after` is no mesh.
+    /// The reason why `after` is no mesh.
     pub invalid: Invalid,
     /// The same with the names of the drawing.
     pub verdict: String,

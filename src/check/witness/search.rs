@@ -38,7 +38,7 @@ pub(super) struct Shown {
     pub place: Place,
     /// The rewrite carried out.
     pub carried: Carried,
-    /// Why the result is no mesh.
+    /// The reason why the result is no mesh.
     pub invalid: Invalid,
     /// The level among whose meshes it is known to have the fewest halfedges, if it is known.
     pub smallest_of: Option<Level>,

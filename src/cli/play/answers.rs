@@ -1,15 +1,16 @@
 //! The answers to requests.
 
 use std::io::Read;
-use std::path::Path;
+use std::sync::Arc;
 
+use serde::Deserialize;
 use serde_json::json;
 use tiny_http::{Header, Method, Request, Response, StatusCode};
 
 use super::engine::Engine;
-use super::{Opened, page};
-use crate::analysis::read_program;
-use crate::mesh::{FileReason, replace_file};
+use super::folder::Folder;
+use super::page;
+use crate::lsp::uri;
 use crate::play::Message;
 
 /// The most bytes of a question: a mesh.
@@ -24,7 +25,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; worker-src 'self'; 
 pub(super) struct Answers {
     pub port: u16,
     pub token: String,
-    pub opened: Opened,
+    pub folder: Arc<Folder>,
     pub engine: Engine,
 }
 
@@ -102,49 +103,64 @@ impl Answers {
             }
             (Method::Post, "progress") => {
                 let [done, total] = self.engine.progress();
-                let json = json!({ "done": done, "total": total });
-                Some((Message { json, bytes: Vec::new() }.write(), BYTES))
+                Some((Message::of(json!({ "done": done, "total": total })).write(), BYTES))
             }
             (Method::Post, "stop") => {
                 self.engine.stop();
                 Some((Vec::new(), BYTES))
             }
             (Method::Post, "start") => Some((self.start().write(), BYTES)),
-            (Method::Post, "save") => Some((self.save(&body).write(), BYTES)),
+            (Method::Post, "files") => Some((self.files().write(), BYTES)),
+            (Method::Post, "open") => {
+                Some((self.open(&body).unwrap_or_else(Message::error).write(), BYTES))
+            }
+            (Method::Post, "save") => {
+                Some((self.save(&body).unwrap_or_else(Message::error).write(), BYTES))
+            }
             _ => None,
         }
         .ok_or_else(|| (404, "nothing here".to_owned()))
     }
 
-    /// The program and the mesh that the page begins with.
+    /// The folder, and the program and the mesh that the page begins with.
     fn start(&self) -> Message {
-        let shown = |path: &Path| path.display().to_string();
-        let Opened { program, mesh } = &self.opened;
-        let text = match program.as_deref().map(read_program).transpose() {
-            Ok(text) => text,
-            Err(why) => return Message::error(why),
-        };
-        let bytes = match mesh.as_deref().map(std::fs::read).transpose() {
-            Ok(bytes) => bytes.unwrap_or_default(),
-            Err(error) => return Message::error(error.to_string()),
-        };
-        let json = json!({
-            "program": program.as_deref().map(shown),
-            "text": text,
-            "mesh": mesh.as_deref().map(shown),
-        });
-        Message { json, bytes }
+        let Folder { path, program, mesh } = &*self.folder;
+        Message::of(json!({
+            "folder": path.display().to_string().replace('\\', "/"),
+            "uri": uri::of_path(path).0,
+            "program": program,
+            "mesh": mesh,
+        }))
     }
 
-    /// Writes the program that was opened.
-    fn save(&self, text: &[u8]) -> Message {
-        let Some(program) = &self.opened.program else {
-            return Message::error("no program was opened: download it");
-        };
-        let written = replace_file(program, |file| file.write_all(text).map_err(FileReason::Io));
-        match written {
-            Ok(()) => Message { json: json!({ "saved": program }), bytes: Vec::new() },
-            Err(reason) => Message::error(format!("{}: {reason}", program.display())),
-        }
+    /// The files of the folder.
+    fn files(&self) -> Message {
+        let [programs, meshes] = self.folder.list();
+        Message::of(json!({ "programs": programs, "meshes": meshes }))
     }
+
+    /// A program of the folder.
+    fn open(&self, body: &[u8]) -> Result<Message, String> {
+        let Named { name, .. } = serde_json::from_slice(body).map_err(|why| why.to_string())?;
+        let text = self.folder.program(&name)?;
+        Ok(Message::of(json!({ "name": name, "text": text })))
+    }
+
+    /// Writes a program to the folder.
+    fn save(&self, body: &[u8]) -> Result<Message, String> {
+        let Named { name, was, text } =
+            serde_json::from_slice(body).map_err(|why| why.to_string())?;
+        self.folder.save(&name, was.as_deref(), &text)?;
+        Ok(Message::of(json!({ "saved": name })))
+    }
+}
+
+/// A program by its name; with the text that it is to have, and had.
+#[derive(Deserialize)]
+struct Named {
+    name: String,
+    #[serde(default)]
+    was: Option<String>,
+    #[serde(default)]
+    text: String,
 }

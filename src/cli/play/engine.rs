@@ -6,6 +6,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
+use super::folder::Folder;
 use crate::analysis::{Disk, Reader};
 use crate::lsp::Server;
 use crate::play::{Host, Message, Workbench};
@@ -27,14 +28,14 @@ struct Run {
 
 impl Engine {
     /// Starts both threads.
-    pub fn start() -> Self {
+    pub fn start(folder: Arc<Folder>) -> Self {
         let run = Arc::new(Run::default());
         let (asked, questions) = channel::<(Message, Sender<Message>)>();
-        let mut host = Local(Arc::clone(&run));
+        let mut host = Local { run: Arc::clone(&run), folder };
         thread::spawn(move || {
             let mut workbench = Workbench::default();
             for (question, reply) in questions {
-                host.0.is_stopped.store(false, Ordering::SeqCst);
+                host.run.is_stopped.store(false, Ordering::SeqCst);
                 // Who has gone away does not want to know.
                 let _ = reply.send(workbench.answer(question, &mut host));
             }
@@ -83,13 +84,16 @@ impl Engine {
 }
 
 /// This machine.
-struct Local(Arc<Run>);
+struct Local {
+    run: Arc<Run>,
+    folder: Arc<Folder>,
+}
 
 impl Host for Local {
     fn progress(&mut self, done: u64, total: Option<u64>) -> ControlFlow<()> {
-        self.0.done.store(done, Ordering::Relaxed);
-        self.0.total.store(total.unwrap_or(0), Ordering::Relaxed);
-        match self.0.is_stopped.load(Ordering::Relaxed) {
+        self.run.done.store(done, Ordering::Relaxed);
+        self.run.total.store(total.unwrap_or(0), Ordering::Relaxed);
+        match self.run.is_stopped.load(Ordering::Relaxed) {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         }
@@ -97,5 +101,9 @@ impl Host for Local {
 
     fn reader(&self) -> Box<dyn Reader> {
         Box::new(Disk)
+    }
+
+    fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
+        self.folder.mesh(name)
     }
 }

@@ -2,15 +2,15 @@
 //!
 //! The server listens on loopback only, at a port that the system chooses. Its address holds a token
 //! that nobody can guess; without it, or with a foreign `Host` or `Origin`, nothing is answered. It
-//! reads programs and meshes of one folder, and writes nothing but the program that it was started
-//! with, when the page asks for it.
+//! gives away programs and meshes of one folder, and writes programs there when the page asks for it:
+//! none that has changed since the page opened it, and none over another.
 
 mod answers;
 mod engine;
+mod folder;
 mod page;
 
 use std::io::{Write, stdout};
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
@@ -21,16 +21,10 @@ use super::failure::Failure;
 use super::output::complain;
 use answers::Answers;
 use engine::Engine;
+use folder::Folder;
 
 /// The number of requests that are answered at the same time: one runs, others ask how far it is.
 const THREADS: usize = 4;
-
-/// The files that the page begins with.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Opened {
-    pub program: Option<PathBuf>,
-    pub mesh: Option<PathBuf>,
-}
 
 /// Serves the page until Ctrl-C.
 pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
@@ -40,7 +34,7 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
              --without-wasm` in the folder `web`, and build it again",
         ));
     }
-    let opened = opened(&arguments.files)?;
+    let folder = Arc::new(Folder::of(&arguments.files).map_err(Failure::usage)?);
     let failed = |error: &dyn std::fmt::Display| {
         Failure::usage(format!("the page cannot be served: {error}"))
     };
@@ -48,7 +42,8 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
     let port = server.server_addr().to_ip().map_or(0, |address| address.port());
     let token = token().map_err(|error| failed(&error))?;
     let address = format!("http://127.0.0.1:{port}/{token}/");
-    let answers = Answers { port, token, opened, engine: Engine::start() };
+    let engine = Engine::start(Arc::clone(&folder));
+    let answers = Answers { port, token, folder, engine };
     let (server, answers) = (Arc::new(server), Arc::new(answers));
     let threads = (0..THREADS).map(|_| {
         let (server, answers) = (Arc::clone(&server), Arc::clone(&answers));
@@ -65,27 +60,6 @@ pub(super) fn play(arguments: &PlayArguments) -> Result<(), Failure> {
         let _ = thread.join();
     }
     Ok(())
-}
-
-/// The program and the mesh among some files.
-fn opened(files: &[PathBuf]) -> Result<Opened, Failure> {
-    let mut opened = Opened::default();
-    for file in files {
-        let place = match file.extension().is_some_and(|ending| ending == "hedge") {
-            true => &mut opened.program,
-            false => &mut opened.mesh,
-        };
-        if !Path::new(file).is_file() {
-            return Err(Failure::usage(format!(
-                "cannot read `{}`: there is no such file",
-                file.display()
-            )));
-        }
-        if place.replace(file.clone()).is_some() {
-            return Err(Failure::usage("one program and one mesh can be opened, not more"));
-        }
-    }
-    Ok(opened)
 }
 
 /// 128 bits that nobody can guess, as letters.

@@ -7,19 +7,23 @@ pub(super) fn files() -> &'static [(&'static str, &'static [u8])] {
     FILES
 }
 
-/// A file of the page. The page itself knows where its server is.
+/// A file of the page. The page itself knows where its server is, instead of a module of its own.
 pub(super) fn file(name: &str, token: &str) -> Option<(Vec<u8>, &'static str)> {
     let (_, bytes) = files().iter().find(|(known, _)| *known == name)?;
     let kind = match name.rsplit('.').next() {
         Some("html") => "text/html; charset=utf-8",
         Some("js") => "text/javascript; charset=utf-8",
         Some("css") => "text/css; charset=utf-8",
+        Some("svg") => "image/svg+xml",
         _ => "text/plain; charset=utf-8",
     };
     let bytes = match name {
         "index.html" => {
+            let text = String::from_utf8_lossy(bytes);
             let mark = format!("<meta name=\"hedgerow-local\" content=\"/{token}/\">");
-            String::from_utf8_lossy(bytes).replace("<!--local-->", &mark).into_bytes()
+            let (before, rest) = text.split_once("<!--engine-->")?;
+            let (_, after) = rest.split_once("<!--/engine-->")?;
+            [before, &mark, after].concat().into_bytes()
         }
         _ => bytes.to_vec(),
     };

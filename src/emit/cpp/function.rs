@@ -88,8 +88,8 @@ pub(super) struct Printer<'s> {
 }
 
 impl Printer<'_> {
-    /// Why what stands beside the operations cannot compile: it does not see the mesh that the
-    /// style needs there, or does not tell elements apart.
+    /// The reason why what stands beside the operations cannot compile: it does not see the mesh
+    /// that the style needs there, or does not tell elements apart.
     fn is_blind(&self, outside: &[String]) -> Option<String> {
         if let Some([one, other]) = self.style.one_type()
             && (self.used.contains(&"Journal") || self.used.contains(&"Preview"))

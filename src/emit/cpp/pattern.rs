@@ -75,7 +75,7 @@ pub(super) const PATTERNS: &[(&str, Form, &str, Option<&str>)] = &[
     ("erase_face", OF, "erase({of})", None),
 ];
 
-/// Why a style is not understood, or cannot compile.
+/// The reason why a style is not understood, or cannot compile.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StyleError {
     /// Neither a name of a style nor `NAME=PATTERN`.

@@ -1,11 +1,11 @@
-//! Why a text is no dump.
+//! Reasons why a text is no dump.
 
 use std::fmt;
 
 use crate::mesh::attribute::AttributeType;
 use crate::mesh::id::Element;
 
-/// Why a file is no dump, and in which line, from 1.
+/// The reason why a file is no dump, and in which line, from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DumpError {
     pub line: usize,

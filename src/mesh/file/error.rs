@@ -1,4 +1,4 @@
-//! Why a file cannot be read or written, with the line where that shows.
+//! Reasons why a file cannot be read or written, with the line where that shows.
 
 use std::fmt;
 use std::io;
@@ -17,7 +17,7 @@ pub struct FileError {
     pub reason: FileReason,
 }
 
-/// Why a file cannot be read or written.
+/// The reason why a file cannot be read or written.
 #[derive(Debug)]
 pub enum FileReason {
     Io(io::Error),

@@ -2,7 +2,7 @@
 
 use super::pattern::{Class, What};
 use super::place::Item;
-use super::table::{Habit, Piece};
+use super::table::{Form, Piece};
 use crate::diagnostic::Edit;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -27,7 +27,7 @@ pub struct Found {
 
 /// A match of a pattern of the table.
 pub(super) struct Match<'t, 'i> {
-    pub habit: &'static Habit,
+    pub form: &'static Form,
     pub item: &'i Item<'t>,
     /// The tokens of each element.
     pub parts: Vec<Range<usize>>,
@@ -35,7 +35,7 @@ pub(super) struct Match<'t, 'i> {
 
 impl<'t> Match<'t, '_> {
     fn hole(&self, name: &str) -> Option<Range<usize>> {
-        let elements = &self.habit.seen().elements;
+        let elements = &self.form.seen().elements;
         let at = elements
             .iter()
             .position(|element| matches!(&element.what, What::Hole(known, _) if *known == name))?;
@@ -43,7 +43,7 @@ impl<'t> Match<'t, '_> {
     }
 
     fn is_end(&self, at: usize) -> bool {
-        let element = self.habit.seen().elements.get(at);
+        let element = self.form.seen().elements.get(at);
         element.is_some_and(|of| matches!(of.what, What::Hole(_, Class::End)))
     }
 
@@ -75,7 +75,7 @@ impl<'t> Match<'t, '_> {
 
     /// The numbers of elements and pieces that are the same at both ends.
     fn shared(&self, pieces: &[Piece]) -> (usize, usize) {
-        let elements = &self.habit.seen().elements;
+        let elements = &self.form.seen().elements;
         let count = elements.len() - usize::from(self.is_end(elements.len().wrapping_sub(1)));
         let same = |element: usize, piece: usize| match (&elements[element].what, &pieces[piece]) {
             (What::Hole(hole, _), piece) => piece.hole == Some(*hole),
@@ -92,7 +92,7 @@ impl<'t> Match<'t, '_> {
 
     /// The place that differs, and the edit that mends it.
     fn difference(&self, pieces: &[Piece], template: &str) -> (Span, Edit) {
-        let elements = self.habit.seen().elements.len();
+        let elements = self.form.seen().elements.len();
         let count = elements - usize::from(self.is_end(elements.wrapping_sub(1)));
         let (front, back) = self.shared(pieces);
         let text = self.filled(&pieces[front..pieces.len() - back], template);
@@ -136,8 +136,8 @@ impl<'t> Match<'t, '_> {
 
     /// The tokens in place of those that were matched.
     pub(super) fn written(&self) -> Vec<Token> {
-        let kept: Vec<&str> = self.habit.ours().iter().filter_map(|piece| piece.hole).collect();
-        let elements = self.habit.seen().elements.iter().zip(&self.parts);
+        let kept: Vec<&str> = self.form.ours().iter().filter_map(|piece| piece.hole).collect();
+        let elements = self.form.seen().elements.iter().zip(&self.parts);
         // What is written anew takes the places of what is not kept.
         let places = elements
             .filter(
@@ -148,7 +148,7 @@ impl<'t> Match<'t, '_> {
         let start = self.item.token(self.all().start).map(|token| token.span.before());
         let mut last = start.unwrap_or_default();
         let mut tokens = Vec::new();
-        for piece in self.habit.ours() {
+        for piece in self.form.ours() {
             match piece.hole.and_then(|hole| self.hole(hole)) {
                 Some(range) => tokens.extend_from_slice(&self.item.tokens[range]),
                 None => {
@@ -166,12 +166,12 @@ impl<'t> Match<'t, '_> {
 
     /// The finding with its message.
     pub(super) fn found(&self, what: usize) -> Found {
-        let (pieces, template) = self.habit.fix();
+        let (pieces, template) = self.form.fix();
         let (span, edit) = self.difference(pieces, template);
         let first = self.item.token(self.all().start);
         let seen = self.seen_word();
-        let says = self.habit.says.replace("{}", seen);
-        let says = self.habit.holes_of_says().fold(says, |says, hole| {
+        let says = self.form.says.replace("{}", seen);
+        let says = self.form.holes_of_says().fold(says, |says, hole| {
             let range = self.hole(hole).unwrap_or_default();
             says.replace(&format!("${hole}"), self.item.slice(range))
         });
@@ -179,15 +179,15 @@ impl<'t> Match<'t, '_> {
             what,
             span,
             says,
-            edits: self.habit.is_sure().then(|| vec![edit]),
-            ends: self.habit.ends(),
+            edits: self.form.is_sure().then(|| vec![edit]),
+            ends: self.form.ends(),
             is_sign: first.is_some_and(|token| token.kind == T::Foreign),
         }
     }
 
     /// The first word of a pattern that is not kept.
     fn seen_word(&self) -> &'t str {
-        let elements = self.habit.seen().elements.iter().zip(&self.parts);
+        let elements = self.form.seen().elements.iter().zip(&self.parts);
         let mut literal = elements.filter(|(element, _)| matches!(element.what, What::Written(_)));
         literal.next().map_or("", |(_, range)| self.item.slice(range.clone()))
     }

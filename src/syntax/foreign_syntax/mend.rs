@@ -3,7 +3,7 @@
 use super::finding::{Found, Match};
 use super::place::{Braces, CODE, DRAWING, HEAD, Item, PARTS, Places};
 use super::sign::{Sign, sign};
-use super::table::{Habit, habits};
+use super::table::{Form, forms};
 use crate::diagnostic::Edit;
 use crate::syntax::token::{Token, TokenKind as T};
 use std::ops::Range;
@@ -56,7 +56,7 @@ pub fn mend(text: &str, tokens: &[Token]) -> Mended {
         let place = braces.place();
         let known = matching(&item, at, place, braces.begins(&item, at)).filter(|_| left > 0);
         if let Some((number, parts)) = known {
-            let hit = Match { habit: &habits()[number], item: &item, parts };
+            let hit = Match { form: &forms()[number], item: &item, parts };
             found.push(hit.found(number));
             let (range, written) = (hit.all(), hit.written());
             item.tokens.splice(range, written);
@@ -86,10 +86,10 @@ fn matching(
     place: Places,
     begins: bool,
 ) -> Option<(usize, Vec<Range<usize>>)> {
-    let here = |habit: &&Habit| habit.place & place != 0;
-    let numbered = habits().iter().enumerate().filter(|(_, habit)| here(habit));
-    let mut matches = numbered.filter_map(|(number, habit)| {
-        let parts = habit.seen().matched(item, at, begins)?;
+    let here = |form: &&Form| form.place & place != 0;
+    let numbered = forms().iter().enumerate().filter(|(_, form)| here(form));
+    let mut matches = numbered.filter_map(|(number, form)| {
+        let parts = form.seen().matched(item, at, begins)?;
         parts.last().is_some_and(|last| last.end > at).then_some((number, parts))
     });
     matches.next()

@@ -1,4 +1,4 @@
-//! Why a rule could not read on: a value small enough to be made at every token.
+//! Reasons why a rule could not read on: a value small enough to be made at every token.
 //!
 //! The parser makes one of these for each alternative it gives up, so what was wanted is
 //! kept as two sets of bits. Words are found later, in `report`, for the few that remain.
@@ -143,7 +143,7 @@ pub(super) enum Mistake {
     RuleAmongParts,
 }
 
-/// Why a rule could not read on.
+/// The reason why a rule could not read on.
 #[derive(Clone, Debug)]
 pub(super) struct Failure {
     /// The place.

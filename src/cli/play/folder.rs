@@ -1,0 +1,142 @@
+//! The files that the page may open: those of one folder, and the two that it was started with.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::analysis::{expect_regular, read_program};
+use crate::mesh::{FileFormat, FileReason, replace_file};
+
+/// The most files that are listed.
+const MOST_FILES: usize = 2000;
+
+/// The largest mesh file, in bytes.
+const LARGEST_MESH: u64 = 4 << 30;
+
+/// A folder, and files that the command line names.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Folder {
+    /// The folder, from the root.
+    pub path: PathBuf,
+    /// The program and the mesh that the page begins with, by the names that they have here.
+    pub program: Option<String>,
+    pub mesh: Option<String>,
+}
+
+impl Folder {
+    /// The folder of the files that are given, a program before a mesh; else a folder that is given,
+    /// else the working one.
+    ///
+    /// # Errors
+    /// In words, what cannot be opened.
+    pub fn of(files: &[PathBuf]) -> Result<Self, String> {
+        let [mut folder, mut program, mut mesh] = [const { None::<PathBuf> }; 3];
+        for file in files {
+            let shown = file.display();
+            let path = std::path::absolute(file).ok().filter(|path| path.exists());
+            let path =
+                path.ok_or_else(|| format!("cannot read `{shown}`: there is no such file"))?;
+            let place = match () {
+                () if path.is_dir() => &mut folder,
+                () if is_program(&path) => &mut program,
+                () => &mut mesh,
+            };
+            if place.replace(path).is_some() {
+                return Err("one program and one mesh can be opened, not more".to_owned());
+            }
+        }
+        let beside = |file: &Option<PathBuf>| file.as_ref()?.parent().map(Path::to_owned);
+        let path = folder.or_else(|| beside(&program)).or_else(|| beside(&mesh));
+        let path = path.map_or_else(std::env::current_dir, Ok);
+        let path = path.map_err(|error| format!("the working folder cannot be read: {error}"))?;
+        let named = |file: PathBuf| match file.strip_prefix(&path) {
+            Ok(inside) => inside.display().to_string(),
+            Err(_) => file.display().to_string(),
+        };
+        Ok(Self { program: program.map(named), mesh: mesh.map(named), path })
+    }
+
+    /// The names of programs and of meshes.
+    pub fn list(&self) -> [Vec<String>; 2] {
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let names = entries.filter(|entry| entry.path().is_file());
+        let names = names.filter_map(|entry| entry.file_name().into_string().ok());
+        let mut names: Vec<String> = names.take(MOST_FILES).collect();
+        names.extend(self.program.iter().chain(&self.mesh).cloned());
+        names.sort();
+        names.dedup();
+        let (programs, rest) = names.into_iter().partition(|name| is_program(Path::new(name)));
+        let rest: Vec<String> = rest;
+        [programs, rest.into_iter().filter(|name| is_mesh(Path::new(name))).collect()]
+    }
+
+    /// The text of a program that is listed.
+    ///
+    /// # Errors
+    /// In words, why there is none.
+    pub fn program(&self, name: &str) -> Result<String, String> {
+        let path = self.listed(name)?;
+        read_program(&path).map_err(|why| format!("cannot read `{name}`: {why}"))
+    }
+
+    /// The bytes of a mesh file that is listed.
+    ///
+    /// # Errors
+    /// In words, why there are none.
+    pub fn mesh(&self, name: &str) -> Result<Vec<u8>, String> {
+        let path = self.listed(name)?;
+        let told = |why: String| format!("cannot read `{name}`: {why}");
+        expect_regular(&path, LARGEST_MESH).map_err(told)?;
+        fs::read(&path).map_err(|error| told(error.to_string()))
+    }
+
+    /// Writes a program: one that is listed and still says `was`, or one that is new in the folder.
+    ///
+    /// # Errors
+    /// In words, why not.
+    pub fn save(&self, name: &str, was: Option<&str>, text: &str) -> Result<(), String> {
+        let path = match was {
+            Some(was) => {
+                let path = self.listed(name)?;
+                if read_program(&path).is_ok_and(|now| now != was) {
+                    return Err(format!(
+                        "`{name}` has been changed elsewhere since it was opened: download this \
+                         text, and open the file again"
+                    ));
+                }
+                path
+            }
+            None => {
+                let path = self.path.join(name);
+                let is_plain = Path::new(name).file_name().is_some_and(|last| last == name);
+                if !is_plain || !is_program(&path) {
+                    return Err(
+                        "the name of a program ends in `.hedge`, and names no folder".into()
+                    );
+                }
+                if path.exists() {
+                    return Err(format!("`{name}` is there already: give another name"));
+                }
+                path
+            }
+        };
+        let written =
+            replace_file(&path, |file| file.write_all(text.as_bytes()).map_err(FileReason::Io));
+        written.map_err(|reason| format!("`{name}` cannot be written: {reason}"))
+    }
+
+    /// The path of a name that is listed: no other leads to a file.
+    fn listed(&self, name: &str) -> Result<PathBuf, String> {
+        match self.list().iter().flatten().any(|known| known == name) {
+            true => Ok(self.path.join(name)),
+            false => Err(format!("there is no `{name}` in {}", self.path.display())),
+        }
+    }
+}
+
+fn is_program(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "hedge")
+}
+
+fn is_mesh(path: &Path) -> bool {
+    path.extension().is_some() && FileFormat::of(path).is_ok()
+}

@@ -1,0 +1,86 @@
+//! Other statements of scripts and functions.
+
+use super::{Line, sure, told};
+use crate::syntax::foreign_syntax::place::{CODE, HEAD, PARTS};
+
+pub(super) const LINES: &[Line] = &[
+    told(
+        CODE,
+        "std : : cout/cerr $l:line",
+        "",
+        "values are printed by `print \"{count(edges)} edges\"`",
+    ),
+    told(
+        CODE,
+        "^cout/cerr < $l:line",
+        "",
+        "values are printed by `print \"{count(edges)} edges\"`",
+    ),
+    sure(
+        CODE,
+        "^print ( $l:inside ) $:end",
+        "print $l",
+        "what is printed stands without parentheses",
+    ),
+    sure(
+        CODE,
+        "print f $t:text",
+        "print $t",
+        "values stand in any text that is printed: `print \"{x}\"`",
+    ),
+    sure(
+        CODE,
+        "$w=assert/require ( $c:inside , $t:text ) $:end",
+        "$w $c else $t",
+        "the reason stands behind `else`",
+    ),
+    sure(
+        CODE,
+        "$w=assert/require $c:part ,/: $t:text",
+        "$w $c else $t",
+        "the reason stands behind `else`",
+    ),
+    sure(
+        CODE,
+        "= $a:some _if $c:some _else $b:line",
+        "= if $c { $a } else { $b }",
+        "a choice is `if c { x } else { y }`",
+    ),
+    sure(
+        CODE,
+        "return $a:some _if $c:some _else $b:line",
+        "return if $c { $a } else { $b }",
+        "a choice is `if c { x } else { y }`",
+    ),
+    sure(
+        CODE | HEAD,
+        "{ $a:some _if $c:some _else $b:some }",
+        "{ if $c { $a } else { $b } }",
+        "a choice is `if c { x } else { y }`",
+    ),
+    told(
+        CODE,
+        "^for $i , $v in $s:part {",
+        "for $v in $s {",
+        "a loop has one variable: `for $v in vertices { … }`; `var i = 0` and `i = i + 1` count",
+    ),
+    told(
+        CODE,
+        "^for $i in range/seq/xrange ( $n:inside ) {",
+        "repeat $n {",
+        "there are no ranges: `repeat n { … }` does something `n` times, `for e in edges { … }` \
+         visits what there is",
+    ),
+    sure(
+        CODE | PARTS,
+        "$f ( mesh/bm/geometry/geom , ",
+        "$f(",
+        "a script has one mesh, which has no name: `$f(…)`",
+    ),
+    sure(
+        CODE | PARTS,
+        "in mesh/bm/geometry/self . $s=vertices/edges/faces/halfedges/holes",
+        "in $s",
+        "a script has one mesh, which has no name: `$s`",
+    ),
+];

@@ -1,0 +1,90 @@
+//! Loops of scripts and functions.
+
+use super::{Line, fixed, sure, told};
+use crate::syntax::foreign_syntax::place::CODE;
+
+const LOOP: &str = "a loop is `for v in vertices where … { … }`";
+const BRACES: &str = "a block stands in braces: `$w … { … }`";
+const CHOICE: &str = "a choice is `if c { … } else { … }`, also as a value";
+
+pub(super) const LINES: &[Line] = &[
+    told(
+        CODE,
+        "^for ( $i:inside ; $c:inside ; $s:inside ) {",
+        "repeat true {",
+        "there are no counting loops: `repeat n { … }`, `while c { … }`, `for v in vertices { … }`",
+    ),
+    sure(CODE, "for/foreach ( $t:inside $n : $s:inside ) {", "for $n in $s {", LOOP),
+    sure(CODE, "for/foreach ( $n : $s:inside ) {", "for $n in $s {", LOOP),
+    sure(
+        CODE,
+        "for/foreach ( $t=let/var/const/auto $n in/of $s:inside ) {",
+        "for $n in $s {",
+        LOOP,
+    ),
+    sure(CODE, "for/foreach ( $n in/of $s:inside ) {", "for $n in $s {", LOOP),
+    sure(
+        CODE,
+        "^foreach/forall/For/FOR/loop/every/iterate $n in",
+        "for $n in",
+        "`{}` is written `for`",
+    ),
+    sure(CODE, "^foreach/forall ( $n in $s:inside ) {", "for $n in $s {", LOOP),
+    sure(CODE, "^for each/all/every $n in", "for $n in", "a loop is `for $n in … { … }`"),
+    sure(CODE, "^for $t:word $n in", "for $n in", "a variable has no kind: `for $n in …`"),
+    sure(CODE, "^for $n :/of/= $s:part {", "for $n in $s {", "a loop is `for $n in … { … }`"),
+    told(
+        CODE,
+        "^for $n in $a:part . ~./.. $l:part {",
+        "repeat true {",
+        "there are no ranges: `repeat n { … }` does something `n` times",
+    ),
+    told(
+        CODE,
+        "^for $n in $a:part .5/.6/.7/.8/.9/.10/.3/.4/.2/.1/.20/.50/.100 {",
+        "repeat true {",
+        "there are no ranges: `repeat n { … }` does something `n` times",
+    ),
+    told(
+        CODE,
+        "^for $n in range ( $a:inside ) : $:end",
+        "",
+        "there are no ranges: `repeat n { … }` does something `n` times, in braces",
+    ),
+    told(CODE, "^$w=for/while/if/elif $l:part : $:end", "$w $l { }", BRACES),
+    told(CODE, "^$w=else/repeat/try $l:part : $:end", "", BRACES),
+    fixed(CODE, "$k=in edge {", "", "$k edges {", "the edges of the mesh are `edges`"),
+    fixed(CODE, "$k=in vertex {", "", "$k vertices {", "the vertices of the mesh are `vertices`"),
+    fixed(CODE, "$k=in face {", "", "$k faces {", "the faces of the mesh are `faces`"),
+    told(
+        CODE,
+        "^do { $b:inside } while $c:line",
+        "",
+        "a loop asks before each turn: `while c { … }`",
+    ),
+    sure(CODE, "^loop {", "while true {", "`loop` is written `while true`"),
+    told(CODE, "^switch/match $x:inside {", "{", CHOICE),
+    told(CODE, "^try {", "{", "a refusal is asked for: `if split(e) { … } else { … }`"),
+    told(
+        CODE,
+        "^throw/raise/panic $l:line",
+        "",
+        "a script is stopped by `assert c else \"…\"`, an op in steps refused by `require c else \"…\"`",
+    ),
+    sure(CODE, "$p=) then/do {", "$p {", "no `{}` stands before a brace"),
+    sure(CODE, "$n then/do {", "$n {", "no `{}` stands before a brace"),
+    sure(CODE, "^pass/noop $:end", "", "an empty block is `{ }`"),
+    told(
+        CODE,
+        "^import/using/include/from $l:line",
+        "",
+        "files are used at the head of a file: `use \"std/triangle.hedge\"`",
+    ),
+    told(
+        CODE,
+        "^before/after { $b:inside }",
+        "",
+        "what is drawn is an operation: `op name(e: edge) { before { … } after { … } }`",
+    ),
+    told(CODE, "^end $:end", "", "a block ends with `}`"),
+];

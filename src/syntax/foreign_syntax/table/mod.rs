@@ -1,0 +1,180 @@
+//! The table: how something is written elsewhere, and how here. How patterns are read is said
+//! in [`pattern`](super::pattern); of several that match the first counts.
+//!
+//! In what is said, `{}` is the first word of the pattern as it is written, and `$a` what stands
+//! in the hole of that name.
+
+mod assignments;
+mod code;
+mod items;
+mod lists;
+mod loops;
+mod parts;
+mod signs;
+mod statements;
+mod values;
+mod variables;
+
+use super::pattern::Pattern;
+use super::place::Places;
+use crate::syntax::token::TokenKind;
+use logos::Logos;
+use std::ops::Range;
+use std::sync::LazyLock;
+
+/// A line of the table.
+struct Line {
+    place: Places,
+    seen: &'static str,
+    ours: &'static str,
+    fix: Option<&'static str>,
+    says: &'static str,
+}
+
+/// A way of writing whose meaning is sure, and how that is written.
+const fn sure(place: Places, seen: &'static str, ours: &'static str, says: &'static str) -> Line {
+    Line { place, seen, ours, fix: Some(ours), says }
+}
+
+/// The same, where what is written is not what the rest is read with.
+const fn fixed(
+    place: Places,
+    seen: &'static str,
+    ours: &'static str,
+    fix: &'static str,
+    says: &'static str,
+) -> Line {
+    Line { place, seen, ours, fix: Some(fix), says }
+}
+
+/// A way of writing that only a person can write anew; the rest is read as if it were `ours`.
+const fn told(place: Places, seen: &'static str, ours: &'static str, says: &'static str) -> Line {
+    Line { place, seen, ours, fix: None, says }
+}
+
+const STEPS: &str = "an op is drawn, `before { … } after { … }`; one that calls others has `steps { … }`, and a script or `fn` statements of any kind";
+const VALUES: &str =
+    "a drawing has no variables: a value is written where it is used, or computed by a `fn`";
+const TYPED: &str = "a type stands behind its name: `$n: $t`";
+
+/// The lines of the table, in the order in which they are tried.
+const LINES: &[&[Line]] = &[
+    signs::LINES,
+    items::LINES,
+    parts::LINES,
+    lists::LINES,
+    statements::LINES,
+    assignments::LINES,
+    loops::LINES,
+    variables::LINES,
+    code::LINES,
+    values::LINES,
+];
+
+/// A piece of what is written in place of a pattern.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    /// Its place in the template.
+    pub place: Range<usize>,
+    /// The hole it is, if it is one.
+    pub hole: Option<&'static str>,
+    /// Its kind and its text, if it is none.
+    pub kind: TokenKind,
+    pub word: &'static str,
+}
+
+/// A form in which something is written elsewhere.
+#[derive(Debug)]
+pub(super) struct Form {
+    pub place: Places,
+    pub says: &'static str,
+    seen: Pattern,
+    ours: Vec<Piece>,
+    fix: Option<(Vec<Piece>, &'static str)>,
+}
+
+impl Form {
+    fn of(line: &Line) -> Self {
+        let ours = pieces(line.ours);
+        let is_ours = |piece: &Piece| {
+            piece.hole.is_some() || piece.kind.spelling().is_some() || piece.word == "main"
+        };
+        debug_assert!(ours.iter().all(is_ours), "`{}` is not of the language", line.ours);
+        Self {
+            place: line.place,
+            says: line.says,
+            seen: Pattern::of(line.seen),
+            ours,
+            fix: line.fix.map(|fix| (pieces(fix), fix)),
+        }
+    }
+
+    /// The pattern by which it is seen.
+    pub(super) fn seen(&self) -> &Pattern {
+        &self.seen
+    }
+
+    /// The pieces that the rest of the item is read with.
+    pub(super) fn ours(&self) -> &[Piece] {
+        &self.ours
+    }
+
+    /// The text in its place, and its template; nothing where that is not sure.
+    pub(super) fn fix(&self) -> (&[Piece], &'static str) {
+        self.fix.as_ref().map_or((&[], ""), |(pieces, template)| (pieces, template))
+    }
+
+    /// True if it is known what is written instead.
+    pub(super) fn is_sure(&self) -> bool {
+        self.fix.is_some()
+    }
+
+    /// True if the rest of the item may not be what was meant.
+    pub(super) fn ends(&self) -> bool {
+        self.fix.as_ref().is_none_or(|(fix, _)| fix.len() != self.ours.len())
+    }
+
+    /// The holes that may stand in what is said.
+    pub(super) fn holes_of_says(&self) -> impl Iterator<Item = &'static str> {
+        let pieces = pieces(self.says).into_iter();
+        pieces.filter_map(|piece| piece.hole)
+    }
+}
+
+/// The table, taken apart.
+pub(super) fn forms() -> &'static [Form] {
+    static FORMS: LazyLock<Vec<Form>> =
+        LazyLock::new(|| LINES.iter().copied().flatten().map(Form::of).collect());
+    &FORMS
+}
+
+/// The pieces of a template.
+fn pieces(template: &'static str) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut at = 0;
+    while let Some(rest) = template.get(at..).filter(|rest| !rest.is_empty()) {
+        let skipped = rest.len() - rest.trim_start().len();
+        if skipped > 0 {
+            at += skipped;
+            continue;
+        }
+        let hole = rest.strip_prefix('$').map(|hole| {
+            let end = hole.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(hole.len());
+            &hole[..end]
+        });
+        let hole = hole.filter(|hole| !hole.is_empty());
+        let (kind, length) = match hole {
+            Some(hole) => (TokenKind::Word, hole.len() + 1),
+            None => {
+                let until = rest.find(['$', ' ']).filter(|&until| until > 0);
+                let mut lexer = TokenKind::lexer(&rest[..until.unwrap_or(rest.len())]);
+                let kind = lexer.next().and_then(Result::ok).unwrap_or(TokenKind::Word);
+                (kind, lexer.slice().len().max(rest.chars().next().map_or(1, char::len_utf8)))
+            }
+        };
+        let place = at..at + length;
+        pieces.push(Piece { word: &template[place.clone()], place, hole, kind });
+        at += length;
+    }
+    pieces
+}

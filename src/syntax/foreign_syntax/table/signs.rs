@@ -1,0 +1,91 @@
+//! Signs: operators, arrows, ends of lines.
+
+use super::{Line, fixed, sure, told};
+use crate::syntax::foreign_syntax::place::{ANY, CODE, DRAWING, PARTS};
+
+const POWER: &str = "a power is `pow(x, y)`, a square `x * x`";
+
+pub(super) const LINES: &[Line] = &[
+    sure(ANY, ";", "", "no `;`: a statement ends where the next one begins"),
+    sure(ANY, "&&/&/∧", "and", "`{}` is written `and`"),
+    sure(CODE | PARTS, "| ~|", "or", "`||` is written `or`"),
+    sure(ANY, "∨", "or", "`{}` is written `or`"),
+    sure(ANY, "!/¬", "not", "`{}` is written `not`"),
+    sure(ANY, "%", "mod", "`%` is written `mod`"),
+    sure(CODE | PARTS, "== ~=", "==", "`===` is written `==`"),
+    sure(CODE | PARTS, "!= ~=", "!=", "`!==` is written `!=`"),
+    sure(CODE | PARTS, "< ~>", "!=", "`<>` is written `!=`"),
+    sure(CODE | PARTS, "= ~<", "<=", "`=<` is written `<=`"),
+    sure(ANY, "≤", "<=", "`{}` is written `<=`"),
+    sure(ANY, "≥", ">=", "`{}` is written `>=`"),
+    sure(ANY, "≠", "!=", "`{}` is written `!=`"),
+    sure(ANY, "×/·/∗", "*", "`{}` is written `*`"),
+    sure(DRAWING, "−/–/—/─ $a →/⟶/➔", "-$a->", "an arrow is typed `-$a->`"),
+    sure(DRAWING, "- $a →/⟶/➔", "-$a->", "an arrow is typed `-$a->`"),
+    sure(DRAWING, "= $a ⇒", "=$a=>", "a path is typed `=$a=>`"),
+    sure(ANY, "−/–/—/─", "-", "`{}` is written `-`"),
+    sure(ANY, "→/⟶/➔", "->", "`{}` is written `->`"),
+    sure(ANY, "⇒", "=>", "`{}` is written `=>`"),
+    sure(DRAWING, "…", "=>", "a path without a name is `=>`"),
+    fixed(CODE, "∈", "in", "in", "`{}` is written `in`"),
+    // What a power is taken of is whole behind one of these.
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return $x * ~* $n:number",
+        "$b $x * $n",
+        "$b pow($x, $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return $x . $y * ~* $n:number",
+        "$b $x . $y * $n",
+        "$b pow($x.$y, $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return ( $x:inside ) * ~* $n:number",
+        "$b ( $x ) * $n",
+        "$b pow($x, $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return $f ( $x:inside ) * ~* $n:number",
+        "$b $f ( $x ) * $n",
+        "$b pow($f($x), $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return $x ^ $n:number",
+        "$b $x * $n",
+        "$b pow($x, $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return $x . $y ^ $n:number",
+        "$b $x . $y * $n",
+        "$b pow($x.$y, $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return ( $x:inside ) ^ $n:number",
+        "$b ( $x ) * $n",
+        "$b pow($x, $n)",
+        POWER,
+    ),
+    fixed(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return $f ( $x:inside ) ^ $n:number",
+        "$b $f ( $x ) * $n",
+        "$b pow($f($x), $n)",
+        POWER,
+    ),
+    told(CODE | PARTS, "* ~*", "*", POWER),
+    told(ANY, "^", "*", POWER),
+    told(ANY, "? $a:part : $b:line", "", "a choice is `if c { x } else { y }`"),
+];

@@ -1,0 +1,212 @@
+//! Statements of drawings.
+
+use super::{Line, STEPS, VALUES, sure, told};
+use crate::syntax::foreign_syntax::place::DRAWING;
+
+const HALFEDGE: &str =
+    "a halfedge is drawn in its loop, `face f: v0 -a-> v1 …`, and has no statement of its own";
+const DECLARED: &str = "names are not declared: what is drawn tells what they stand for";
+const PAIRED: &str = "an edge is a pair of twins with a bar between them: `edge e: a | d`";
+const OWN_ENDS: &str = "an edge names its two halfedges, not its ends: `edge e: a | d` where `v0 -a-> v1` and `v1 -d-> v0`";
+const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
+const DRAWN: &str = "a drawing has no `{}`: alternatives are `rule name { … }`, a refusal is `require c else \"…\"`, and `each i { … }` repeats a period";
+const ARROW: &str = "a halfedge is drawn `v0 -a-> v1`, a path `v0 =P=> v1`";
+
+pub(super) const LINES: &[Line] = &[
+    told(
+        DRAWING,
+        "^if/for/while/repeat/foreach/unless $h:inside { $b:inside } else { $c:inside }",
+        "",
+        DRAWN,
+    ),
+    told(DRAWING, "^if/for/while/repeat/foreach/unless $h:inside { $b:inside }", "", DRAWN),
+    told(DRAWING, "^let/var/const/auto/val $l:line", "", VALUES),
+    told(
+        DRAWING,
+        "^return $l:line",
+        "",
+        "what an op returns stands in its head: `op name(…) -> x { … }`",
+    ),
+    told(DRAWING, "^print/assert/must $l:line", "", STEPS),
+    sure(
+        DRAWING,
+        "^boundary/border/Hole/holes/outside/exterior/boundary_loop/HOLE/rim $f :",
+        "hole $f:",
+        "a boundary loop is a `hole`",
+    ),
+    sure(
+        DRAWING,
+        "^Face/tri/triangle/quad/polygon/faces/facet/cell/poly/tris/FACE/pentagon/square/ngon $f :",
+        "face $f:",
+        "`{}` is written `face`",
+    ),
+    sure(DRAWING, "^Edge/edges/side/EDGE/link/pair $e :", "edge $e:", "`{}` is written `edge`"),
+    sure(
+        DRAWING,
+        "^Vertex/vert/vertices/node/point/star/verts/spokes/VERTEX/ring/fan $v :",
+        "vertex $v:",
+        "`{}` is written `vertex`",
+    ),
+    sure(DRAWING, "^cycle/orbit/Loop/LOOP/contour $f :", "loop $f:", "`{}` is written `loop`"),
+    told(
+        DRAWING,
+        "^halfedge/he/half_edge/Halfedge/dart/arc/halfedges/HalfedgeRef/path $h : $l:line",
+        "",
+        HALFEDGE,
+    ),
+    told(
+        DRAWING,
+        "^halfedge/he/half_edge/Halfedge/dart/arc/HalfedgeRef $h = $l:line",
+        "",
+        HALFEDGE,
+    ),
+    told(
+        DRAWING,
+        "^halfedge/halfedges/he/face/edge/vertex/hole/path/HalfedgeRef/VertexRef/EdgeRef/FaceRef $a $n:names $:end",
+        "",
+        DECLARED,
+    ),
+    told(DRAWING, "^twin/twins/opposite/pair $l:line", "", PAIRED),
+    told(DRAWING, "^edge $e :/= $a:vertex $b:vertex $:end", "", OWN_ENDS),
+    told(DRAWING, "^edge $e :/= $a:vertex ,/-/->/=>/.. $b:vertex $:end", "", OWN_ENDS),
+    told(DRAWING, "^edge $e :/= ( $a:vertex , $b:vertex )", "", OWN_ENDS),
+    told(
+        DRAWING,
+        "^edge $e : $a | $b | $c",
+        "edge $e: $a | $b",
+        "an edge has two halfedges: `edge $e: $a | $b`",
+    ),
+    sure(DRAWING, "^edge $e $a |/=/,/- $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e = $a | $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a ,/- $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a / $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a and/&/&&/~/<>/:/twin/with $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a | | $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a < -> $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a ->/=>/== $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= $a $b $:end", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= ( $a ,/| $b )", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= [ $a ,/| $b ]", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e :/= { $a ,/| $b }", "edge $e: $a | $b", PAIRED),
+    sure(DRAWING, "^edge $e ( $a ,/| $b )", "edge $e: $a | $b", PAIRED),
+    told(DRAWING, "^edge : $l:line", "", "an edge has a name: `edge e: a | d`"),
+    told(DRAWING, "^face/hole/loop : $l:line", "", "a {} has a name: `{} f: v0 -a-> v1 …`"),
+    told(DRAWING, "^vertex : $l:line", "", "a vertex has a name: `vertex v: a *S b`"),
+    told(DRAWING, "^$a | $b $:end", "", "twins stand in an edge statement: `edge e: $a | $b`"),
+    sure(
+        DRAWING,
+        "^$k=face/hole/loop $f =/( $v $d=-/=/=>",
+        "$k $f: $v $d",
+        "a colon stands behind the name: `$k $f: …`",
+    ),
+    sure(
+        DRAWING,
+        "^$k=face/hole/loop $f $v $d=-/=/=>",
+        "$k $f: $v $d",
+        "a colon stands behind the name: `$k $f: …`",
+    ),
+    sure(
+        DRAWING,
+        "^$k=face/hole/loop $f $e=each",
+        "$k $f: $e",
+        "a colon stands behind the name: `$k $f: …`",
+    ),
+    sure(
+        DRAWING,
+        "^vertex $v = $a",
+        "vertex $v: $a",
+        "a colon stands behind the name: `vertex $v: …`",
+    ),
+    sure(
+        DRAWING,
+        "^vertex $v $a $b",
+        "vertex $v: $a $b",
+        "a colon stands behind the name: `vertex $v: …`",
+    ),
+    told(
+        DRAWING,
+        "^$k=face/hole/loop $f :/=/( $a $b $l:line",
+        "",
+        "a loop has arrows with the names of its halfedges: `$k $f: v0 -a-> v1 -b-> v0`",
+    ),
+    told(
+        DRAWING,
+        "^$k=face/hole/loop $f :/=/( $a , $l:line",
+        "",
+        "a loop has arrows with the names of its halfedges: `$k $f: v0 -a-> v1 -b-> v0`",
+    ),
+    told(
+        DRAWING,
+        "^$k=face/hole/loop $f :/= (/[/{ $l:line",
+        "",
+        "a loop has arrows with the names of its halfedges: `$k $f: v0 -a-> v1 -b-> v0`",
+    ),
+    told(
+        DRAWING,
+        "^$f = face/hole/Face ( $l:line",
+        "",
+        "a face is drawn by its loop: `face $f: v0 -a-> v1 -b-> v0`",
+    ),
+    sure(DRAWING, "- ~- $a - ~->", "-$a->", "an arrow has one dash before its name: `-$a->`"),
+    sure(DRAWING, "- ~- $a ->", "-$a->", "an arrow has one dash before its name: `-$a->`"),
+    sure(DRAWING, "- $a - ~->", "-$a->", "an arrow is `-$a->`"),
+    sure(DRAWING, "- $a - >", "-$a->", "an arrow is `-$a->`, without a space in `->`"),
+    sure(
+        DRAWING,
+        "- [/(/< $a ]/)/> ->",
+        "-$a->",
+        "an arrow has the bare name of its halfedge: `-$a->`",
+    ),
+    sure(
+        DRAWING,
+        "- [/(/< $a ]/)/> - ~->",
+        "-$a->",
+        "an arrow has the bare name of its halfedge: `-$a->`",
+    ),
+    sure(DRAWING, "-> ~$a ~->", "-$a->", "an arrow is `-$a->`"),
+    sure(DRAWING, "== $a == ~>", "=$a=>", "a path is `=$a=>`"),
+    sure(DRAWING, "= $a = >", "=$a=>", "a path is `=$a=>`, without a space in `=>`"),
+    sure(DRAWING, "- $a => ", "-$a->", "an arrow is `-$a->`, a path `=$a=>`"),
+    sure(DRAWING, "=> $a =>", "=$a=>", "a path is `=$a=>`"),
+    told(DRAWING, "= $a ->", "- $a ->", ARROW),
+    told(DRAWING, "^face/hole/loop $f : $l:some < - $a -/-> $v", "", BACKWARDS),
+    told(DRAWING, "< - $a -", "- $a ->", "arrows run forward, around the face: `v0 -$a-> v1`"),
+    sure(
+        DRAWING,
+        "^$k=face/hole/loop $f : $l:some - $a - $v",
+        "$k $f: $l -$a-> $v",
+        "an arrow ends with `->`: `-$a-> $v`",
+    ),
+    sure(
+        DRAWING,
+        "^$k=face/hole/loop $f : $l:some - $a $v $d=-/=/=>",
+        "$k $f: $l -$a-> $v $d",
+        "an arrow ends with `->`: `-$a-> $v`",
+    ),
+    told(DRAWING, "$a - > $b", "$a => $b", "an arrow has the name of its halfedge: `$a -h-> $b`"),
+    sure(DRAWING, "$a . ~. ~. $b", "$a => $b", "a path without a name is `=>`"),
+    told(
+        DRAWING,
+        "$v:vertex , $w:vertex $d=-/=",
+        "$v $d",
+        "a loop names each of its vertices once: `v0 -a-> v1 -b-> v2`",
+    ),
+    sure(
+        DRAWING,
+        "^new $l:names : $k=vertex/edge/face/halfedge",
+        "new $l",
+        "names are listed without their kinds: what is drawn tells what they stand for",
+    ),
+    told(
+        DRAWING,
+        "^keep */all/everything/rest",
+        "",
+        "`keep` lists faces, edges and vertices by their names: `keep f0 f1 e`",
+    ),
+    told(
+        DRAWING,
+        ". ~. ~.",
+        "",
+        "spokes that have no name are a fan, `*S` or `*`; a path without a name is `=>`",
+    ),
+];

@@ -1,0 +1,132 @@
+//! Values: what is read, called and computed.
+
+use super::{Line, fixed, sure, told};
+use crate::syntax::foreign_syntax::place::{CODE, PARTS};
+
+const SIDES: &str = "an op is drawn: `before { … }` is what it finds, `after { … }` what it leaves";
+const EXISTS: &str =
+    "no element is missing: beyond a boundary is a hole, `hole(h.face)`, `boundary(v)`";
+const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
+const POINTER: &str = "a pointer is read without parentheses: `h.$p`";
+
+pub(super) const LINES: &[Line] = &[
+    told(CODE | PARTS, "is not $b=None/null/nil/nullptr/NULL", "!= true", EXISTS),
+    told(CODE | PARTS, "is $b=None/null/nil/nullptr/NULL", "!= true", EXISTS),
+    sure(CODE | PARTS, "is not $b:word", "!= $b", "`is not` is written `!=`"),
+    sure(CODE | PARTS, "is $b:word", "== $b", "`is` is written `==`"),
+    told(
+        CODE | PARTS,
+        "not in $s:word",
+        "!= true",
+        "whether something is in a sequence is asked by `any(x == e for x in $s)`",
+    ),
+    told(
+        CODE,
+        "^if $x in $s=edges/vertices/faces/halfedges/holes {",
+        "if true {",
+        "whether something is in a sequence is asked by `any(y == x for y in $s)`",
+    ),
+    sure(CODE | PARTS, "new $f:word (", "$f(", "a value is made without `new`"),
+    fixed(
+        CODE | PARTS,
+        "mesh . $s=vertices/edges/faces/halfedges/holes ( )",
+        "$s",
+        "$s",
+        "a script has one mesh, which has no name: `$s` are its own",
+    ),
+    fixed(
+        CODE | PARTS,
+        "mesh -> $s=vertices/edges/faces/halfedges/holes ( )",
+        "$s",
+        "$s",
+        "a script has one mesh, which has no name: `$s` are its own",
+    ),
+    sure(
+        CODE | PARTS,
+        "mesh ./-> $f:word ( $x:inside )",
+        "$f($x)",
+        "a script has one mesh, which has no name: `$f(…)`",
+    ),
+    fixed(
+        CODE | PARTS,
+        "$s=vertices/edges/faces/halfedges/holes . size/count/length/len ( )",
+        "$s",
+        "count($s)",
+        "a sequence is counted by `count($s)`",
+    ),
+    sure(
+        CODE | PARTS,
+        "$s=vertices/edges/faces/halfedges/holes ( ) {",
+        "$s {",
+        "a sequence stands without parentheses",
+    ),
+    sure(
+        CODE | PARTS,
+        ". $p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors ~( )",
+        ".$p",
+        POINTER,
+    ),
+    sure(
+        CODE | PARTS,
+        "~-> ~$p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors ~( )",
+        ".$p",
+        POINTER,
+    ),
+    sure(
+        CODE | PARTS,
+        "~-> ~$p=next/twin/prev/vertex/edge/face/halfedge/target/position/vertices/edges/faces/halfedges/neighbors",
+        ".$p",
+        "a pointer is read behind a dot: `h.$p`",
+    ),
+    sure(CODE | PARTS, "~-> ~$p:word", ".$p", "a pointer is read behind a dot: `h.$p`"),
+    told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
+    sure(
+        CODE | PARTS,
+        "( [ $b:inside for $n in $s:inside ] )",
+        "($b for $n in $s)",
+        "there are no lists: `sum(x for e in edges)` has no brackets",
+    ),
+    told(
+        CODE | PARTS,
+        "= [ $a:inside ]",
+        "= true",
+        "there are no lists; a vector is `vec3(x, y, z)`",
+    ),
+    told(
+        CODE | PARTS,
+        "= { $a:inside }",
+        "= true",
+        "there are no lists and tables; values are kept at elements, `attr weight: edge real`",
+    ),
+    told(
+        CODE | PARTS,
+        "= lambda $x:line",
+        "= true",
+        "functions have names: `fn name(x: real) { … }`",
+    ),
+    told(CODE | PARTS, "= | $x | $:end", "= $x", "the size of a number is `abs(x)`"),
+    told(CODE | PARTS, "= | $x:line", "= true", "functions have names: `fn name(x: real) { … }`"),
+    told(
+        CODE | PARTS,
+        "= $x => $l:line",
+        "= true",
+        "functions have names: `fn name(x: real) { … }`",
+    ),
+    fixed(
+        CODE | PARTS,
+        "print | $x |",
+        "print $x",
+        "print abs($x)",
+        "the size of a number is `abs(x)`",
+    ),
+    fixed(CODE | PARTS, "| $x |", "$x", "abs($x)", "the size of a number is `abs(x)`"),
+    sure(CODE | PARTS, "=>", ">=", "`{}` is written `>=`"),
+    told(
+        CODE | PARTS,
+        "$a:word : : $b:word",
+        "$b",
+        "a name stands alone, without what it belongs to: `$b`",
+    ),
+    told(CODE | PARTS, "null/None/nullptr/nil", "true", EXISTS),
+    told(PARTS, "^face/edge/vertex/hole/loop $n : $l:line", "", SIDES),
+];
