@@ -64,6 +64,7 @@ mod problem;
 mod properties;
 mod proved;
 mod reach;
+mod remedies;
 mod ring_problems;
 mod stale;
 mod star_order;

@@ -10,6 +10,7 @@
 
 use super::outside::beside;
 use super::problem::{Problem, Remedy, enumerate, is_or_are, join};
+use super::remedies::{around, by_ends, insertions, unpaired};
 use super::stale::Stale;
 use super::unknown_names::Unknown;
 use crate::diagnostic::Diagnostic;
@@ -406,87 +407,6 @@ impl Law<'_> {
         self.problems.push(Problem { diagnostic, remedies });
         true
     }
-}
-
-/// The places in the loops of `after` where something may have been forgotten: with the vertex that
-/// has been forgotten with it, or with one that is drawn.
-fn insertions(drawing: &Drawing, item: NameId) -> Vec<Remedy> {
-    let rule = drawing.rule;
-    if rule.cycle.is_some() {
-        return Vec::new();
-    }
-    let survivors = rule
-        .names_of(Kind::Vertex)
-        .filter(|&vertex| drawing.survives(vertex) || drawing.created(vertex).is_some());
-    let (drawn, forgotten): (Vec<_>, Vec<_>) =
-        survivors.partition(|&vertex| drawing.after.mention(vertex).is_some());
-    let starts = if forgotten.is_empty() { drawn } else { forgotten };
-    let is_kept = |orbit: &Loop| rule.after.kept.iter().any(|kept| kept.name == orbit.face.name);
-    let loops = rule.after.loops.iter().filter(|orbit| !is_kept(orbit));
-    let places = loops.flat_map(|orbit| (1..=orbit.items.len()).map(|at| (orbit.face.name, at)));
-    let remedies = places.flat_map(|(face, at)| {
-        starts.iter().map(move |&from| Remedy::Insert { face, at, from, item })
-    });
-    remedies.collect()
-}
-
-/// The halfedges that have a twin before, or are new, and have none after.
-pub(super) fn unpaired(drawing: &Drawing, is_new: impl Fn(NameId) -> bool) -> Vec<NameId> {
-    let halves = drawing.rule.names_of(Kind::Halfedge);
-    halves
-        .filter(|&half| drawing.after.pairing(half).is_none() && drawing.erased(half).is_none())
-        .filter(|&half| is_new(half) || drawing.before.pairing(half).is_some())
-        .collect()
-}
-
-/// Pairs of halfedges that run between the same vertices in opposite directions, if each has
-/// just one such other.
-pub(super) fn by_ends(drawing: &Drawing, open: &[NameId]) -> Option<Vec<[NameId; 2]>> {
-    let ends =
-        |half: NameId| Some((drawing.after.loop_origin(half)?, drawing.after.loop_target(half)?));
-    let mut pairs: Vec<[NameId; 2]> = Vec::new();
-    for &half in open {
-        let (from, to) = ends(half)?;
-        let mut others =
-            open.iter().filter(|&&other| ends(other) == Some((to, from)) && other != half);
-        let (Some(&other), None) = (others.next(), others.next()) else {
-            return None;
-        };
-        if pairs.iter().all(|pair| !pair.contains(&half)) {
-            pairs.push([half, other]);
-        }
-    }
-    Some(pairs)
-}
-
-/// The loop that some items make by their ends: where they start after, or else did before; if
-/// there is just one way around.
-fn around(drawing: &Drawing, items: &[NameId]) -> Option<Vec<(NameId, NameId)>> {
-    let ends = |item: NameId| {
-        let twin = drawing.after.pairing(item).and_then(|edge| {
-            let mut halves = edge.halfedges.iter().map(|half| half.name);
-            halves.find(|&half| half != item)
-        });
-        let across = twin.and_then(|twin| {
-            Some((drawing.after.loop_target(twin)?, drawing.after.loop_origin(twin)?))
-        });
-        across.or_else(|| Some((drawing.before.loop_origin(item)?, drawing.target_before(item)?)))
-    };
-    let all: Vec<_> = items.iter().map(|&item| Some((item, ends(item)?))).collect::<Option<_>>()?;
-    let (first, (start, mut to)) = *all.first()?;
-    let mut around = vec![(start, first)];
-    while to != start {
-        let mut next = all.iter().filter(|(_, (from, _))| *from == to);
-        let (Some(&(item, (from, end))), None) = (next.next(), next.next()) else {
-            return None;
-        };
-        if around.len() >= all.len() {
-            return None;
-        }
-        around.push((from, item));
-        to = end;
-    }
-    (around.len() == all.len()).then_some(around)
 }
 
 /// Tells that names of one kind are drawn before, and nowhere after.

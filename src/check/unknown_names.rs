@@ -1,7 +1,7 @@
 //! Names of `after` that nothing introduces, and what was probably meant.
 
-use super::names_are_accounted_for::{by_ends, unpaired};
 use super::problem::{Problem, Remedy, enumerate};
+use super::remedies::{by_ends, unpaired};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId};
 use crate::source::Span;

@@ -200,6 +200,7 @@ impl Assembler {
         let traps = self.traps.iter().map(|&(at, place)| (at + shift, place));
         Ok(Code {
             insts,
+            constants: prologue,
             registers: self.registers.most,
             buffers: self.buffers,
             traps: traps.collect(),

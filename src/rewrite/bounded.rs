@@ -55,9 +55,15 @@ fn asked_attributes(code: &Code) -> Vec<u16> {
         Inst::LoadAttribute { attribute, .. } => Some(attribute),
         _ => None,
     };
+    let constants = code.insts.iter().take(code.constants);
+    let small = constants.filter_map(|inst| match *inst {
+        Inst::Const { to, bits } => is_small(Value::Int(bits as i64)).then_some(to),
+        _ => None,
+    });
+    let small: Vec<Reg> = small.collect();
     let mut asked = Vec::new();
     let mut since = 0;
-    let mut sums = Sums::default();
+    let mut sums = Sums { count: 0, small: small.clone() };
     for (at, inst) in code.insts.iter().enumerate() {
         if sums.take(inst) {
             continue;
@@ -66,7 +72,7 @@ fn asked_attributes(code: &Code) -> Vec<u16> {
             asked.extend(code.insts[since..=at].iter().filter_map(load));
         }
         since = at + 1;
-        sums = Sums::default();
+        sums = Sums { count: 0, small: small.clone() };
     }
     asked.extend(code.insts[since..].iter().filter_map(load));
     let called = code.with_called();
@@ -75,7 +81,6 @@ fn asked_attributes(code: &Code) -> Vec<u16> {
 }
 
 /// Sums of small ints, one after the other.
-#[derive(Default)]
 struct Sums {
     count: usize,
     /// The registers that hold sums, or what is small if the attributes are.
@@ -88,7 +93,7 @@ impl Sums {
         let to = match *inst {
             Inst::LoadAttribute { to, .. }
             | Inst::Ask { question: Question::Degree | Question::FaceSize, to, .. } => to,
-            Inst::Const { to, bits } if (bits as i64).unsigned_abs() <= SMALL => to,
+            Inst::Copy { to, from } if self.small.contains(&from) => to,
             Inst::AddInt { to, left, right } | Inst::SubInt { to, left, right }
                 if self.count < MOST_SUMS
                     && self.small.contains(&left)
@@ -97,6 +102,8 @@ impl Sums {
                 self.count += 1;
                 to
             }
+            // It asks nothing of them.
+            Inst::ExpectRoom { .. } => return true,
             _ => return false,
         };
         self.small.push(to);

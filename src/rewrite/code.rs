@@ -30,6 +30,8 @@ pub struct Label(pub u32);
 pub struct Code {
     /// The instructions; running past the last one returns.
     pub insts: Vec<Inst>,
+    /// How many of them, the first, load constants into registers that nobody else writes to.
+    pub constants: usize,
     /// The number of slots of its window.
     pub registers: u16,
     /// The number of buffers it uses.

@@ -19,7 +19,7 @@ fn manifest() -> Value {
 }
 
 fn sources() -> String {
-    let names = ["extension.js", "desktop.js", "browser.js"];
+    let names = ["extension.js", "panel.js", "files.js", "desktop.js", "browser.js"];
     names.map(|name| read(&format!("src/{name}"))).concat()
 }
 

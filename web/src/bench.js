@@ -312,6 +312,7 @@ export class Bench {
       const seconds = (performance.now() - started) / 1000
       this.#done(json, json)
       await this.refresh()
+      this.scene.keepInView()
       if (json.failed) this.say(`${script.name} did not come to its end`, 'rejected')
       else this.say(`${script.name}: ${seconds.toFixed(2)} seconds`, 'proved')
     } finally {

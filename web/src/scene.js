@@ -21,7 +21,7 @@ const SHORTEST = 3
 /** A picture that takes longer than this while the mesh is turned, in milliseconds, is made coarser. */
 const SLOW = 45
 /** The triangles of a mesh that stands for a larger one while that is turned. */
-const COARSE = 25_000
+const COARSE = 12_000
 
 /** The arrays of an answer, by name. */
 export function arraysOf(json, bytes) {
@@ -43,6 +43,7 @@ export class Scene {
   /** The values that colours stand for, from the least to the greatest. */
   range = null
   #turning = false
+  #isDrawn = false
   #last = 0
   #slow = 0
   /** How much coarser the mesh is while it is turned. */
@@ -50,6 +51,7 @@ export class Scene {
   #withEdges = true
   #mesh = null
   #box = new THREE.Box3()
+  #framed = null
   #dirty = true
   #dark = matchMedia('(prefers-color-scheme: dark)')
 
@@ -83,8 +85,10 @@ export class Scene {
     this.#listen(canvas)
     const frame = now => {
       requestAnimationFrame(frame)
-      if (this.#dirty) this.#draw(now)
-      else this.#last = 0
+      if (this.#turning && this.#isDrawn) this.#measure(now - this.#last)
+      this.#last = now
+      this.#isDrawn = this.#dirty
+      if (this.#dirty) this.#draw()
     }
     frame(0)
   }
@@ -103,9 +107,8 @@ export class Scene {
     this.#dirty = true
   }
 
-  #draw(now) {
+  #draw() {
     this.#dirty = false
-    if (this.#turning) this.#measure(now)
     this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.4, 1, 0.2))
     if (this.lines) this.lines.visible = this.#withEdges && this.#edgeLength() > SHORTEST
     this.renderer.render(this.scene, this.camera)
@@ -122,18 +125,16 @@ export class Scene {
   /** Somebody begins to turn the mesh, or lets it go. */
   #turn(isTurning) {
     this.#turning = isTurning
-    this.#last = 0
     this.#slow = 0
     this.#coarsen()
   }
 
   /** Where pictures come too slowly while the mesh is turned, they are made coarser, step by step. */
-  #measure(now) {
-    if (this.#last && now - this.#last > SLOW) this.#slow += 1
-    this.#last = now
+  #measure(time) {
+    if (time > SLOW) this.#slow += 1
     if (this.#slow < 2 || this.#level === 3) return
     this.#slow = 0
-    this.#level += 1
+    this.#level = Math.min(3, this.#level + (time > 4 * SLOW ? 2 : 1))
     this.#coarsen()
   }
 
@@ -204,7 +205,9 @@ export class Scene {
         color: dark ? 0x0b1220 : 0x1f2937, transparent: true,
         opacity: Math.min(0.85, Math.max(0.12, 3000 / Math.sqrt(arrays.edges.length + 1) / 10)),
       })
-    this.lines = new THREE.LineSegments(isOnEdges ? coloured : edges, lines)
+    this.lines = isOnEdges && arrays.edgeIds.length <= FAT
+      ? this.#segments(coloured.attributes.position.array, 0xffffff, 3, false, coloured.attributes.color.array)
+      : new THREE.LineSegments(isOnEdges ? coloured : edges, lines)
     this.base.add(this.faces, this.lines)
     const border = []
     for (let at = 0; at < arrays.edgeIsBoundary.length; at++) {
@@ -216,28 +219,43 @@ export class Scene {
     this.#wake()
   }
 
-  /** Puts the whole mesh into the middle of the view. */
-  frame() {
-    if (!this.#mesh) return
+  /** The middle of the mesh, and how far it reaches. */
+  #extent() {
     this.#box.makeEmpty()
     const { positions, edges } = this.#mesh.arrays
     const point = new THREE.Vector3()
+    for (const vertex of edges) this.#box.expandByPoint(point.fromArray(positions, 3 * vertex))
+    const center = this.#box.getCenter(new THREE.Vector3())
+    let farthest = 0
     for (const vertex of edges) {
-      this.#box.expandByPoint(point.fromArray(positions, 3 * vertex))
+      farthest = Math.max(farthest, point.fromArray(positions, 3 * vertex).distanceToSquared(center))
     }
-    if (this.#box.isEmpty()) return
-    const sphere = this.#box.getBoundingSphere(new THREE.Sphere())
-    const radius = sphere.radius || 1
+    return { center, radius: Math.sqrt(farthest) || 1 }
+  }
+
+  /** Puts the whole mesh into the middle of the view. */
+  frame() {
+    if (!this.#mesh?.arrays.edges.length) return
+    const { center, radius } = this.#framed = this.#extent()
     const way = this.camera.position.clone().sub(this.controls.target).normalize()
-    this.controls.target.copy(sphere.center)
+    this.controls.target.copy(center)
     const aspect = Math.min(1, this.camera.aspect)
     const far = radius / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2)) / aspect
-    this.camera.position.copy(sphere.center).addScaledVector(way, far * 1.05)
+    this.camera.position.copy(center).addScaledVector(way, far * 1.08)
     this.camera.near = radius / 200
     this.camera.far = radius * 60
     this.camera.updateProjectionMatrix()
     this.controls.update()
     this.#wake()
+  }
+
+  /** Does so if the mesh has become another one in size or place. */
+  keepInView() {
+    if (!this.#mesh?.arrays.edges.length || !this.#framed) return
+    const { center, radius } = this.#extent()
+    const { center: before, radius: size } = this.#framed
+    const grown = (radius + center.distanceTo(before)) / size
+    if (grown > 1.25 || radius < 0.6 * size) this.frame()
   }
 
   /** Colours for values: a geometry with them, of faces or of edges; or nothing. */
@@ -281,15 +299,18 @@ export class Scene {
     return ends
   }
 
-  #segments(ends, colour, width, onTop = false) {
-    const material = { color: colour, linewidth: width, depthTest: !onTop, transparent: onTop }
+  #segments(ends, colour, width, onTop = false, colours = null) {
+    const material = {
+      color: colour, linewidth: width, depthTest: !onTop, transparent: onTop, vertexColors: !!colours,
+    }
     if (ends.length / 6 > FAT) {
       const geometry = new THREE.BufferGeometry()
       geometry.setAttribute('position', new THREE.BufferAttribute(ends, 3))
       return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }))
     }
-    const lines = new LineSegments2(
-      new LineSegmentsGeometry().setPositions(ends), new LineMaterial(material))
+    const geometry = new LineSegmentsGeometry().setPositions(ends)
+    if (colours) geometry.setColors(colours)
+    const lines = new LineSegments2(geometry, new LineMaterial(material))
     lines.material.resolution.set(this.parent.clientWidth, this.parent.clientHeight)
     lines.renderOrder = onTop ? 2 : 1
     return lines
@@ -356,8 +377,9 @@ export class Scene {
   showNames(names) {
     this.clearNames()
     const fates = this.#isDark ? DARK_FATES : FATES
-    // On small faces lines and letters are smaller.
-    const size = Math.min(1, Math.max(0.45, this.#edgeLength() / 110))
+    // On small faces lines and letters are smaller; names for which there is no room are left out.
+    const length = this.#edgeLength()
+    const size = Math.min(1, Math.max(0.45, length / 110))
     for (const [name, element, fate] of names) {
       const colour = fates[fate] ?? fates.kept
       if (!element.line.length) continue
@@ -376,6 +398,8 @@ export class Scene {
         points.renderOrder = 3
         this.names.add(points)
       }
+      const room = { vertex: 0, face: 0, halfedge: 38, edge: 55 }[element.kind]
+      if (length < room) continue
       this.#label(name, element.at, colour, `label-${element.kind}`, Math.max(11, 16 * size))
     }
     this.#wake()

@@ -313,7 +313,8 @@ impl<'o> Corners<'o> {
 
     /// True if all corners of a face have a row: only then the face is written with them.
     pub(super) fn cover(&self, mesh: &Mesh, f: FaceId) -> bool {
-        mesh.face_halfedges(f).all(|h| self.row(h).is_some())
+        let is_empty = self.rows().rows.is_empty();
+        !is_empty && mesh.face_halfedges(f).all(|h| self.row(h).is_some())
     }
 
     /// The row at the start of a halfedge in its face.

@@ -34,11 +34,12 @@ impl<'o> Printer<'o> {
     /// A real as Rust prints it: without an exponent, and without a point if it is whole.
     #[inline]
     pub(super) fn real(&mut self, value: f64) {
-        if value.abs() < 1e15 && value.trunc() == value {
+        let whole = value as i64;
+        if whole as f64 == value && value.abs() < 1e15 {
             if value == 0.0 && value.is_sign_negative() {
                 self.word("-");
             }
-            return self.int(value as i64);
+            return self.int(whole);
         }
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value);

@@ -164,6 +164,26 @@ impl<'t> Scanner<'t> {
         (1..=18).contains(&(self.at - start)).then_some(value)
     }
 
+    /// The number of one to nine digits that are the whole of the word here, if it is one.
+    #[inline]
+    pub(super) fn whole_number(&mut self) -> Option<u32> {
+        let rest = &self.text[self.at..];
+        let mut value = 0;
+        let mut length = 0;
+        while let Some(&byte) = rest.get(length)
+            && byte.is_ascii_digit()
+            && length < 9
+        {
+            value = value * 10 + u32::from(byte - b'0');
+            length += 1;
+        }
+        let ends = matches!(rest.get(length), None | Some(b' ' | b'\n' | b'\r' | b'\t'));
+        (length > 0 && ends).then(|| {
+            self.at += length;
+            value
+        })
+    }
+
     /// Goes past a byte, if it is the next.
     #[inline]
     pub(super) fn take(&mut self, byte: u8) -> bool {

@@ -43,9 +43,9 @@ pub fn write_mesh_to(
 /// The mesh with what the format wants, if the format can hold it.
 fn ready(format: FileFormat, file: &MeshFile) -> Result<Cow<'_, MeshFile>, FileReason> {
     if format != FileFormat::Halfedges {
-        let mut vertices = file.written_numbers().vertex_order.into_iter();
-        if let Some(stray) = vertices.position(|v| !file.mesh.position(v).is_finite()) {
-            return Err(FileReason::NotFinite { vertex: stray as u32 + 1 });
+        if let Some(stray) = file.mesh.vertices().find(|&v| !file.mesh.position(v).is_finite()) {
+            let vertex = file.written_numbers().vertex(stray).unwrap_or(0);
+            return Err(FileReason::NotFinite { vertex });
         }
         if !file.mesh.is_polygons() {
             return Err(FileReason::NotPolygons(below_simple(&file.mesh)));

@@ -179,7 +179,12 @@ impl Reader<'_> {
         let have =
             [self.contents.positions.len(), kept.texture.rows.len(), kept.normals.rows.len()];
         while self.scanner.next_word() {
-            // Almost all corners are digits alone; others are looked at again.
+            // Most corners are digits alone.
+            if let Some(index) = self.scanner.whole_number() {
+                let place = self.resolve(i64::from(index), 0, have[0], line);
+                self.keep_corner([place, MISSING, MISSING]);
+                continue;
+            }
             let start = self.scanner.position();
             let before = self.scanner.rest();
             let mut places = [MISSING; 3];
@@ -205,12 +210,18 @@ impl Reader<'_> {
             if !ends {
                 return Err(malformed(before));
             }
-            let kept = &mut self.contents.kept;
-            keep_corner(&mut kept.corner_texture, self.corners.len(), places[1]);
-            keep_corner(&mut kept.corner_normals, self.corners.len(), places[2]);
-            self.corners.push(places[0]);
+            self.keep_corner(places);
         }
         Ok(())
+    }
+
+    /// Keeps the places of the vertex, the texture coordinates and the normal of a corner.
+    #[inline]
+    fn keep_corner(&mut self, [vertex, texture, normal]: [u32; 3]) {
+        let kept = &mut self.contents.kept;
+        keep_corner(&mut kept.corner_texture, self.corners.len(), texture);
+        keep_corner(&mut kept.corner_normals, self.corners.len(), normal);
+        self.corners.push(vertex);
     }
 
     /// The place, from 0, of what an index names: negative ones count back from the last.
