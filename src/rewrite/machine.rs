@@ -69,6 +69,7 @@ pub struct Machine {
     /// What the function gave that was done last: its window, the first register, the width.
     pub(super) given: (usize, Reg, u16),
     /// The kinds and types of the attributes on the mesh of this run, by number, for native code.
+    #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
     pub(super) types: Vec<Option<(ElementKind, AttributeType)>>,
 }
 
