@@ -2,41 +2,99 @@
 //!
 //!     cargo bench --bench operations
 //!
-//! Both run in turn, round by round, in one process; the best round of each counts, and the
-//! ratio is what to quote: the machine's speed drifts, the ratio hardly does. Then the ways to call
-//! an operation of the library beside each other: the machine alone, a session, and an application
-//! that is made ready anew for each call.
+//! All run in turn, round by round, in one process; the best round of each counts, and the
+//! ratios are what to quote: the processor's speed drifts, the ratios hardly do. Then the ways to
+//! call an operation of the library beside each other: the machine alone, native code, a session,
+//! and an application that is made ready anew for each call. Then scripts of the library, on the
+//! machine and as native code.
 
 use std::hint::black_box;
+use std::path::Path;
 use std::time::Instant;
 
 use hedgerow::analysis::{Analysis, Nowhere};
-use hedgerow::mesh::{EdgeId, ElementKind, HalfedgeId, Mesh, shape};
-use hedgerow::rewrite::{Machine, Outcome, Plan, Unwatched};
+use hedgerow::mesh::{EdgeId, ElementKind, HalfedgeId, Mesh, identical, read_mesh, shape};
+use hedgerow::rewrite::{Engine, Machine, Outcome, Plan, Unwatched};
 use hedgerow::run::{Application, Argument};
 use hedgerow::source::Sources;
 use hedgerow::{Program, Session};
 
-const ROUNDS: usize = 15;
+const ROUNDS: usize = 9;
 
 const FLIP: &str = include_str!("../examples/flip.hedge");
 const SPLIT: &str = include_str!("../examples/split.hedge");
+const TRIANGLE: &str = include_str!("../src/library/std/triangle.hedge");
 
 fn main() {
     let mesh = shape::triangle_torus(200, 205);
-    println!("{} triangles, nanoseconds per operation, best of {ROUNDS} rounds", mesh.face_count());
-    println!("{:<22}{:>9}{:>9}{:>9}", "", "by hand", "declared", "ratio");
-    compare("flip, checked", &mesh, &plan(FLIP, "flip"), flip_by_hand);
-    compare("split", &mesh, &plan(SPLIT, "split"), split_by_hand);
+    let count = mesh.face_count();
+    println!("{count} triangles, nanoseconds per operation, best of {ROUNDS} rounds; to by hand");
+    println!(
+        "{:<24}{:>9}{:>9}{:>9}{:>9}{:>9}",
+        "", "by hand", "machine", "native", "machine", "native"
+    );
+    // Without its guard and what it asks, a flip is drawn for maps.
+    let raw = TRIANGLE.replace("guard simple", "").replace(" keeps triangles, euler, boundary", "");
+    for is_random in [false, true] {
+        let order =
+            |name: &str| format!("{name}, {}", if is_random { "random" } else { "in order" });
+        compare(&order("flip raw"), &mesh, &plan(&raw, "flip"), flip_raw_by_hand, is_random);
+        compare(&order("flip"), &mesh, &plan(FLIP, "flip"), flip_by_hand, is_random);
+        compare(&order("std flip"), &mesh, &plan(TRIANGLE, "flip"), flip_by_hand, is_random);
+        compare(&order("split"), &mesh, &plan(SPLIT, "split"), split_by_hand, is_random);
+        let collapse = plan(TRIANGLE, "collapse");
+        compare(&order("std collapse"), &mesh, &collapse, collapse_by_hand, is_random);
+    }
     let mesh = shape::triangle_torus(70, 71);
     println!("\n{} triangles, nanoseconds per call", mesh.face_count());
-    println!("{:<22}{:>9}{:>9}{:>9}{:>13}", "", "machine", "session", "asked", "application");
+    println!(
+        "{:<22}{:>9}{:>9}{:>9}{:>9}{:>13}",
+        "", "machine", "native", "session", "asked", "application"
+    );
     for op in ["flip", "split", "collapse"] {
         call("std/triangle.hedge", op, &mesh);
     }
     for op in ["flip", "collapse"] {
         call("std/polygon.hedge", op, &mesh);
     }
+    let bunny = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/meshes/bunny.obj");
+    let bunny = read_mesh(Path::new(bunny), None).expect("an example").mesh;
+    // `SCRIPTS=large cargo bench` takes minutes longer.
+    let large = std::env::var("SCRIPTS").is_ok_and(|which| which == "large");
+    let torus = match large {
+        true => shape::triangle_torus(600, 400),
+        false => shape::triangle_torus(120, 125),
+    };
+    for (name, mesh) in [("bunny", &bunny), ("torus", &torus)] {
+        println!("\n{name}, {} triangles, seconds", mesh.face_count());
+        println!("{:<22}{:>9}{:>9}{:>9}", "", "machine", "native", "ratio");
+        script("std/subdivide.hedge", "loop_subdivide()", mesh);
+        script("std/remesh.hedge", "remesh(0, 1)", mesh);
+        script("std/smooth.hedge", "laplacian()", mesh);
+        script("std/simplify.hedge", "simplify(-1, 1, 0.5)", mesh);
+    }
+}
+
+/// Runs a script of the library on both engines.
+fn script(file: &str, call: &str, mesh: &Mesh) {
+    let text = format!("use \"{file}\"\nscript main() {{ {call} }}");
+    let program = Program::parse("bench.hedge", &text).expect("the library is sound");
+    let main = program.script("main").expect("it is there");
+    let mut best = [f64::MAX; 2];
+    let mut results = Vec::new();
+    for _ in 0..3 {
+        for (best, engine) in best.iter_mut().zip([Engine::Machine, Engine::Native]) {
+            let mut session = Session::new(&program, mesh.clone());
+            session.use_engine(engine);
+            let start = Instant::now();
+            session.run(&main, ()).expect("it comes to its end");
+            *best = best.min(start.elapsed().as_secs_f64());
+            results.push(session.into_mesh());
+        }
+    }
+    assert!(results.iter().all(|result| identical(result, &results[0])), "both do the same");
+    let [machine, native] = best;
+    println!("{call:<22}{machine:>9.3}{native:>9.3}{:>9.2}", native / machine);
 }
 
 /// Calls an operation at every edge.
@@ -50,37 +108,40 @@ fn call(file: &str, name: &str, mesh: &Mesh) {
     let program = Program::load(file).expect("the library is sound");
     let op = program.op(name).expect("the library has it");
     let edges: Vec<EdgeId> = mesh.edges().collect();
-    // Machine, session, asked.
-    let mut best = [f64::MAX; 3];
+    // Machine, native, session, asked.
+    let mut best = [f64::MAX; 4];
     for _ in 0..5 {
-        let mut copy = mesh.clone();
-        let mut machine = Machine::new(&analysis.plans);
         let mut slots = vec![0, 0.5_f64.to_bits()];
-        let mut applied = [0; 2];
-        let start = Instant::now();
-        for edge in &edges {
-            if copy.edge_alive(*edge) {
-                machine.trust_level(plan.level);
-                slots[0] = u64::from(edge.0);
-                let outcome = machine.apply(&mut copy, plan, &slots);
-                applied[0] += usize::from(matches!(outcome, Ok(Outcome::Applied { .. })));
+        let mut applied = [0; 3];
+        for (at, engine) in [Engine::Machine, Engine::Native].into_iter().enumerate() {
+            let mut copy = mesh.clone();
+            let mut machine = Machine::new(&analysis.plans);
+            machine.use_engine(engine);
+            let start = Instant::now();
+            for edge in &edges {
+                if copy.edge_alive(*edge) {
+                    machine.trust_level(plan.level);
+                    slots[0] = u64::from(edge.0);
+                    let outcome = machine.apply(&mut copy, plan, &slots);
+                    applied[at] += usize::from(matches!(outcome, Ok(Outcome::Applied { .. })));
+                }
             }
+            best[at] = best[at].min(start.elapsed().as_nanos() as f64);
         }
-        best[0] = best[0].min(start.elapsed().as_nanos() as f64);
         let mut session = Session::new(&program, mesh.clone());
         let start = Instant::now();
         for edge in &edges {
             if session.is_alive(*edge) {
                 let outcome = session.apply(&op, *edge).expect("it has a value");
-                applied[1] += usize::from(outcome.is_applied());
+                applied[2] += usize::from(outcome.is_applied());
             }
         }
-        best[1] = best[1].min(start.elapsed().as_nanos() as f64);
-        assert_eq!(applied[0], applied[1], "both do the same");
+        best[2] = best[2].min(start.elapsed().as_nanos() as f64);
+        assert!(applied.iter().all(|count| *count == applied[0]), "all do the same");
         let mut session = Session::new(&program, mesh.clone());
         let start = Instant::now();
         black_box(session.mask(&op, ()).expect("it has a value"));
-        best[2] = best[2].min(start.elapsed().as_nanos() as f64);
+        best[3] = best[3].min(start.elapsed().as_nanos() as f64);
     }
     let few = 20;
     let application = Application::new(&analysis.program, index, &analysis.plans);
@@ -92,9 +153,9 @@ fn call(file: &str, name: &str, mesh: &Mesh) {
         let _ = black_box(application.apply(&mut copy, &arguments, &mut Unwatched));
     }
     let application = start.elapsed().as_nanos() as f64 / few as f64;
-    let [machine, session, asked] = best.map(|all| all / edges.len() as f64);
+    let [machine, native, session, asked] = best.map(|all| all / edges.len() as f64);
     let level = format!("{name}, level {}", plan.level);
-    println!("{level:<22}{machine:>9.1}{session:>9.1}{asked:>9.1}{application:>13.1}");
+    println!("{level:<22}{machine:>9.1}{native:>9.1}{session:>9.1}{asked:>9.1}{application:>13.1}");
 }
 
 fn plan(text: &str, op: &str) -> Plan {
@@ -105,23 +166,43 @@ fn plan(text: &str, op: &str) -> Plan {
     analysis.plans[index].clone().expect("the example's op is proved")
 }
 
-/// Applies both to every edge of a fresh copy of the mesh, in order.
-fn compare(name: &str, mesh: &Mesh, plan: &Plan, by_hand: fn(&mut Mesh, EdgeId) -> bool) {
-    let edges: Vec<EdgeId> = mesh.edges().collect();
-    let (mut hand, mut declared) = (f64::MAX, f64::MAX);
+/// Applies all to every edge of a fresh copy of the mesh that is still there, in order or not.
+fn compare(
+    name: &str,
+    mesh: &Mesh,
+    plan: &Plan,
+    by_hand: fn(&mut Mesh, EdgeId) -> bool,
+    is_random: bool,
+) {
+    let mut edges: Vec<EdgeId> = mesh.edges().collect();
+    let mut state = 1_u64;
+    for at in (1..edges.len()).rev().filter(|_| is_random) {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        edges.swap(at, (state >> 33) as usize % (at + 1));
+    }
+    let (mut hand, mut declared) = (f64::MAX, [f64::MAX; 2]);
     for _ in 0..ROUNDS {
         let (by_hand, applied_by_hand) = time(mesh, &edges, by_hand);
-        let mut machine = Machine::default();
-        let (by_plan, applied_by_plan) = time(mesh, &edges, |mesh, edge| {
-            let outcome = machine.apply(mesh, plan, &[u64::from(edge.0)]);
-            matches!(outcome, Ok(Outcome::Applied { .. }))
-        });
-        assert_eq!(applied_by_hand, applied_by_plan, "both do the same");
-        assert!(applied_by_plan > 0, "something was applied");
         hand = hand.min(by_hand);
-        declared = declared.min(by_plan);
+        for (best, engine) in declared.iter_mut().zip([Engine::Machine, Engine::Native]) {
+            let mut machine = Machine::default();
+            machine.use_engine(engine);
+            let (by_plan, applied_by_plan) = time(mesh, &edges, |mesh, edge| {
+                machine.trust_level(plan.level);
+                let outcome = machine.apply(mesh, plan, &[u64::from(edge.0), 0.5_f64.to_bits()]);
+                matches!(outcome, Ok(Outcome::Applied { .. }))
+            });
+            assert_eq!(applied_by_hand, applied_by_plan, "{name}: all do the same");
+            assert!(applied_by_plan > 0, "something was applied");
+            *best = best.min(by_plan);
+        }
     }
-    println!("{name:<22}{hand:>9.1}{declared:>9.1}{:>9.2}", declared / hand);
+    let [machine, native] = declared;
+    println!(
+        "{name:<24}{hand:>9.1}{machine:>9.1}{native:>9.1}{:>9.2}{:>9.2}",
+        machine / hand,
+        native / hand
+    );
 }
 
 fn time(
@@ -131,7 +212,9 @@ fn time(
 ) -> (f64, usize) {
     let mut mesh = mesh.clone();
     let start = Instant::now();
-    let applied = edges.iter().filter(|&&edge| apply(&mut mesh, edge)).count();
+    let there = |mesh: &Mesh, edge: EdgeId| mesh.edge_alive(edge);
+    let applied =
+        edges.iter().filter(|&&edge| there(&mesh, edge) && apply(&mut mesh, edge)).count();
     let nanoseconds = start.elapsed().as_nanos() as f64;
     black_box(mesh.count(ElementKind::Edge));
     (nanoseconds / edges.len() as f64, applied)
@@ -150,6 +233,15 @@ fn link(mesh: &mut Mesh, from: HalfedgeId, to: HalfedgeId) {
 }
 
 fn flip_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
+    flip(mesh, edge, true)
+}
+
+fn flip_raw_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
+    flip(mesh, edge, false)
+}
+
+#[inline(always)]
+fn flip(mesh: &mut Mesh, edge: EdgeId, stays_simple: bool) -> bool {
     let a = mesh.edge_halfedge(edge);
     let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))
     else {
@@ -157,7 +249,7 @@ fn flip_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
     };
     let [v0, v1, v2, v3] = [a, b, c, h].map(|half| mesh.vertex(half));
     let distinct = v0 != v1 && v0 != v2 && v0 != v3 && v1 != v2 && v1 != v3 && v2 != v3;
-    if !distinct || mesh.adjacent(v2, v3) {
+    if !distinct || stays_simple && mesh.adjacent(v2, v3) {
         return false;
     }
     let (f0, f1) = (mesh.face(a), mesh.face(d));
@@ -216,5 +308,44 @@ fn split_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
     }
     mesh.set_vertex_halfedge(m, p);
     mesh.set_position(m, middle);
+    true
+}
+
+/// Where no boundary is near.
+fn collapse_by_hand(mesh: &mut Mesh, edge: EdgeId) -> bool {
+    let a = mesh.edge_halfedge(edge);
+    let (Some([a, b, c]), Some([d, g, h])) = (triangle(mesh, a), triangle(mesh, mesh.twin(a)))
+    else {
+        return false;
+    };
+    if !mesh.link_condition(edge) {
+        return false;
+    }
+    let [v0, v1, v2, v3] = [a, b, c, h].map(|half| mesh.vertex(half));
+    let [b2, c2, g2, h2] = [b, c, g, h].map(|half| mesh.twin(half));
+    let [eb, ec, eg, eh] = [b, c, g, h].map(|half| mesh.edge(half));
+    let (f0, f1) = (mesh.face(a), mesh.face(d));
+    let middle = (mesh.position(v0) + mesh.position(v1)) / 2.0;
+    let mut spoke = h2;
+    while spoke != b {
+        mesh.set_vertex(spoke, v0);
+        spoke = mesh.twin(mesh.prev(spoke));
+    }
+    for (x, y, e) in [(b2, c2, eb), (g2, h2, eg)] {
+        mesh.set_twin(x, y);
+        mesh.set_twin(y, x);
+        mesh.set_edge(x, e);
+        mesh.set_edge(y, e);
+        mesh.set_edge_halfedge(e, x);
+    }
+    mesh.set_vertex_halfedge(v0, h2);
+    mesh.set_vertex_halfedge(v2, b2);
+    mesh.set_vertex_halfedge(v3, g2);
+    mesh.set_position(v0, middle);
+    mesh.erase_vertex(v1);
+    [edge, ec, eh].into_iter().for_each(|e| mesh.erase_edge(e));
+    [a, b, c, d, g, h].into_iter().for_each(|half| mesh.erase_halfedge(half));
+    mesh.erase_face(f0);
+    mesh.erase_face(f1);
     true
 }

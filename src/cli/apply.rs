@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::arguments::{ApplyArguments, Format};
+use super::arguments::{ApplyArguments, Format, engine};
 use super::check::depends;
 use super::counts::Counts;
 use super::failure::Failure;
@@ -16,8 +16,8 @@ use crate::mesh::{
     EdgeId, ElementKind, FaceId, HalfedgeId, Mesh, MeshFile, Places, RepairReport, VertexId,
     WrittenNumbers,
 };
-use crate::rewrite::Plan;
-use crate::run::{self, Applied, Argument};
+use crate::rewrite::{Plan, Unwatched};
+use crate::run::{self, Application, Applied, Argument};
 
 /// Applies one operation at one place of a mesh.
 pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
@@ -41,12 +41,15 @@ pub(super) fn apply(arguments: &ApplyArguments) -> Result<(), Failure> {
     }
     let places = Places::of(&obj.mesh);
     let before = Counts::of(&obj.mesh);
-    let applied =
-        run::apply(&program.analysis.program, op, &program.analysis.plans, &mut obj.mesh, &values)
-            .map_err(|failure| {
-                complain_of(&[failure.diagnostic], &program.sources);
-                Failure::Silent(2.into())
-            })?;
+    let failed = |diagnostic| {
+        complain_of(&[diagnostic], &program.sources);
+        Failure::Silent(2.into())
+    };
+    let application = Application::new(&program.analysis.program, op, &program.analysis.plans);
+    let mut application = application.map_err(failed)?;
+    application.use_engine(engine(arguments.engine));
+    let applied = application.apply(&mut obj.mesh, &values, &mut Unwatched);
+    let applied = applied.map_err(|failure| failed(failure.diagnostic))?;
     match applied {
         Applied::Done { result, created } => {
             let blame = || program::blame(&program, [plan.name.as_str()]);

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::mesh::{Encoding, Level, MshVersion};
+use crate::rewrite::Engine;
 
 /// A language in which operations on halfedge meshes are drawn, before and after.
 #[derive(Debug, Parser)]
@@ -62,6 +63,24 @@ pub(super) enum Format {
     Human,
     /// JSON for programs
     Json,
+}
+
+/// What runs operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum EngineName {
+    Machine,
+    #[cfg(feature = "native")]
+    Native,
+}
+
+/// The engine of that name, or the usual one.
+pub(super) fn engine(name: Option<EngineName>) -> Engine {
+    match name {
+        None => Engine::default(),
+        Some(EngineName::Machine) => Engine::Machine,
+        #[cfg(feature = "native")]
+        Some(EngineName::Native) => Engine::NativeAtOnce,
+    }
 }
 
 #[derive(Debug, Args)]
@@ -122,6 +141,11 @@ pub(super) struct RunArguments {
     /// Also tell how each `drain` keeps its keys current
     #[arg(short, long)]
     pub verbose: bool,
+    /// What runs operations: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
+    #[arg(long, value_enum, verbatim_doc_comment)]
+    pub engine: Option<EngineName>,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -151,6 +175,11 @@ pub(super) struct ApplyArguments {
     /// File for the result, in one of these formats
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// What runs operations: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
+    #[arg(long, value_enum, verbatim_doc_comment)]
+    pub engine: Option<EngineName>,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -399,6 +428,11 @@ pub(super) struct TestArguments {
     /// if not given, three quarters of what there is
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
+    /// What runs operations: native code where it pays if
+    /// not given, with results that are the same bit for
+    /// bit
+    #[arg(long, value_enum, verbatim_doc_comment)]
+    pub engine: Option<EngineName>,
     /// Format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::arguments::{Format, RunArguments};
+use super::arguments::{Format, RunArguments, engine};
 use super::counts::Counts;
 use super::draw::{expect_picture, write_picture};
 use super::failure::Failure;
@@ -34,6 +34,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let mut prepared = prepare(&program.analysis.program, script, &program.analysis.plans)
         .map_err(|errors| failed(&errors, 1))?
         .with_seed(arguments.seed);
+    prepared.use_engine(engine(arguments.engine));
     prepared.limit_memory(arguments.memory.unwrap_or_else(memory::usual));
     let values =
         prepared.arguments(&settings(&arguments.set)?).map_err(|errors| failed(&errors, 2))?;

@@ -49,6 +49,7 @@ macro_rules! element_id {
     ($(#[$doc:meta])* $id:ident, $kind:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(transparent)]
         pub struct $id(pub u32);
 
         impl $id {

@@ -16,6 +16,8 @@ mod id;
 mod journal;
 mod memory;
 mod pointers;
+#[cfg(feature = "native")]
+pub(crate) mod tables;
 
 // What can be asked of them.
 mod component;

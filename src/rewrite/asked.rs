@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use super::bounded::{Bounded, is_small};
 use super::drain::Drains;
+use super::native::Way;
 use super::paths::{Candidates, Fields, WalkBack, Written as WrittenFields};
 use super::readers::Place;
 use super::stale::Stale;
@@ -268,13 +269,16 @@ impl Machine {
         (asked, slot): (&mut Asked, u32),
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(args);
+        self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
         let drains = match &mut asked.changes {
             Changes::Noted(drains) => drains,
             Changes::Walked { question, .. } => {
                 let call = Call { code: &question.code, ..Call::of(plan, &plans) };
-                return self.execute::<false>(mesh, call, watch);
+                return match self.run_native(mesh, call, Way::Dry, watch) {
+                    Some(outcome) => outcome,
+                    None => self.execute::<false>(mesh, call, watch),
+                };
             }
         };
         drains.read_for_element(Some(slot));

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Code, Inst, Label, Reg, Traps};
+use super::{Code, Inst, Label, Native, Reg, Traps};
 
 /// Builds a [`Code`].
 #[derive(Debug, Default)]
@@ -206,6 +206,7 @@ impl Assembler {
             traps: traps.collect(),
             texts: self.texts,
             functions: Arc::default(),
+            native: Native::default(),
         })
     }
 }

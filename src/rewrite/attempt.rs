@@ -7,6 +7,7 @@
 
 use std::ops::ControlFlow;
 
+use super::native::Way;
 use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 
@@ -91,6 +92,9 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         let Some(steps) = &plan.steps else {
+            if let Some(outcome) = self.run_native(mesh, call, Way::Dry, watch) {
+                return outcome;
+            }
             self.is_dry = true;
             let outcome = self.execute::<true>(mesh, call, watch);
             self.is_dry = false;

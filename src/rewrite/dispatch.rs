@@ -15,7 +15,7 @@ use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::wide;
 use super::window::{Window, reserve};
-use super::{Inst, Machine, Message, Outcome, Reg, Room, Trap, Triangles, Watch};
+use super::{Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as the same.
@@ -23,6 +23,15 @@ const NEAR: f64 = 1e-9;
 
 /// The most slots that a write takes that is kept back.
 const HELD: usize = 18;
+
+/// The instruction that comes next, and the refusal that counts so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Place {
+    pub(super) at: usize,
+    pub(super) noted: Option<(Phase, u16)>,
+    /// How many instructions are taken, if not all.
+    pub(super) steps: usize,
+}
 
 /// The value, or out of the loop with the message.
 macro_rules! or_trap {
@@ -39,15 +48,26 @@ impl Machine {
     pub(super) fn execute<const OBSERVED: bool>(
         &mut self,
         mesh: &mut Mesh,
+        call: super::Call<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Outcome, Trap> {
+        self.clear_buffers(&call);
+        self.execute_from::<OBSERVED, false>(mesh, call, &mut Place::default(), watch)
+    }
+
+    /// Runs the code of a call from a place on; or, if it is a `STEP`, takes so many instructions,
+    /// which neither call a function nor end the code, and tells the place where it goes on.
+    pub(super) fn execute_from<const OBSERVED: bool, const STEP: bool>(
+        &mut self,
+        mesh: &mut Mesh,
         mut call: super::Call<'_>,
+        place: &mut Place,
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         use Inst::*;
         let mut insts = call.code.insts.as_slice();
         let mut returns: Vec<Frame> = Vec::new();
-        self.clear_buffers(&call);
-        let mut at = 0;
-        let mut noted = None;
+        let Place { mut at, mut noted, mut steps } = *place;
         let Some(mut w) = Window::at(&mut self.stack, call.base) else {
             return Err(Trap::new(Message::Malformed));
         };
@@ -297,12 +317,10 @@ impl Machine {
                 ExpectRoom { room, refusal, otherwise } => {
                     let Room { vertices, halfedges, edges, faces } = room;
                     let [v, h, e, f] = [vertices, halfedges, edges, faces].map(usize::from);
-                    if !mesh.can_add(v, h, e, f) {
-                        refuse!(refusal, otherwise);
-                        continue;
+                    match mesh.can_add(v, h, e, f) {
+                        true => or_trap!(memory::for_elements(mesh, [v, h, e, f], &budget!())),
+                        false => refuse!(refusal, otherwise),
                     }
-                    let more = [v, h, e, f];
-                    or_trap!(memory::for_elements(mesh, more, &budget!()));
                 }
                 Collect { walk, buffer, from, until, whole } => {
                     let ends = [w.id(from), w.id(until)];
@@ -365,12 +383,10 @@ impl Machine {
                 }
                 ExpectRoomFor { kind, count, refusal, otherwise } => {
                     let count = usize::try_from(w.int(count)).unwrap_or(usize::MAX);
-                    if !access::has_room(mesh, kind, count) {
-                        refuse!(refusal, otherwise);
-                        continue;
+                    match access::has_room(mesh, kind, count) {
+                        true => or_trap!(memory::for_kind(mesh, (kind, count), &budget!())),
+                        false => refuse!(refusal, otherwise),
                     }
-                    let more = (kind, count);
-                    or_trap!(memory::for_kind(mesh, more, &budget!()));
                 }
                 MeetsAll { walk, to, buffer } => {
                     let met = or_trap!(around::meets_all(mesh, walk, buffer!(buffer)));
@@ -549,7 +565,7 @@ impl Machine {
                     let Some(called) = call.functions.get(usize::from(function)) else {
                         break Message::Malformed;
                     };
-                    if returns.len() >= MOST_CALLS {
+                    if self.frames + returns.len() >= MOST_CALLS {
                         break Message::TooDeep;
                     }
                     if self.progress.tick(watch).is_break() {
@@ -569,6 +585,7 @@ impl Machine {
                 }
                 Give { from, width } => {
                     let Some(back) = returns.pop() else {
+                        self.given = (call.base, from, width);
                         return Ok(Outcome::Applied { result: None });
                     };
                     self.pass(call.base, from, back.base + usize::from(back.to.0), width);
@@ -709,13 +726,20 @@ impl Machine {
                     break text.map_or(Message::Malformed, Message::Said);
                 }
             }
+            if STEP {
+                steps -= 1;
+                if steps == 0 {
+                    *place = Place { at, noted, steps };
+                    return Ok(Outcome::Applied { result: None });
+                }
+            }
         };
         Err(Trap::new(message).through_all(&call, at.saturating_sub(1), &returns))
     }
 
     /// Copies slots from a register of one window to another window, for which there is room
     /// then.
-    fn pass(&mut self, base: usize, from: Reg, to: usize, width: u16) {
+    pub(super) fn pass(&mut self, base: usize, from: Reg, to: usize, width: u16) {
         reserve(&mut self.stack, to);
         let start = base + usize::from(from.0);
         let end = self.stack.len().min(start + usize::from(width));
@@ -728,7 +752,7 @@ impl Machine {
         }
     }
 
-    fn clear_buffers(&mut self, call: &super::Call<'_>) {
+    pub(super) fn clear_buffers(&mut self, call: &super::Call<'_>) {
         let end = call.buffers + usize::from(call.code.buffers);
         if self.buffers.len() < end {
             self.buffers.resize_with(end, Vec::new);

@@ -11,11 +11,14 @@ use super::chance::Chance;
 use super::drain::Drains;
 use super::key_paths::KeyPaths;
 use super::known::KnownLevel;
+use super::native::Way;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
-use super::{Call, Code, Holder, Matched, Message, Outcome, Plan, Plans, Trap, Unwatched, Watch};
-use crate::mesh::{ColumnId, ElementKind, Level, Mesh};
+use super::{
+    Call, Code, Engine, Holder, Matched, Message, Outcome, Plan, Plans, Reg, Trap, Unwatched, Watch,
+};
+use crate::mesh::{AttributeType, ColumnId, ElementKind, Level, Mesh};
 
 /// The greatest depth of nested calls.
 const DEPTH: usize = 16;
@@ -57,6 +60,16 @@ pub struct Machine {
     pub(super) created: Option<Vec<(ElementKind, u32)>>,
     /// The greatest number of bytes of mesh and lists.
     pub(super) memory: usize,
+    pub(super) engine: Engine,
+    /// The number of functions that native code has called and that are not done, in the operation
+    /// or script that runs.
+    pub(super) frames: usize,
+    /// The depth of native code that runs.
+    pub(super) depth: usize,
+    /// What the function gave that was done last: its window, the first register, the width.
+    pub(super) given: (usize, Reg, u16),
+    /// The kinds and types of the attributes on the mesh of this run, by number, for native code.
+    pub(super) types: Vec<Option<(ElementKind, AttributeType)>>,
 }
 
 /// A name, the kind of the elements that it stands for, and their ids.
@@ -105,6 +118,11 @@ impl Machine {
             meshes: Vec::new(),
             created: None,
             memory: usize::MAX,
+            engine: Engine::default(),
+            frames: 0,
+            depth: 0,
+            given: (0, Reg(0), 0),
+            types: Vec::new(),
         }
     }
 
@@ -112,6 +130,11 @@ impl Machine {
     /// Code that uses another attribute traps.
     pub fn use_columns(&mut self, columns: Vec<Option<ColumnId>>) {
         self.columns = columns;
+    }
+
+    /// Says what runs code from now on.
+    pub fn use_engine(&mut self, engine: Engine) {
+        self.engine = engine;
     }
 
     /// Says that the mesh of the next run has a level. Where an operation for meshes of a higher
@@ -199,8 +222,11 @@ impl Machine {
         args: &[u64],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(args);
+        self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
+        if let Some(outcome) = self.run_native(mesh, Call::top(code, &plans), Way::Script, watch) {
+            return outcome;
+        }
         match code.drains() {
             true => self.execute::<true>(mesh, Call::top(code, &plans), watch),
             false => self.execute::<false>(mesh, Call::top(code, &plans), watch),
@@ -215,7 +241,7 @@ impl Machine {
         args: &[u64],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(args);
+        self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
         self.execute::<false>(mesh, Call::top(code, &plans), watch)
     }
@@ -233,7 +259,7 @@ impl Machine {
         args: &[u64],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(args);
+        self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
         self.carry_out::<false>(mesh, plan, Call::of(plan, &plans), watch)
     }
@@ -247,18 +273,24 @@ impl Machine {
         args: &[u64],
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
-        self.start(args);
+        self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
-        self.consider(mesh, plan, Call::of(plan, &plans), watch)
+        // Native code would not leave what has matched in the window.
+        let engine = std::mem::replace(&mut self.engine, Engine::Machine);
+        let outcome = self.consider(mesh, plan, Call::of(plan, &plans), watch);
+        self.engine = engine;
+        outcome
     }
 
-    pub(super) fn start(&mut self, args: &[u64]) {
+    pub(super) fn start(&mut self, mesh: &Mesh, args: &[u64]) {
+        self.find_types(mesh);
         self.line.clear();
         self.drains.clear();
         self.paths.clear();
         self.last_reason = None;
         self.is_dry = false;
         self.holding = 0;
+        (self.frames, self.depth) = (0, 0);
         if let Some(created) = &mut self.created {
             created.clear();
         }

@@ -2,7 +2,7 @@
 //!
 //! A proved operation and a script lower to the same flat [`Code`]: typed registers,
 //! explicit loads and stores on the mesh's arrays, jumps, no closures. An [`Assembler`]
-//! writes it; a [`Machine`] runs it on a mesh; native code can be made from it later.
+//! writes it; a [`Machine`] runs it on a mesh, where it can as native code ([`Engine`]).
 
 mod code;
 mod inst;
@@ -15,7 +15,10 @@ mod steps;
 
 mod assembler;
 
+mod engine;
 mod machine;
+#[cfg_attr(not(feature = "native"), path = "without_native.rs")]
+mod native;
 
 mod call;
 mod dispatch;
@@ -56,10 +59,12 @@ pub use assembler::{Assembler, Mark, TooLarge};
 pub use bounded::Bounded;
 pub use call::Outcome;
 pub use code::{Code, Label, Reg, Traps};
+pub use engine::Engine;
 pub use function::Function;
 pub use inst::Inst;
 pub use key_paths::drains;
 pub use machine::{Count, Machine, NamedElements};
+pub use native::Native;
 pub use operand::{
     ElementField, Elements, Foreseen, HalfedgeField, Math, Room, Span, Triangles, Walk,
 };

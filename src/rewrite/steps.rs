@@ -4,6 +4,7 @@
 //! the level that it was: a journal of the mesh knows what was written, so both cost no more
 //! than the steps did.
 
+use super::native::Way;
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 
@@ -65,7 +66,10 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         match &plan.steps {
-            None => self.execute::<OBSERVED>(mesh, call, watch),
+            None => match self.run_native(mesh, call, Way::Whole, watch) {
+                Some(outcome) => outcome,
+                None => self.execute::<OBSERVED>(mesh, call, watch),
+            },
             Some(steps) => self.take::<OBSERVED>(mesh, (plan, steps), call, watch),
         }
     }
@@ -86,9 +90,10 @@ impl Machine {
         let (holding, drains) = (self.holding, self.drains.open_ones());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
-        let mut outcome = match OBSERVED || call.code.drains() {
-            true => self.execute::<true>(mesh, call, watch),
-            false => self.execute::<false>(mesh, call, watch),
+        let mut outcome = match self.run_native(mesh, call, Way::Whole, watch) {
+            Some(outcome) => outcome,
+            None if OBSERVED || call.code.drains() => self.execute::<true>(mesh, call, watch),
+            None => self.execute::<false>(mesh, call, watch),
         };
         if let Ok(Outcome::Applied { .. }) = outcome
             && let Err(below) = validate_level_near(mesh, plan.level, &mesh.written_since(&mark))

@@ -63,6 +63,12 @@ impl Progress {
         }
     }
 
+    /// Where the number of turns is counted.
+    #[cfg(feature = "native")]
+    pub(super) fn turns(&mut self) -> *mut u32 {
+        &raw mut self.turns
+    }
+
     /// True if the last turn was one to look at.
     #[inline]
     pub(super) fn has_looked(&self) -> bool {

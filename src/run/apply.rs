@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::mesh::{ElementKind, Level, Mesh, Value, validate_level};
 use crate::resolve::{Program, Script, Variable};
 use crate::rewrite::{
-    Bounded, Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch,
+    Bounded, Engine, Machine, Message, Outcome, Plan, Plans, Site, Trap, Unwatched, Watch,
 };
 use crate::source::Span;
 
@@ -122,6 +122,11 @@ impl Application {
         })
     }
 
+    /// Says what runs it.
+    pub fn use_engine(&mut self, engine: Engine) {
+        self.parameters.use_engine(engine);
+    }
+
     /// Its parameters, as those of a script that does nothing.
     pub(crate) fn parameters(&self) -> &Prepared {
         &self.parameters
@@ -176,6 +181,7 @@ impl Application {
         let mut machine = Machine::new(&self.plans);
         machine.trust_level(highest_between(mesh, plan.level, self.wanted));
         machine.use_columns(self.columns.bind(mesh).map_err(failure)?);
+        machine.use_engine(self.parameters.engine);
         machine.remember_created();
         let trapped = |trap| failure(self.told_of_parameters(trap));
         machine.run(mesh, &code, &slots, watch).map_err(trapped)?;

@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Param, Type};
 use crate::mesh::{Level, Mesh, WantedAttribute};
 use crate::resolve::{Program, Script};
-use crate::rewrite::{self, Code, Plans, TooLarge, Unbounded};
+use crate::rewrite::{self, Code, Engine, Plans, TooLarge, Unbounded};
 use crate::source::Span;
 
 /// The message for a wrong number of values of a parameter: the code and the words.
@@ -39,6 +39,7 @@ pub struct Prepared {
     pub(super) called: Vec<usize>,
     /// The greatest number of bytes of mesh and lists.
     pub(super) memory: usize,
+    pub(super) engine: Engine,
 }
 
 /// Prepares a script of a program, by its number. The plans are those of the program's
@@ -127,6 +128,7 @@ pub(super) fn prepare_script(
         places: lowering.names.places,
         assertions: lowering.assertions,
         memory: usize::MAX,
+        engine: Engine::default(),
         called: called.into_iter().map(|(op, _)| op).collect(),
     })
 }
@@ -188,6 +190,11 @@ impl Prepared {
     /// fails with `no-room`.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.memory = bytes;
+    }
+
+    /// Says what runs it.
+    pub fn use_engine(&mut self, engine: Engine) {
+        self.engine = engine;
     }
 
     /// Its parameters, in order.

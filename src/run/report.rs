@@ -66,6 +66,7 @@ pub(super) fn run_with(
         .map_err(|diagnostic| Box::new(Failure { diagnostic, report: Report::default() }))?;
     let mut machine = Machine::new(&prepared.plans);
     machine.limit_memory(prepared.memory);
+    machine.use_engine(prepared.engine);
     machine.seed(prepared.seed);
     machine.use_columns(columns);
     machine.use_meshes(meshes);

@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagram::{Binary, Expr, ExprKind, Unary};
 use crate::mesh::{Mesh, MeshFile, shape};
 use crate::resolve::{Digits, Program, TestMesh};
-use crate::rewrite::{Inst, Plans, Watch};
+use crate::rewrite::{Engine, Inst, Plans, Watch};
 use crate::source::Span;
 
 /// Gives the file of a mesh that a test loads, by its path as it is written.
@@ -22,12 +22,14 @@ pub struct Conditions {
     pub seed: u64,
     /// The most memory that it may take, in bytes.
     pub memory: usize,
+    /// What runs it.
+    pub engine: Engine,
 }
 
-/// The seed 0, and no limit of memory.
+/// The seed 0, no limit of memory, and native code where it pays.
 impl Default for Conditions {
     fn default() -> Self {
-        Self { seed: 0, memory: usize::MAX }
+        Self { seed: 0, memory: usize::MAX, engine: Engine::default() }
     }
 }
 
@@ -58,6 +60,7 @@ pub fn test(
     let prepared = prepared.map_err(|mut errors| failure(errors.remove(0)))?;
     let mut prepared = prepared.with_seed(conditions.seed);
     prepared.limit_memory(conditions.memory);
+    prepared.use_engine(conditions.engine);
     let mut made = Vec::new();
     for mesh in std::iter::once(&test.begin).chain(&test.meshes) {
         made.push(make(mesh, &prepared, load).map_err(failure)?);

@@ -41,6 +41,7 @@ pub struct Session {
     pub(super) masks: Masks,
     pub(super) values: Vec<Option<Argument>>,
     pub(super) slots: Vec<u64>,
+    runs_by: rewrite::Engine,
     created: Vec<Element>,
     erased: Vec<Element>,
 }
@@ -57,6 +58,7 @@ impl Session {
             masks: Masks::default(),
             values: Vec::new(),
             slots: Vec::new(),
+            runs_by: rewrite::Engine::default(),
             created: Vec::new(),
             erased: Vec::new(),
         }
@@ -82,6 +84,7 @@ impl Session {
             None => Engine::new(program),
         };
         self.others.push(std::mem::replace(&mut self.engine, next));
+        self.engine.machine.use_engine(self.runs_by);
     }
 
     /// The mesh.
@@ -118,6 +121,7 @@ impl Session {
         let mesh = self.copy_mesh();
         let mut copy = Self::new(&self.engine.program, mesh);
         copy.known = self.known;
+        copy.use_engine(self.runs_by);
         copy
     }
 
@@ -125,6 +129,15 @@ impl Session {
     /// `no-room`. There is none at first.
     pub fn limit_memory(&mut self, bytes: usize) {
         self.engine.machine.limit_memory(bytes);
+    }
+
+    /// Says what runs operations and scripts from now on. The results are the same.
+    pub fn use_engine(&mut self, engine: rewrite::Engine) {
+        self.engine.machine.use_engine(engine);
+        for other in &mut self.others {
+            other.machine.use_engine(engine);
+        }
+        self.runs_by = engine;
     }
 
     /// Says from which seed the numbers come that scripts and functions get by chance from now on.

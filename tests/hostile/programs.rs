@@ -13,7 +13,7 @@ use hedgerow::emit::{Selection, Style, cpp, rust};
 use hedgerow::format::format;
 use hedgerow::library;
 use hedgerow::mesh::{shape, validate};
-use hedgerow::rewrite::Watch;
+use hedgerow::rewrite::{Engine, Watch};
 use hedgerow::run::{self, Conditions, prepare, test};
 use hedgerow::source::{FileId, Sources};
 use hedgerow::syntax::{TokenKind, parse};
@@ -25,7 +25,7 @@ const ROUNDS: usize = 200;
 /// How long a script may run.
 const PATIENCE: Duration = Duration::from_millis(100);
 /// What tests run under.
-const CONDITIONS: Conditions = Conditions { seed: 0, memory: 1 << 30 };
+const CONDITIONS: Conditions = Conditions { seed: 0, memory: 1 << 30, engine: Engine::Native };
 
 fn setting(name: &str, otherwise: usize) -> usize {
     std::env::var(name).map_or(otherwise, |value| value.parse().expect("a number"))

@@ -1,5 +1,6 @@
 //! Operations and scripts on meshes: the machine, against literal readings and tables.
 
+mod engines;
 mod everywhere;
 mod guard;
 mod lessons;

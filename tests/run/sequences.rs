@@ -7,10 +7,11 @@ use std::path::Path;
 
 use hedgerow::analysis::{Analysis, Nowhere};
 use hedgerow::mesh::{Level, Mesh, read_mesh, shape, validate, validate_level};
-use hedgerow::rewrite::Unwatched;
-use hedgerow::run::{prepare, run};
+use hedgerow::rewrite::Engine;
+use hedgerow::run::prepare;
 use hedgerow::source::Sources;
 use support::dice::Dice;
+use support::engines::run_on_both;
 
 const USES: &str = r#"
 use "std/remesh.hedge"
@@ -129,7 +130,8 @@ fn every_sequence_of_library_scripts_runs() {
         let was_simple = validate_level(&mesh, Level::Simple).is_ok();
         let script = analysis.script("main").unwrap();
         let prepared = prepare(&analysis.program, script, &analysis.plans).unwrap();
-        let done = run(&prepared, &mut mesh, &[], &mut Unwatched);
+        let engine = if seed % 4 == 0 { Engine::NativeAtOnce } else { Engine::Native };
+        let (done, _) = run_on_both(&prepared, &mut mesh, &[], engine);
         if let Err(failure) = done {
             let said = &failure.diagnostic;
             failed

@@ -3,6 +3,7 @@
 
 pub mod dice;
 pub mod emission;
+pub mod engines;
 pub mod guarded;
 pub mod meshes;
 pub mod pages;

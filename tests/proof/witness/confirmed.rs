@@ -98,8 +98,9 @@ pub fn read_back(text: &str) -> Option<Op> {
     analysis.program.ops.pop()?.diagram
 }
 
-/// A counterexample at whose place the reference finds no match: it lets no fan hold a halfedge
-/// that is named, and no path that is next to another one be anything.
+/// A counterexample at whose place the reference finds no match, or writes nothing: it lets no fan
+/// hold a halfedge that is named, and no path that is next to another one be anything, and knows no
+/// name that `after` alone has.
 const OTHERWISE: &str = "breaks in another reading";
 
 /// Whether the reference breaks the mesh of a counterexample at its match.
@@ -115,12 +116,12 @@ fn broken(rule: &Rule, example: &Counterexample) -> &'static str {
     });
     let bound: Vec<_> = bound.collect();
     let found = matches(rule, before, &bound, 50);
-    let mut results = found.iter().filter_map(|at| rewrite(rule, before, at));
-    if results.any(|result| validate(&result.mesh).is_err()) {
+    let results: Vec<_> = found.iter().filter_map(|at| rewrite(rule, before, at)).collect();
+    if results.iter().any(|result| validate(&result.mesh).is_err()) {
         return "breaks";
     }
     match example.invalid {
-        _ if found.is_empty() => OTHERWISE,
+        _ if results.is_empty() => OTHERWISE,
         // The reference gives a halfedge also to what `after` does not draw.
         Invalid::Dangling { pointer: "halfedge", .. } => "breaks, a stale `halfedge`",
         Invalid::ForeignHalfedge { .. } => "breaks, a stale `halfedge`",

@@ -17,9 +17,10 @@ mod spelled;
 
 use hedgerow::analysis::Analysis;
 use hedgerow::mesh::{Mesh, validate};
-use hedgerow::rewrite::Watch;
+use hedgerow::rewrite::{Engine, Watch};
 use hedgerow::run::{Failure, Report, prepare, run};
 use hedgerow::source::Sources;
+use support::engines::run_on_both;
 
 /// Operations for the scripts of the tests: those of the example.
 const OPS: &str = include_str!("../../../examples/remesh.hedge");
@@ -63,10 +64,9 @@ fn run_alone(
     let own = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
     let texts: Vec<_> = arguments.iter().map(own).collect();
     let arguments = prepared.arguments(&texts).unwrap();
-    let mut lines = Lines::default();
-    let report = run(&prepared, mesh, &arguments, &mut lines)?;
+    let (report, lines) = run_on_both(&prepared, mesh, &arguments, Engine::NativeAtOnce);
     validate(mesh).unwrap();
-    Ok((report, lines.0))
+    Ok((report?, lines))
 }
 
 /// Runs a script that has this body.

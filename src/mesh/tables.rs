@@ -1,0 +1,89 @@
+//! The tables of a mesh as they lie in memory, for code that is made while the program runs.
+//!
+//! Addresses are given out, and nothing is read or written through them here. They hold until an
+//! element is added or the mesh is moved.
+
+use std::mem::offset_of;
+
+use glam::DVec3;
+
+use super::attribute::{ColumnData, ColumnId};
+use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::id::HalfedgeId;
+
+/// Where the tables begin, and how many records they have.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(crate) struct Tables {
+    pub(crate) halfedges: *mut HalfedgeRecord,
+    pub(crate) halfedge_count: usize,
+    pub(crate) vertices: *mut HalfedgeId,
+    pub(crate) vertex_count: usize,
+    pub(crate) edges: *mut HalfedgeId,
+    pub(crate) edge_count: usize,
+    pub(crate) faces: *mut u8,
+    pub(crate) face_count: usize,
+    pub(crate) positions: *mut DVec3,
+    /// The number of holes.
+    pub(crate) holes: *mut usize,
+}
+
+/// The bytes of a face, and where in it are its halfedge and whether it is a hole.
+pub(crate) const FACE_SIZE: usize = size_of::<FaceRecord>();
+pub(crate) const FACE_HALFEDGE: usize = offset_of!(FaceRecord, halfedge);
+pub(crate) const FACE_HOLE: usize = offset_of!(FaceRecord, hole);
+
+/// What stands in place of the first pointer of an erased element.
+pub(crate) const DEAD: u32 = HalfedgeId::DEAD.0;
+
+impl Mesh {
+    /// Its tables.
+    #[inline]
+    pub(crate) fn tables(&mut self) -> Tables {
+        Tables {
+            halfedges: self.halfedges.as_mut_ptr(),
+            halfedge_count: self.halfedges.len(),
+            vertices: self.vertices.as_mut_ptr(),
+            // A vertex has a position.
+            vertex_count: self.vertices.len().min(self.positions.len()),
+            edges: self.edges.as_mut_ptr(),
+            edge_count: self.edges.len(),
+            faces: self.faces.as_mut_ptr().cast(),
+            face_count: self.faces.len(),
+            positions: self.positions.as_mut_ptr(),
+            holes: &raw mut self.holes,
+        }
+    }
+
+    /// Where the values of a column begin, and how many there are.
+    #[inline]
+    pub(crate) fn values_in_memory(&mut self, column: ColumnId) -> (*mut u8, usize) {
+        match self.column_data_mut(column) {
+            Some(ColumnData::Bool(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Int(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Real(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Vec2(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Vec3(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Vec4(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Mat3(all)) => (all.as_mut_ptr().cast(), all.len()),
+            Some(ColumnData::Mat4(all)) => (all.as_mut_ptr().cast(), all.len()),
+            None => (std::ptr::null_mut(), 0),
+        }
+    }
+
+    /// True if what is written is noted.
+    #[inline]
+    pub(crate) fn is_journaled(&self) -> bool {
+        self.journal.is_open()
+    }
+
+    /// True if so many more elements of each kind fit without taking memory.
+    #[inline]
+    pub(crate) fn has_room(&self, more: [usize; 4]) -> bool {
+        self.can_add(more[0], more[1], more[2], more[3])
+            && super::id::ElementKind::ALL.into_iter().zip(more).all(|(kind, more)| {
+                let free = self.slots[kind as usize].free.len();
+                more <= free || more - free <= self.reserved(kind)
+            })
+    }
+}

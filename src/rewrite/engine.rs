@@ -1,0 +1,14 @@
+//! The ways to run code.
+
+/// What runs code. The results are the same, bit for bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Engine {
+    /// The machine takes one instruction after the other, everywhere.
+    Machine,
+    /// Native code for operations, from when one has run so often that it pays to compile it; the
+    /// machine until then, for scripts, within drains, and where native code is not available.
+    #[default]
+    Native,
+    /// Native code for all that runs, from the first run on.
+    NativeAtOnce,
+}

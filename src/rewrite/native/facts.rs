@@ -1,0 +1,266 @@
+//! What is known of the elements in registers at each instruction.
+//!
+//! An element that a pointer of a living element leads to lives: so it is on a valid mesh, before
+//! and after every proved operation, and within one until it erases. What has been read through is
+//! in range. So native code tests each element once, and those that it comes to by pointers for
+//! their range only.
+
+use super::operands::{Surroundings, Use};
+use crate::mesh::ElementKind;
+use crate::rewrite::{ElementField, HalfedgeField, Inst, Reg};
+
+/// What is known of the element in a register.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Fact {
+    kind: Option<ElementKind>,
+    in_range: bool,
+    lives: bool,
+    /// The register holds its number and nothing above its 32 bits.
+    is_clean: bool,
+}
+
+impl Fact {
+    /// A pointer of a living element leads to it.
+    fn led_to(kind: ElementKind) -> Self {
+        Self { kind: Some(kind), in_range: false, lives: true, is_clean: true }
+    }
+
+    /// It has just been added.
+    fn new(kind: ElementKind) -> Self {
+        Self { in_range: true, ..Self::led_to(kind) }
+    }
+
+    /// The register holds its number and nothing else.
+    pub(super) fn is_clean(self) -> bool {
+        self.is_clean
+    }
+
+    /// The number is that of a record of this kind.
+    pub(super) fn is_in_range(self, kind: ElementKind) -> bool {
+        self.in_range && self.kind == Some(kind)
+    }
+
+    /// It lives, if it is in range.
+    pub(super) fn lives(self, kind: ElementKind) -> bool {
+        self.lives && self.kind == Some(kind)
+    }
+
+    fn meet(self, other: Self) -> Self {
+        match self.kind == other.kind {
+            true => Self {
+                kind: self.kind,
+                in_range: self.in_range && other.in_range,
+                lives: self.lives && other.lives,
+                is_clean: self.is_clean && other.is_clean,
+            },
+            false => Self::default(),
+        }
+    }
+}
+
+/// What is known of all registers.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Facts(Vec<Fact>);
+
+impl Facts {
+    pub(super) fn of(&self, reg: Reg) -> Fact {
+        self.0.get(usize::from(reg.0)).copied().unwrap_or_default()
+    }
+
+    /// The element in a register has been read or written, so it is there.
+    fn use_element(&mut self, reg: Reg, kind: ElementKind) {
+        let is_clean = self.of(reg).is_clean;
+        self.set(reg, Fact { is_clean, ..Fact::new(kind) });
+    }
+
+    fn set(&mut self, reg: Reg, fact: Fact) {
+        if let Some(known) = self.0.get_mut(usize::from(reg.0)) {
+            *known = fact;
+        }
+    }
+
+    fn meet(&mut self, other: &Self) -> bool {
+        let mut changed = false;
+        for (known, other) in self.0.iter_mut().zip(&other.0) {
+            let met = known.meet(*other);
+            changed |= met != *known;
+            *known = met;
+        }
+        changed
+    }
+
+    /// Takes an instruction that goes on with the following.
+    fn take(&mut self, inst: &Inst, surroundings: &Surroundings) {
+        let before = match *inst {
+            Inst::Copy { from, .. } => self.of(from),
+            _ => Fact::default(),
+        };
+        self.forget_written(inst, surroundings);
+        match *inst {
+            Inst::Copy { to, .. } => self.set(to, before),
+            Inst::Load { field, to, halfedge } => {
+                let kind = match field {
+                    HalfedgeField::Next | HalfedgeField::Prev | HalfedgeField::Twin => {
+                        ElementKind::Halfedge
+                    }
+                    HalfedgeField::Vertex => ElementKind::Vertex,
+                    HalfedgeField::Edge => ElementKind::Edge,
+                    HalfedgeField::Face => ElementKind::Face,
+                };
+                self.use_element(halfedge, ElementKind::Halfedge);
+                self.set(to, Fact::led_to(kind));
+            }
+            Inst::LoadHalfedge { of, to, element } => {
+                self.use_element(element, kind(of));
+                self.set(to, Fact::led_to(ElementKind::Halfedge));
+            }
+            Inst::LoadHole { face, .. } => self.use_element(face, ElementKind::Face),
+            Inst::LoadPosition { vertex, .. } | Inst::StorePosition { vertex, .. } => {
+                self.use_element(vertex, ElementKind::Vertex);
+            }
+            Inst::Store { halfedge, .. } => self.use_element(halfedge, ElementKind::Halfedge),
+            Inst::StoreHalfedge { of, element, .. } => self.use_element(element, kind(of)),
+            Inst::StoreHole { face, .. } => self.use_element(face, ElementKind::Face),
+            Inst::NextLiving { of, element, .. } | Inst::JumpUnlessLiving { of, element, .. } => {
+                self.use_element(element, of.kind());
+            }
+            Inst::NewVertex { to } => self.set(to, Fact::new(ElementKind::Vertex)),
+            Inst::NewHalfedge { to } => self.set(to, Fact::new(ElementKind::Halfedge)),
+            Inst::NewEdge { to } => self.set(to, Fact::new(ElementKind::Edge)),
+            Inst::NewFace { to } => self.set(to, Fact::new(ElementKind::Face)),
+            Inst::Erase { kind, .. } => {
+                for fact in self.0.iter_mut().filter(|fact| fact.kind == Some(kind)) {
+                    fact.lives = false;
+                }
+            }
+            // Others may erase.
+            Inst::Call { .. } | Inst::Apply { .. } | Inst::Try { .. } => {
+                self.0.fill(Fact::default());
+            }
+            _ => {}
+        }
+    }
+
+    fn forget_written(&mut self, inst: &Inst, surroundings: &Surroundings) {
+        surroundings.each_operand(inst, |operand| {
+            if operand.used != Use::Read {
+                for reg in operand.registers() {
+                    self.set(reg, Fact::default());
+                }
+            }
+        });
+    }
+}
+
+fn kind(of: ElementField) -> ElementKind {
+    match of {
+        ElementField::Vertex => ElementKind::Vertex,
+        ElementField::Edge => ElementKind::Edge,
+        ElementField::Face => ElementKind::Face,
+    }
+}
+
+/// For each instruction that is jumped to, what is known there on every way.
+pub(super) struct KnownAt(Vec<Option<Facts>>);
+
+impl KnownAt {
+    pub(super) fn of(insts: &[Inst], registers: usize, surroundings: &Surroundings) -> Self {
+        let mut known = Self(vec![None; insts.len() + 1]);
+        let is_target = targets(insts);
+        // What is known only becomes less, so this ends.
+        loop {
+            let mut changed = false;
+            let mut walk = Walk::new(registers);
+            for (at, inst) in insts.iter().enumerate() {
+                if is_target[at] {
+                    walk.arrive(&mut known, at, &mut changed);
+                }
+                let Some(facts) = &mut walk.facts else {
+                    continue;
+                };
+                let mut jump = *inst;
+                if let Some(to) = jump.target_mut() {
+                    let mut there = facts.clone();
+                    there.forget_written(inst, surroundings);
+                    known.join((to.0 as usize).min(insts.len()), &there, &mut changed);
+                }
+                facts.take(inst, surroundings);
+                if ends(inst) {
+                    walk.facts = None;
+                }
+            }
+            if !changed {
+                return known;
+            }
+        }
+    }
+
+    fn join(&mut self, at: usize, facts: &Facts, changed: &mut bool) {
+        match &mut self.0[at] {
+            Some(known) => *changed |= known.meet(facts),
+            unknown => {
+                *unknown = Some(facts.clone());
+                *changed = true;
+            }
+        }
+    }
+}
+
+/// What is known while the instructions are gone through in order.
+pub(super) struct Walk {
+    /// Nothing is known where nobody comes.
+    pub(super) facts: Option<Facts>,
+}
+
+impl Walk {
+    pub(super) fn new(registers: usize) -> Self {
+        Self { facts: Some(Facts(vec![Fact::default(); registers])) }
+    }
+
+    fn arrive(&mut self, known: &mut KnownAt, at: usize, changed: &mut bool) {
+        if let Some(facts) = &self.facts {
+            known.join(at, facts, changed);
+        }
+        self.facts = known.0[at].clone();
+    }
+
+    /// Comes to an instruction that is jumped to.
+    pub(super) fn enter(&mut self, known: &KnownAt, at: usize) {
+        self.facts = known.0[at].clone();
+    }
+
+    /// Goes past an instruction.
+    pub(super) fn pass(&mut self, inst: &Inst, surroundings: &Surroundings) {
+        if let Some(facts) = &mut self.facts {
+            facts.take(inst, surroundings);
+        }
+        if ends(inst) {
+            self.facts = None;
+        }
+    }
+}
+
+/// True if the code does not go on with the following instruction.
+pub(super) fn ends(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::Jump { .. }
+            | Inst::Refuse
+            | Inst::Return { .. }
+            | Inst::Give { .. }
+            | Inst::Fail { .. }
+            | Inst::FailShowing { .. }
+    )
+}
+
+/// By number whether an instruction, or the end of the code, is jumped to.
+pub(super) fn targets(insts: &[Inst]) -> Vec<bool> {
+    let mut targets = vec![false; insts.len() + 1];
+    for inst in insts {
+        let mut jump = *inst;
+        if let Some(to) = jump.target_mut() {
+            targets[(to.0 as usize).min(insts.len())] = true;
+        }
+    }
+    targets
+}

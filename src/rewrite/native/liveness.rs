@@ -1,0 +1,118 @@
+//! Which registers are read before they are written, from each instruction on.
+
+use super::facts::{ends, targets};
+use super::operands::{Surroundings, Use};
+use crate::rewrite::{Inst, Reg};
+
+/// A set of registers.
+#[derive(Clone, Debug, PartialEq)]
+struct Set(Vec<u64>);
+
+impl Set {
+    fn add(&mut self, reg: Reg) {
+        if let Some(word) = self.0.get_mut(usize::from(reg.0 / 64)) {
+            *word |= 1 << (reg.0 % 64);
+        }
+    }
+
+    fn remove(&mut self, reg: Reg) {
+        if let Some(word) = self.0.get_mut(usize::from(reg.0 / 64)) {
+            *word &= !(1 << (reg.0 % 64));
+        }
+    }
+
+    fn unite(&mut self, other: &Self) {
+        for (word, other) in self.0.iter_mut().zip(&other.0) {
+            *word |= other;
+        }
+    }
+
+    fn registers(&self) -> Vec<Reg> {
+        let all = (0..self.0.len() * 64).map(|at| at as u16);
+        all.filter(|at| self.0[usize::from(at / 64)] >> (at % 64) & 1 == 1).map(Reg).collect()
+    }
+}
+
+/// The registers that are live where code begins or is jumped to.
+pub(super) struct Liveness<'a> {
+    insts: &'a [Inst],
+    surroundings: &'a Surroundings<'a>,
+    nothing: Set,
+    /// By instruction, if it is the first or jumped to.
+    live: Vec<Option<Set>>,
+}
+
+impl<'a> Liveness<'a> {
+    pub(super) fn of(
+        insts: &'a [Inst],
+        registers: usize,
+        surroundings: &'a Surroundings<'a>,
+    ) -> Self {
+        let nothing = Set(vec![0; registers.div_ceil(64)]);
+        let mut live: Vec<Option<Set>> = vec![None; insts.len() + 1];
+        for (at, is_target) in targets(insts).into_iter().enumerate() {
+            if is_target || at == 0 {
+                live[at] = Some(nothing.clone());
+            }
+        }
+        let mut found = Self { insts, surroundings, nothing, live };
+        // What is live only becomes more, so this ends.
+        while found.go_back(0, |_, _| {}) {}
+        found
+    }
+
+    /// Goes through the instructions from the last to `first`, telling each what is live behind it.
+    fn go_back(&mut self, first: usize, mut see: impl FnMut(usize, &Set)) -> bool {
+        let mut changed = false;
+        let mut now = self.nothing.clone();
+        for at in (first..self.insts.len()).rev() {
+            let inst = &self.insts[at];
+            if ends(inst) {
+                now = self.nothing.clone();
+            } else if let Some(known) = &self.live[at + 1] {
+                now.unite(known);
+            }
+            let mut jump = *inst;
+            if let Some(to) = jump.target_mut()
+                && let Some(known) = &self.live[(to.0 as usize).min(self.insts.len())]
+            {
+                now.unite(known);
+            }
+            see(at, &now);
+            let surroundings = self.surroundings;
+            surroundings.each_operand(inst, |operand| {
+                if operand.used == Use::Write {
+                    operand.registers().for_each(|reg| now.remove(reg));
+                }
+            });
+            surroundings.each_operand(inst, |operand| {
+                if operand.used != Use::Write {
+                    operand.registers().for_each(|reg| now.add(reg));
+                }
+            });
+            if let Some(known) = &mut self.live[at]
+                && *known != now
+            {
+                known.unite(&now);
+                changed = true;
+            }
+        }
+        changed
+    }
+
+    /// The registers that are read from the beginning on before they are written.
+    pub(super) fn at_start(&self) -> Vec<Reg> {
+        self.live[0].as_ref().map_or_else(Vec::new, Set::registers)
+    }
+
+    /// The registers that are live behind an instruction.
+    pub(super) fn behind(&mut self, inst: usize) -> Vec<Reg> {
+        let mut found = Vec::new();
+        self.go_back(inst, |at, live| {
+            if at == inst {
+                found = live.registers();
+            }
+        });
+        found
+    }
+}

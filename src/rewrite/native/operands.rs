@@ -1,0 +1,395 @@
+//! The registers that an instruction reads and writes.
+
+use crate::mesh::{AttributeType, ElementKind};
+use crate::rewrite::wide::{Lanes, Matrix};
+use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
+
+/// How an instruction uses registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Use {
+    Read,
+    /// Writes, on every way on.
+    Write,
+    /// Writes, perhaps.
+    Change,
+}
+
+/// The values that a register holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Class {
+    /// Bits that are copied.
+    Any,
+    Real,
+    /// An int, a bool, an element or a text.
+    Whole,
+}
+
+/// Consecutive registers that an instruction uses.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Operand {
+    pub(super) used: Use,
+    pub(super) first: Reg,
+    pub(super) width: u16,
+    pub(super) class: Class,
+}
+
+impl Operand {
+    pub(super) fn registers(self) -> impl Iterator<Item = Reg> {
+        (0..self.width).map(move |part| Reg(self.first.0.wrapping_add(part)))
+    }
+}
+
+/// What a code refers to by number, as far as the widths of operands depend on it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surroundings<'a> {
+    pub(super) plans: &'a [Option<Plan>],
+    pub(super) functions: &'a [Function],
+    /// The attributes of the program: the kind of the elements that have it, and the type.
+    pub(super) types: &'a [Option<(ElementKind, AttributeType)>],
+}
+
+impl Surroundings<'_> {
+    /// The type of an attribute on the mesh.
+    pub(super) fn type_of(&self, attribute: u16) -> Option<AttributeType> {
+        self.column(attribute).map(|(_, ty)| ty)
+    }
+
+    /// The kind of the elements that have an attribute.
+    pub(super) fn kind_of(&self, attribute: u16) -> Option<ElementKind> {
+        self.column(attribute).map(|(kind, _)| kind)
+    }
+
+    /// Both.
+    pub(super) fn column(&self, attribute: u16) -> Option<(ElementKind, AttributeType)> {
+        self.types.get(usize::from(attribute)).copied().flatten()
+    }
+
+    /// The number of slots of the parameters of an operation.
+    pub(super) fn params_of_op(&self, op: u16) -> u16 {
+        let plan = self.plans.get(usize::from(op)).and_then(Option::as_ref);
+        plan.map_or(0, |plan| plan.params.iter().fold(0, |sum, &one| sum.saturating_add(one)))
+    }
+
+    /// The number of slots of an attribute, and whether they are reals.
+    fn attribute(&self, attribute: u16) -> (u16, Class) {
+        match self.type_of(attribute) {
+            Some(AttributeType::Bool | AttributeType::Int) | None => (1, Class::Whole),
+            Some(AttributeType::Real) => (1, Class::Real),
+            Some(AttributeType::Vec2) => (2, Class::Real),
+            Some(AttributeType::Vec3) => (3, Class::Real),
+            Some(AttributeType::Vec4) => (4, Class::Real),
+            Some(AttributeType::Mat3) => (9, Class::Real),
+            Some(AttributeType::Mat4) => (16, Class::Real),
+        }
+    }
+
+    /// The most slots that a function gives.
+    fn given_by(&self, function: u16) -> u16 {
+        let code = |function: &Function| -> u16 { given(&function.code) };
+        self.functions.get(usize::from(function)).map_or(0, code)
+    }
+
+    fn params_of_function(&self, function: u16) -> u16 {
+        self.functions.get(usize::from(function)).map_or(0, |function| function.params)
+    }
+
+    /// Tells the operands of an instruction, in any order.
+    pub(super) fn each_operand(&self, inst: &Inst, mut tell: impl FnMut(Operand)) {
+        use Class::{Any, Real, Whole};
+        let mut tell = |used: Use, class: Class, first: Reg, width: u16| {
+            tell(Operand { used, first, width, class });
+        };
+        macro_rules! operands {
+            ($($used:ident $class:ident $reg:expr, $width:expr;)*) => {{
+                $(tell(Use::$used, $class, $reg, $width);)*
+            }};
+        }
+        match *inst {
+            Inst::Const { to, .. } => operands! { Write Any to, 1; },
+            Inst::Copy { to, from } => operands! { Read Any from, 1; Write Any to, 1; },
+            Inst::CopyVec { to, from } => operands! { Read Real from, 3; Write Real to, 3; },
+            Inst::CopyWide { to, from, width } => {
+                operands! { Read Any from, u16::from(width); Write Any to, u16::from(width); }
+            }
+            Inst::Select { to, condition, then, otherwise } => operands! {
+                Read Whole condition, 1; Read Any then, 1; Read Any otherwise, 1; Write Any to, 1;
+            },
+            Inst::Not { to, from } | Inst::NegInt { to, from } | Inst::AbsInt { to, from } => {
+                operands! { Read Whole from, 1; Write Whole to, 1; }
+            }
+            Inst::And { to, left, right }
+            | Inst::Or { to, left, right }
+            | Inst::Equal { to, left, right }
+            | Inst::AddInt { to, left, right }
+            | Inst::SubInt { to, left, right }
+            | Inst::MulInt { to, left, right }
+            | Inst::DivInt { to, left, right }
+            | Inst::ModInt { to, left, right }
+            | Inst::MinInt { to, left, right }
+            | Inst::MaxInt { to, left, right }
+            | Inst::LessInt { to, left, right }
+            | Inst::LessEqualInt { to, left, right } => operands! {
+                Read Whole left, 1; Read Whole right, 1; Write Whole to, 1;
+            },
+            Inst::IntToReal { to, from } => operands! { Read Whole from, 1; Write Real to, 1; },
+            Inst::RoundReal { to, from } => operands! { Read Real from, 1; Write Whole to, 1; },
+            Inst::AddReal { to, left, right }
+            | Inst::SubReal { to, left, right }
+            | Inst::MulReal { to, left, right }
+            | Inst::DivReal { to, left, right }
+            | Inst::MinReal { to, left, right }
+            | Inst::MaxReal { to, left, right }
+            | Inst::PowReal { to, left, right }
+            | Inst::Atan2Real { to, left, right } => operands! {
+                Read Real left, 1; Read Real right, 1; Write Real to, 1;
+            },
+            Inst::LessReal { to, left, right }
+            | Inst::LessEqualReal { to, left, right }
+            | Inst::EqualReal { to, left, right } => operands! {
+                Read Real left, 1; Read Real right, 1; Write Whole to, 1;
+            },
+            Inst::MathReal { to, from, .. } => operands! { Read Real from, 1; Write Real to, 1; },
+            Inst::AddVec { to, left, right }
+            | Inst::SubVec { to, left, right }
+            | Inst::MulVec { to, left, right }
+            | Inst::Cross { to, left, right } => operands! {
+                Read Real left, 3; Read Real right, 3; Write Real to, 3;
+            },
+            Inst::NegVec { to, from } | Inst::Normalize { to, from } => operands! {
+                Read Real from, 3; Write Real to, 3;
+            },
+            Inst::ScaleVec { to, left, right } | Inst::DivVec { to, left, right } => operands! {
+                Read Real left, 3; Read Real right, 1; Write Real to, 3;
+            },
+            Inst::MixVec { to, left, right, t } => operands! {
+                Read Real left, 3; Read Real right, 3; Read Real t, 1; Write Real to, 3;
+            },
+            Inst::EqualVec { to, left, right } => operands! {
+                Read Real left, 3; Read Real right, 3; Write Whole to, 1;
+            },
+            Inst::Dot { to, left, right } => operands! {
+                Read Real left, 3; Read Real right, 3; Write Real to, 1;
+            },
+            Inst::LengthVec { to, from } => operands! { Read Real from, 3; Write Real to, 1; },
+            Inst::Wide { operation, width, to, left, right } => {
+                let width = u16::from(width);
+                match operation {
+                    Lanes::Add | Lanes::Subtract | Lanes::Multiply => operands! {
+                        Read Real left, width; Read Real right, width; Write Real to, width;
+                    },
+                    Lanes::Scale | Lanes::Divide => {
+                        let step = if operation == Lanes::Divide { width } else { 1 };
+                        operands! {
+                            Read Real left, width; Read Real right, step; Write Real to, width;
+                        }
+                    }
+                    Lanes::Equal => operands! {
+                        Read Real left, width; Read Real right, width; Write Whole to, 1;
+                    },
+                    Lanes::Dot => operands! {
+                        Read Real left, width; Read Real right, width; Write Real to, 1;
+                    },
+                    Lanes::Normalize => operands! {
+                        Read Real left, width; Write Real to, width;
+                    },
+                    Lanes::IsNan | Lanes::IsFinite => operands! {
+                        Read Real left, width; Write Whole to, 1;
+                    },
+                }
+            }
+            Inst::Matrix { operation, size, to, left, right } => {
+                let size = u16::from(size);
+                let all = size * size;
+                match operation {
+                    Matrix::Diagonal => operands! { Read Real left, 1; Write Real to, all; },
+                    Matrix::UpperLeft => operands! {
+                        Read Real left, (size + 1) * (size + 1); Write Real to, all;
+                    },
+                    Matrix::Outer => operands! {
+                        Read Real left, size; Read Real right, size; Write Real to, all;
+                    },
+                    Matrix::Transpose | Matrix::Inverse => operands! {
+                        Read Real left, all; Write Real to, all;
+                    },
+                    Matrix::Multiply => operands! {
+                        Read Real left, all; Read Real right, all; Write Real to, all;
+                    },
+                    Matrix::Transform | Matrix::Solve => operands! {
+                        Read Real left, all; Read Real right, size; Write Real to, size;
+                    },
+                    Matrix::Determinant => operands! { Read Real left, all; Write Real to, 1; },
+                }
+            }
+            Inst::Random { to } => operands! { Write Real to, 1; },
+            Inst::RandomInt { to, below } => operands! { Read Whole below, 1; Write Whole to, 1; },
+            Inst::Load { to, halfedge: from, .. }
+            | Inst::LoadHalfedge { to, element: from, .. }
+            | Inst::LoadHole { to, face: from }
+            | Inst::Alive { to, element: from, .. } => operands! {
+                Read Whole from, 1; Write Whole to, 1;
+            },
+            Inst::LoadPosition { to, vertex } => operands! {
+                Read Whole vertex, 1; Write Real to, 3;
+            },
+            Inst::LoadAttribute { attribute, to, element } => {
+                let (width, class) = self.attribute(attribute);
+                operands! { Read Whole element, 1; }
+                tell(Use::Write, class, to, width);
+            }
+            Inst::Capacity { to, .. } | Inst::Count { to, .. } | Inst::CountHoles { to } => {
+                operands! { Write Whole to, 1; }
+            }
+            Inst::NextLiving { element, .. } => operands! { Change Whole element, 1; },
+            Inst::JumpUnlessLiving { element, .. } => operands! { Read Whole element, 1; },
+            Inst::Ask { question, to, elements: [first, second] } => {
+                operands! { Read Whole first, 1; Read Whole second, 1; }
+                match question {
+                    Question::Degree
+                    | Question::BoundaryVertex
+                    | Question::Adjacent
+                    | Question::BoundaryEdge
+                    | Question::LinkCondition
+                    | Question::StarShaped
+                    | Question::FaceSize => operands! { Write Whole to, 1; },
+                    Question::LengthEdge | Question::Area => operands! { Write Real to, 1; },
+                    Question::NormalVertex
+                    | Question::KernelCentroid
+                    | Question::NormalFace
+                    | Question::CentroidFace => operands! { Write Real to, 3; },
+                }
+            }
+            Inst::JumpIf { condition, .. }
+            | Inst::JumpUnless { condition, .. }
+            | Inst::Expect { condition, .. } => operands! { Read Whole condition, 1; },
+            Inst::JumpUnequal { left, right, .. }
+            | Inst::JumpEqual { left, right, .. }
+            | Inst::ExpectEqual { left, right, .. }
+            | Inst::ExpectDistinct { left, right, .. } => operands! {
+                Read Whole left, 1; Read Whole right, 1;
+            },
+            Inst::ExpectFinite { vector, .. } => operands! { Read Real vector, 3; },
+            Inst::Collect { from, until, .. } => operands! {
+                Read Whole from, 1; Read Whole until, 1;
+            },
+            Inst::CollectEars { face, .. } => operands! { Read Whole face, 1; },
+            Inst::Meets { to, from, goal, stop, .. } => operands! {
+                Read Whole from, 1; Read Whole goal, 1; Read Whole stop, 1; Write Whole to, 1;
+            },
+            Inst::PreviewNew { to }
+            | Inst::NewVertex { to }
+            | Inst::NewHalfedge { to }
+            | Inst::NewEdge { to }
+            | Inst::NewFace { to }
+            | Inst::MeetsAll { to, .. }
+            | Inst::ForeseeAlong { to, .. }
+            | Inst::BufferLength { to, .. }
+            | Inst::RefusedFor { to, .. }
+            | Inst::MeshSame { to, .. } => operands! { Write Whole to, 1; },
+            Inst::PreviewStore { halfedge: element, value, .. }
+            | Inst::PreviewStoreHalfedge { element, value, .. }
+            | Inst::Store { halfedge: element, value, .. }
+            | Inst::StoreHalfedge { element, value, .. } => operands! {
+                Read Whole element, 1; Read Whole value, 1;
+            },
+            Inst::PreviewStoreHole { face, .. } | Inst::StoreHole { face, .. } => operands! {
+                Read Whole face, 1;
+            },
+            Inst::PreviewStoreAll { value, .. } | Inst::StoreAll { value, .. } => operands! {
+                Read Whole value, 1;
+            },
+            Inst::PreviewStoreSpan { index, value, .. } | Inst::StoreSpan { index, value, .. } => {
+                operands! { Read Whole index, 1; Read Whole value, 1; }
+            }
+            Inst::Foresee { to, element, at, .. } => operands! {
+                Read Whole element, 1; Read Whole at, 1; Write Whole to, 1;
+            },
+            Inst::NextIndex { index, .. } => operands! { Change Whole index, 1; },
+            Inst::Member { index, to, .. } | Inst::BufferGet { to, index, .. } => operands! {
+                Read Whole index, 1; Write Any to, 1;
+            },
+            Inst::BufferGetWide { index, width, to, .. } => operands! {
+                Read Whole index, 1; Write Any to, width;
+            },
+            Inst::ExpectRoomFor { count, .. } => operands! { Read Whole count, 1; },
+            Inst::Return { result: Some(result) } => operands! { Read Whole result, 1; },
+            Inst::BufferPush { from, .. } => operands! { Read Any from, 1; },
+            Inst::BufferNext { index, to, .. } => operands! {
+                Change Whole index, 1; Change Any to, 1;
+            },
+            Inst::StorePosition { vertex, value } | Inst::HoldPosition { vertex, value, .. } => {
+                operands! { Read Whole vertex, 1; Read Real value, 3; }
+            }
+            Inst::StoreAttribute { attribute, element, value }
+            | Inst::HoldAttribute { attribute, element, value, .. } => {
+                let (width, class) = self.attribute(attribute);
+                operands! { Read Whole element, 1; }
+                tell(Use::Read, class, value, width);
+            }
+            Inst::Erase { element, .. } => operands! { Read Whole element, 1; },
+            Inst::DrainStale { to, .. } | Inst::DrainLeast { to, .. } => operands! {
+                Change Whole to, 1;
+            },
+            Inst::DrainKey { key } => operands! { Read Real key, 1; },
+            Inst::Call { function, args, to, .. } => operands! {
+                Read Any args, self.params_of_function(function);
+                Change Any to, self.given_by(function);
+            },
+            Inst::Give { from, width } => operands! { Read Any from, width; },
+            Inst::Apply { op, args, applied, result } => operands! {
+                Read Any args, self.params_of_op(op);
+                Change Whole result, 1; Write Whole applied, 1;
+            },
+            Inst::Try { op, args, to, .. } => operands! {
+                Read Any args, self.params_of_op(op); Write Whole to, 1;
+            },
+            Inst::Turn { done, total, .. } => operands! {
+                Read Whole done, 1; Read Whole total, 1;
+            },
+            Inst::PrintTextOf { from }
+            | Inst::PrintBool { from }
+            | Inst::PrintInt { from }
+            | Inst::PrintElement { from, .. }
+            | Inst::ExpectAlive { from, .. } => operands! { Read Whole from, 1; },
+            Inst::PrintReal { from, .. } => operands! { Read Real from, 1; },
+            Inst::PrintVec { from, .. } => operands! { Read Real from, 3; },
+            Inst::PrintWide { from, size, columns, .. } => operands! {
+                Read Real from, u16::from(size) * u16::from(columns);
+            },
+            Inst::BufferShuffle { .. }
+            | Inst::Jump { .. }
+            | Inst::ExpectRoom { .. }
+            | Inst::PreviewClear
+            | Inst::BufferAppend { .. }
+            | Inst::BufferDeal { .. }
+            | Inst::ExpectAllDistinct { .. }
+            | Inst::Refuse
+            | Inst::Return { result: None }
+            | Inst::BufferClear { .. }
+            | Inst::BufferLiving { .. }
+            | Inst::ReleaseHeld { .. }
+            | Inst::Recycle
+            | Inst::DrainOpen { .. }
+            | Inst::DrainAllStale
+            | Inst::DrainTake
+            | Inst::DrainClose
+            | Inst::Refused { .. }
+            | Inst::Tick
+            | Inst::PrintText { .. }
+            | Inst::PrintEnd
+            | Inst::PrintReason { .. }
+            | Inst::PrintDifference { .. }
+            | Inst::MeshKeep { .. }
+            | Inst::FailShowing { .. }
+            | Inst::Fail { .. } => {}
+        }
+    }
+}
+
+/// The most slots that a code gives.
+fn given(code: &Code) -> u16 {
+    let widths = code.insts.iter().map(|inst| match inst {
+        Inst::Give { width, .. } => *width,
+        _ => 0,
+    });
+    widths.max().unwrap_or(0)
+}

@@ -1,0 +1,258 @@
+//! The functions of the machine that native code calls.
+//!
+//! Each takes the context of the call. No panic crosses the border: that of a stub which may do
+//! anything is kept and goes on when native code has been left, and what the others do does not
+//! panic.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::context::{Context, Run, noted};
+use crate::mesh::ElementKind;
+use crate::rewrite::access;
+use crate::rewrite::arithmetic::{direction, math};
+use crate::rewrite::question::ask;
+use crate::rewrite::window::Window;
+use crate::rewrite::{Call, Fault, Inst, Math, Message, Outcome, Trap};
+
+/// The answer of a stub if native code is to be left: the trap stands in the run.
+pub(super) const LEAVE: i64 = -1;
+
+/// Does something with the run of a context.
+///
+/// # Safety
+/// The context is one that the machine has made for native code that runs.
+#[inline]
+unsafe fn within(
+    context: *mut Context,
+    act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
+) -> i64 {
+    // SAFETY: native code hands on the context that it was entered with. The machine made it and
+    // its run from values that it borrows until native code returns, and touches neither
+    // meanwhile; native code itself holds no reference.
+    let (context, run) = unsafe {
+        let context = &mut *context;
+        let run = &mut *context.run.cast::<Run<'_>>();
+        (context, run)
+    };
+    match act(context, run) {
+        Ok(answer) => answer,
+        Err(trap) => {
+            run.trap = Some(trap);
+            LEAVE
+        }
+    }
+}
+
+/// The same for what may do anything: it may panic, and what it has moved is looked for anew.
+///
+/// # Safety
+/// As of [`within`].
+unsafe fn within_any(
+    context: *mut Context,
+    act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
+) -> i64 {
+    let guarded = |context: &mut Context, run: &mut Run<'_>| {
+        let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
+        context.refresh(run);
+        acted.unwrap_or_else(|panic| {
+            run.panic = Some(panic);
+            Ok(LEAVE)
+        })
+    };
+    // SAFETY: as of `within`.
+    unsafe { within(context, guarded) }
+}
+
+/// Takes instructions on the machine, as many as the upper half of `span` says, from the one on
+/// that its lower half says; the place where the code goes on.
+///
+/// # Safety
+/// As of all stubs: native code calls it with its context.
+pub(super) unsafe extern "C" fn step(context: *mut Context, span: i64) -> i64 {
+    let take = |context: &mut Context, run: &mut Run<'_>| {
+        let mut place = context.place(span as u32 as usize);
+        place.steps = (span >> 32) as usize;
+        let Run { machine, mesh, call, watch, .. } = run;
+        let outcome = match machine.drains.is_empty() && !opens_drain(call, place.at) {
+            true => machine.execute_from::<false, true>(mesh, *call, &mut place, *watch)?,
+            false => machine.execute_from::<true, true>(mesh, *call, &mut place, *watch)?,
+        };
+        if let Outcome::Refused { reason } = outcome {
+            run.refused = Some(reason);
+            return Ok(LEAVE);
+        }
+        context.noted = noted(place.noted);
+        Ok(place.at as i64)
+    };
+    // SAFETY: see above.
+    unsafe { within_any(context, take) }
+}
+
+fn opens_drain(call: &Call<'_>, at: usize) -> bool {
+    matches!(call.code.insts.get(at), Some(Inst::DrainOpen { .. }))
+}
+
+/// Looks if the watcher wants to interrupt, at a turn of a loop that is one to look at.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
+    let tick = |_: &mut Context, run: &mut Run<'_>| {
+        let Run { machine, call, watch, .. } = run;
+        match machine.progress.tick(*watch).is_break() {
+            true => Err(Trap::new(Message::Interrupted).through(call, inst as usize)),
+            false => Ok(0),
+        }
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within(context, tick) }
+}
+
+/// Answers a question from registers in the window, into the window; [`LEAVE`] where the machine
+/// is to tell why it cannot.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 {
+    let answer = |_: &mut Context, run: &mut Run<'_>| {
+        let Run { machine, mesh, call, .. } = run;
+        let window = Window::at(&mut machine.stack, call.base);
+        let (Some(Inst::Ask { question, to, elements: [first, second] }), Some(mut window)) =
+            (call.code.insts.get(inst as usize), window)
+        else {
+            return Ok(LEAVE);
+        };
+        let asked = ask(mesh, *question, &mut window, [*to, *first, *second]);
+        Ok(asked.map_or(LEAVE, |()| 0))
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within(context, answer) }
+}
+
+/// Calls a function.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn call(context: *mut Context, inst: i64) -> i64 {
+    let call = |_: &mut Context, run: &mut Run<'_>| {
+        let Run { machine, mesh, call, watch, .. } = run;
+        machine.call_function(mesh, call, inst as usize, *watch).map(|()| 0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_any(context, call) }
+}
+
+/// Takes an instruction on the machine that native code has found to trap.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
+    // SAFETY: as of all stubs.
+    let answer = unsafe { step(context, inst | 1 << 32) };
+    if answer != LEAVE {
+        let say = |_: &mut Context, _: &mut Run<'_>| Err(Trap::new(Message::Malformed));
+        // SAFETY: as of all stubs.
+        unsafe { within(context, say) };
+    }
+}
+
+/// Adds and erases elements: takes so many instructions, in number and order as `span` says, which
+/// read the window and write to it.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) -> i64 {
+    let take = |context: &mut Context, run: &mut Run<'_>| {
+        let (first, end) = (span as u32 as usize, (span >> 32) as usize);
+        let Run { machine, mesh, call, .. } = run;
+        for (at, inst) in call.code.insts.iter().enumerate().take(end).skip(first) {
+            let failed = |fault: Fault| Trap::new(fault.into()).through(call, at);
+            let Some(mut window) = Window::at(&mut machine.stack, call.base) else {
+                return Err(failed(Fault::Malformed));
+            };
+            let (kind, to) = match *inst {
+                Inst::Erase { kind, element } => {
+                    access::erase(mesh, kind, window.id(element)).map_err(failed)?;
+                    continue;
+                }
+                Inst::NewVertex { to } => (ElementKind::Vertex, to),
+                Inst::NewHalfedge { to } => (ElementKind::Halfedge, to),
+                Inst::NewEdge { to } => (ElementKind::Edge, to),
+                Inst::NewFace { to } => (ElementKind::Face, to),
+                _ => continue,
+            };
+            let id = access::add(mesh, kind).map_err(failed)?;
+            window.set_id(to, id);
+            if let Some(created) = &mut machine.created {
+                created.push((kind, id));
+            }
+        }
+        context.refresh(run);
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within(context, take) }
+}
+
+/// 1 if so many elements fit, 16 bits for each kind.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn has_room(context: *mut Context, room: i64) -> i64 {
+    let more = [0, 16, 32, 48].map(|shift| (room as u64 >> shift) as usize & 0xffff);
+    let ask = |_: &mut Context, run: &mut Run<'_>| Ok(i64::from(run.mesh.has_room(more)));
+    // SAFETY: as of all stubs.
+    unsafe { within(context, ask) }
+}
+
+pub(super) extern "C" fn min(left: f64, right: f64) -> f64 {
+    left.min(right)
+}
+
+pub(super) extern "C" fn max(left: f64, right: f64) -> f64 {
+    left.max(right)
+}
+
+pub(super) extern "C" fn pow(left: f64, right: f64) -> f64 {
+    left.powf(right)
+}
+
+pub(super) extern "C" fn atan2(left: f64, right: f64) -> f64 {
+    left.atan2(right)
+}
+
+/// The functions of one real that are not an instruction of the processor.
+pub(super) fn function(function: Math) -> extern "C" fn(f64) -> f64 {
+    macro_rules! stub {
+        ($name:ident) => {{
+            extern "C" fn stub(x: f64) -> f64 {
+                math(Math::$name, x)
+            }
+            stub
+        }};
+    }
+    match function {
+        Math::Sqrt => stub!(Sqrt),
+        Math::Sin => stub!(Sin),
+        Math::Cos => stub!(Cos),
+        Math::Tan => stub!(Tan),
+        Math::Asin => stub!(Asin),
+        Math::Acos => stub!(Acos),
+        Math::Exp => stub!(Exp),
+        Math::Log => stub!(Log),
+        Math::Floor => stub!(Floor),
+        Math::Ceil => stub!(Ceil),
+        Math::Abs => stub!(Abs),
+        Math::Negate => stub!(Negate),
+    }
+}
+
+/// The direction of the vector at `place`, written in its place.
+///
+/// # Safety
+/// Three reals lie at the place, which nobody else refers to.
+pub(super) unsafe extern "C" fn normalize(place: *mut [f64; 3]) {
+    // SAFETY: native code gives the address of a place of that size in its own frame.
+    let vector = unsafe { &mut *place };
+    *vector = direction((*vector).into()).to_array();
+}

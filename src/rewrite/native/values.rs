@@ -1,0 +1,289 @@
+//! Instructions that compute with registers alone.
+
+use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
+use cranelift_codegen::ir::types::{F64, I64};
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
+
+use super::stubs;
+use super::translate::Translator;
+use crate::rewrite::wide::Lanes;
+use crate::rewrite::{Inst, Math, Reg};
+
+impl Translator<'_, '_> {
+    /// Spells an instruction that computes with registers alone; false if it is none, or one for
+    /// the machine.
+    pub(super) fn value(&mut self, inst: &Inst) -> bool {
+        match *inst {
+            Inst::Const { to, bits } => {
+                let value = self.b.ins().iconst(I64, bits as i64);
+                self.set_whole(to, value);
+            }
+            Inst::Copy { to, from } => self.copy(to, from, 1),
+            Inst::CopyVec { to, from } => self.copy(to, from, 3),
+            Inst::CopyWide { to, from, width } => self.copy(to, from, u16::from(width)),
+            Inst::Select { to, condition, then, otherwise } => {
+                let condition = self.whole(condition);
+                let (then, otherwise) = (self.whole(then), self.whole(otherwise));
+                let value = self.b.ins().select(condition, then, otherwise);
+                self.set_whole(to, value);
+            }
+            Inst::Not { to, from } => {
+                let from = self.whole(from);
+                let value = self.b.ins().icmp_imm_u(IntCC::Equal, from, 0);
+                self.set_truth(to, value);
+            }
+            Inst::And { to, left, right } => {
+                let [left, right] = [left, right].map(|reg| self.truth(reg));
+                let value = self.b.ins().band(left, right);
+                self.set_truth(to, value);
+            }
+            Inst::Or { to, left, right } => {
+                let (left, right) = (self.whole(left), self.whole(right));
+                let either = self.b.ins().bor(left, right);
+                let value = self.b.ins().icmp_imm_u(IntCC::NotEqual, either, 0);
+                self.set_truth(to, value);
+            }
+            Inst::Equal { to, left, right } => {
+                let value = self.compare(IntCC::Equal, left, right);
+                self.set_truth(to, value);
+            }
+            Inst::LessInt { to, left, right } => {
+                let value = self.compare(IntCC::SignedLessThan, left, right);
+                self.set_truth(to, value);
+            }
+            Inst::LessEqualInt { to, left, right } => {
+                let value = self.compare(IntCC::SignedLessThanOrEqual, left, right);
+                self.set_truth(to, value);
+            }
+            Inst::AddInt { to, left, right } => {
+                let (left, right) = (self.whole(left), self.whole(right));
+                let (value, overflow) = self.b.ins().sadd_overflow(left, right);
+                self.set_unless(to, value, overflow);
+            }
+            Inst::SubInt { to, left, right } => {
+                let (left, right) = (self.whole(left), self.whole(right));
+                let (value, overflow) = self.b.ins().ssub_overflow(left, right);
+                self.set_unless(to, value, overflow);
+            }
+            Inst::MulInt { to, left, right } => {
+                let (left, right) = (self.whole(left), self.whole(right));
+                let (value, overflow) = self.b.ins().smul_overflow(left, right);
+                self.set_unless(to, value, overflow);
+            }
+            Inst::NegInt { to, from } => {
+                let from = self.whole(from);
+                let zero = self.b.ins().iconst(I64, 0);
+                let (value, overflow) = self.b.ins().ssub_overflow(zero, from);
+                self.set_unless(to, value, overflow);
+            }
+            Inst::AbsInt { to, from } => {
+                let from = self.whole(from);
+                let overflow = self.b.ins().icmp_imm_s(IntCC::Equal, from, i64::MIN);
+                let value = self.b.ins().iabs(from);
+                self.set_unless(to, value, overflow);
+            }
+            Inst::MinInt { to, left, right } => {
+                let (left, right) = (self.whole(left), self.whole(right));
+                let value = self.b.ins().smin(left, right);
+                self.set_whole(to, value);
+            }
+            Inst::MaxInt { to, left, right } => {
+                let (left, right) = (self.whole(left), self.whole(right));
+                let value = self.b.ins().smax(left, right);
+                self.set_whole(to, value);
+            }
+            Inst::IntToReal { to, from } => {
+                let from = self.whole(from);
+                let value = self.b.ins().fcvt_from_sint(F64, from);
+                self.set_real(to, value);
+            }
+            Inst::AddReal { to, left, right } => {
+                let (left, right) = (self.real(left), self.real(right));
+                let value = self.b.ins().fadd(left, right);
+                self.set_real(to, value);
+            }
+            Inst::SubReal { to, left, right } => {
+                let (left, right) = (self.real(left), self.real(right));
+                let value = self.b.ins().fsub(left, right);
+                self.set_real(to, value);
+            }
+            Inst::MulReal { to, left, right } => {
+                let (left, right) = (self.real(left), self.real(right));
+                let value = self.b.ins().fmul(left, right);
+                self.set_real(to, value);
+            }
+            Inst::DivReal { to, left, right } => {
+                let (left, right) = (self.real(left), self.real(right));
+                let value = self.b.ins().fdiv(left, right);
+                self.set_real(to, value);
+            }
+            Inst::MinReal { to, left, right } => self.function(stubs::min, to, left, right),
+            Inst::MaxReal { to, left, right } => self.function(stubs::max, to, left, right),
+            Inst::PowReal { to, left, right } => self.function(stubs::pow, to, left, right),
+            Inst::Atan2Real { to, left, right } => self.function(stubs::atan2, to, left, right),
+            Inst::LessReal { to, left, right } => {
+                self.compare_reals(FloatCC::LessThan, to, left, right);
+            }
+            Inst::LessEqualReal { to, left, right } => {
+                self.compare_reals(FloatCC::LessThanOrEqual, to, left, right);
+            }
+            Inst::EqualReal { to, left, right } => {
+                self.compare_reals(FloatCC::Equal, to, left, right);
+            }
+            Inst::MathReal { math, to, from } => {
+                let from = self.real(from);
+                let value = match math {
+                    Math::Sqrt => self.b.ins().sqrt(from),
+                    Math::Abs => self.b.ins().fabs(from),
+                    Math::Negate => self.b.ins().fneg(from),
+                    math => self.call_real(stubs::function(math) as *const () as usize, &[from]),
+                };
+                self.set_real(to, value);
+            }
+            Inst::AddVec { to, left, right } => self.each(to, left, right, Lanes::Add, 3),
+            Inst::SubVec { to, left, right } => self.each(to, left, right, Lanes::Subtract, 3),
+            Inst::MulVec { to, left, right } => self.each(to, left, right, Lanes::Multiply, 3),
+            Inst::NegVec { to, from } => {
+                let values = self.vector(from).map(|part| self.b.ins().fneg(part));
+                self.set_vector(to, values);
+            }
+            Inst::ScaleVec { to, left, right } => {
+                let (left, right) = (self.vector(left), self.real(right));
+                let values = left.map(|part| self.b.ins().fmul(part, right));
+                self.set_vector(to, values);
+            }
+            Inst::DivVec { to, left, right } => {
+                let (left, right) = (self.vector(left), self.real(right));
+                let values = left.map(|part| self.b.ins().fdiv(part, right));
+                self.set_vector(to, values);
+            }
+            Inst::MixVec { to, left, right, t } => {
+                let (left, right, t) = (self.vector(left), self.vector(right), self.real(t));
+                let one = self.b.ins().f64const(1.0);
+                let rest = self.b.ins().fsub(one, t);
+                let values = [0, 1, 2].map(|part| {
+                    let from = self.b.ins().fmul(left[part], rest);
+                    let to = self.b.ins().fmul(right[part], t);
+                    self.b.ins().fadd(from, to)
+                });
+                self.set_vector(to, values);
+            }
+            Inst::EqualVec { to, left, right } => {
+                let (left, right) = (self.vector(left), self.vector(right));
+                let [x, y, z] = [0, 1, 2]
+                    .map(|part| self.b.ins().fcmp(FloatCC::Equal, left[part], right[part]));
+                let xy = self.b.ins().band(x, y);
+                let value = self.b.ins().band(xy, z);
+                self.set_truth(to, value);
+            }
+            Inst::Dot { to, left, right } => {
+                let (left, right) = (self.vector(left), self.vector(right));
+                let value = self.dot(left, right);
+                self.set_real(to, value);
+            }
+            Inst::Cross { to, left, right } => {
+                let ([x, y, z], [u, v, w]) = (self.vector(left), self.vector(right));
+                let values = [(y, w, v, z), (z, u, w, x), (x, v, u, y)].map(|(a, b, c, d)| {
+                    let (first, second) = (self.b.ins().fmul(a, b), self.b.ins().fmul(c, d));
+                    self.b.ins().fsub(first, second)
+                });
+                self.set_vector(to, values);
+            }
+            Inst::LengthVec { to, from } => {
+                let vector = self.vector(from);
+                let square = self.dot(vector, vector);
+                let value = self.b.ins().sqrt(square);
+                self.set_real(to, value);
+            }
+            Inst::Normalize { to, from } => {
+                let (vector, place) = (self.vector(from), self.place_of_vector());
+                let flags = MemFlagsData::trusted();
+                for (at, part) in (0..).zip(vector) {
+                    self.b.ins().store(flags, part, place, at * 8);
+                }
+                let stub = stubs::normalize as *const () as usize;
+                let signature = self.signature(&[I64], &[]);
+                self.call(stub, signature, &[place]);
+                let values = [0, 8, 16].map(|at| self.b.ins().load(F64, flags, place, at));
+                self.set_vector(to, values);
+            }
+            Inst::Wide { operation, width, to, left, right } => {
+                // What overlaps is computed one component after the other.
+                let apart = |from: Reg, width: u16| from == to || from.0.abs_diff(to.0) >= width;
+                let width = u16::from(width);
+                match operation {
+                    Lanes::Add | Lanes::Subtract | Lanes::Multiply
+                        if apart(left, width) && apart(right, width) =>
+                    {
+                        self.each(to, left, right, operation, width);
+                    }
+                    Lanes::Scale
+                        if apart(left, width)
+                            && !(to.0..to.0.saturating_add(width)).contains(&right.0) =>
+                    {
+                        let right = self.real(right);
+                        for part in 0..width {
+                            let from = self.real(Reg(left.0.wrapping_add(part)));
+                            let value = self.b.ins().fmul(from, right);
+                            self.set_real(Reg(to.0.wrapping_add(part)), value);
+                        }
+                    }
+                    _ => return false,
+                }
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    fn truth(&mut self, reg: Reg) -> Value {
+        let bits = self.whole(reg);
+        self.b.ins().icmp_imm_u(IntCC::NotEqual, bits, 0)
+    }
+
+    fn copy(&mut self, to: Reg, from: Reg, width: u16) {
+        let part = |reg: Reg, part: u16| Reg(reg.0.wrapping_add(part));
+        let values: Vec<Value> = (0..width).map(|at| self.whole(part(from, at))).collect();
+        for (at, value) in (0..width).zip(values) {
+            self.set_whole(part(to, at), value);
+        }
+    }
+
+    fn set_unless(&mut self, to: Reg, value: Value, overflow: Value) {
+        let fits = self.b.ins().icmp_imm_u(IntCC::Equal, overflow, 0);
+        self.or_fault(fits);
+        self.set_whole(to, value);
+    }
+
+    fn function(&mut self, stub: extern "C" fn(f64, f64) -> f64, to: Reg, left: Reg, right: Reg) {
+        let (left, right) = (self.real(left), self.real(right));
+        let value = self.call_real(stub as *const () as usize, &[left, right]);
+        self.set_real(to, value);
+    }
+
+    fn compare_reals(&mut self, how: FloatCC, to: Reg, left: Reg, right: Reg) {
+        let (left, right) = (self.real(left), self.real(right));
+        let value = self.b.ins().fcmp(how, left, right);
+        self.set_truth(to, value);
+    }
+
+    fn each(&mut self, to: Reg, left: Reg, right: Reg, operation: Lanes, width: u16) {
+        let part = |reg: Reg, part: u16| Reg(reg.0.wrapping_add(part));
+        let pairs: Vec<[Value; 2]> =
+            (0..width).map(|at| [self.real(part(left, at)), self.real(part(right, at))]).collect();
+        for (at, [left, right]) in (0..width).zip(pairs) {
+            let value = match operation {
+                Lanes::Subtract => self.b.ins().fsub(left, right),
+                Lanes::Multiply => self.b.ins().fmul(left, right),
+                _ => self.b.ins().fadd(left, right),
+            };
+            self.set_real(part(to, at), value);
+        }
+    }
+
+    fn dot(&mut self, left: [Value; 3], right: [Value; 3]) -> Value {
+        let [x, y, z] = [0, 1, 2].map(|part| self.b.ins().fmul(left[part], right[part]));
+        let xy = self.b.ins().fadd(x, y);
+        self.b.ins().fadd(xy, z)
+    }
+}

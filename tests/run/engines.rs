@@ -1,0 +1,177 @@
+//! The machine and native code beside each other: all operations of the library and of the
+//! examples, at every place of small meshes, and the tests that library files bring.
+
+use hedgerow::analysis::{Analysis, Nowhere};
+use hedgerow::diagram::Type;
+use hedgerow::library;
+use hedgerow::mesh::{ElementKind, Mesh, identical, shape};
+use hedgerow::rewrite::{Engine, Unwatched, Watch};
+use hedgerow::run::{Application, Argument, Conditions, prepare, test};
+use hedgerow::source::Sources;
+use support::dice::Dice;
+use support::engines::run_on_both;
+use support::reference::examples::{elements, examples};
+use support::reference::printing::mesh_text;
+
+/// The programs of the library and of the examples.
+fn programs() -> Vec<(String, String)> {
+    let library = library::files();
+    let mut programs: Vec<_> =
+        library.map(|file| (file.name.to_owned(), file.text.to_owned())).collect();
+    for path in examples() {
+        let text = std::fs::read_to_string(&path).expect("an example");
+        programs.push((path.display().to_string(), text));
+    }
+    programs
+}
+
+fn analyse(name: &str, text: &str) -> Analysis {
+    let mut sources = Sources::new();
+    let file = sources.add(name, text);
+    Analysis::with(&mut sources, file, &mut Nowhere)
+}
+
+fn meshes() -> Vec<Mesh> {
+    vec![
+        shape::icosahedron(),
+        shape::triangle_grid(3, 2),
+        shape::triangle_torus(4, 3),
+        shape::cube(),
+        shape::grid(2, 2),
+        shape::fan(5),
+        shape::tube(4, 2),
+        shape::pillow(4),
+    ]
+}
+
+/// A value for a parameter, the first that is an element at a given place.
+fn argument(dice: &mut Dice, mesh: &Mesh, ty: Type, place: &mut Option<u32>) -> Option<Argument> {
+    let element = |kind: ElementKind, dice: &mut Dice, place: &mut Option<u32>| {
+        let all = elements(mesh, ty);
+        let chosen = place.take().filter(|id| all.contains(id));
+        let chosen = chosen.or_else(|| all.get(dice.below(all.len().max(1))).copied())?;
+        Some(Argument::Element(kind, chosen))
+    };
+    let mut real = || dice.below(9) as f64 / 8.0;
+    Some(match ty {
+        Type::Vertex => element(ElementKind::Vertex, dice, place)?,
+        Type::Halfedge => element(ElementKind::Halfedge, dice, place)?,
+        Type::Edge => element(ElementKind::Edge, dice, place)?,
+        Type::Face => element(ElementKind::Face, dice, place)?,
+        Type::Real => Argument::Real(real()),
+        Type::Int => Argument::Int(dice.below(5) as i64),
+        Type::Bool => Argument::Bool(dice.below(2) == 0),
+        Type::Vec3 => Argument::Reals(Type::Vec3, vec![real(), real(), real()]),
+        _ => return None,
+    })
+}
+
+#[test]
+fn operations_do_the_same_on_both() {
+    let mut dice = Dice(20);
+    let (mut applied, mut refused, mut ops) = (0, 0, 0);
+    for (name, text) in programs() {
+        let analysis = analyse(&name, &text);
+        for (number, op) in analysis.program.ops.iter().enumerate() {
+            let Ok(application) = Application::new(&analysis.program, number, &analysis.plans)
+            else {
+                continue;
+            };
+            ops += 1;
+            let engines = [Engine::Machine, Engine::NativeAtOnce].map(|engine| {
+                let mut application = application.clone();
+                application.use_engine(engine);
+                application
+            });
+            for mesh in meshes() {
+                // One call after the other, so that erased slots are used again.
+                let mut copies = [mesh.clone(), mesh.clone()];
+                for place in (0..mesh.capacity(ElementKind::Halfedge) as u32).step_by(3) {
+                    let mut place = Some(place);
+                    let params = op.params.iter();
+                    let values = params.map(|param| {
+                        let value = argument(&mut dice, &copies[0], param.ty, &mut place)?;
+                        Some((param.name.clone(), value))
+                    });
+                    let Some(values) = values.collect::<Option<Vec<_>>>() else {
+                        break;
+                    };
+                    let [on_machine, native] = [0, 1]
+                        .map(|at| engines[at].apply(&mut copies[at], &values, &mut Unwatched));
+                    assert_eq!(native, on_machine, "{name}::{} at {values:?}", op.name);
+                    assert!(
+                        identical(&copies[0], &copies[1]),
+                        "{name}::{} at {values:?} makes\n{}where the machine makes\n{}",
+                        op.name,
+                        mesh_text(&copies[1]),
+                        mesh_text(&copies[0]),
+                    );
+                    match on_machine {
+                        Ok(hedgerow::run::Applied::Done { .. }) => applied += 1,
+                        _ => refused += 1,
+                    }
+                    copies.iter_mut().for_each(Mesh::recycle);
+                }
+            }
+        }
+    }
+    assert!(ops > 60 && applied > 1000 && refused > 1000, "{ops} {applied} {refused}");
+}
+
+#[derive(Default)]
+struct Lines(Vec<String>);
+
+impl Watch for Lines {
+    fn print(&mut self, line: &str) {
+        self.0.push(line.to_owned());
+    }
+}
+
+#[test]
+fn tests_of_the_library_do_the_same_on_both() {
+    let mut done = 0;
+    for (name, text) in programs() {
+        let analysis = analyse(&name, &text);
+        for number in 0..analysis.program.tests.len() {
+            let [on_machine, native] = [Engine::Machine, Engine::NativeAtOnce].map(|engine| {
+                let conditions = Conditions { engine, ..Conditions::default() };
+                let mut lines = Lines::default();
+                let report = test(
+                    &analysis.program,
+                    number,
+                    &analysis.plans,
+                    conditions,
+                    &mut |_, _| Err("no test of the library loads a mesh".to_owned()),
+                    &mut lines,
+                );
+                (report, lines.0)
+            });
+            assert_eq!(
+                native, on_machine,
+                "{name}: {}",
+                analysis.program.tests[number].script.name
+            );
+            done += 1;
+        }
+    }
+    assert!(done > 40, "{done} tests");
+}
+
+/// Scripts that call functions that loop and drain, on a mesh on which operations run often enough
+/// to be compiled on the way.
+#[test]
+fn scripts_do_the_same_on_a_larger_mesh() {
+    let text = "use \"std/remesh.hedge\"\nuse \"std/simplify.hedge\"\nuse \"std/subdivide.hedge\"
+        use \"std/smooth.hedge\"
+        script main() { loop_subdivide() laplacian(1) simplify(-1, 1, 0.5) remesh(0, 1) }";
+    let analysis = analyse("larger.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    for engine in [Engine::Native, Engine::NativeAtOnce] {
+        let mut mesh = shape::triangle_torus(20, 15);
+        let (report, _) = run_on_both(&prepared, &mut mesh, &[], engine);
+        let report = report.expect("it comes to its end");
+        assert!(report.ops.iter().map(|op| op.applied).sum::<u64>() > 2000, "{report:?}");
+    }
+}
