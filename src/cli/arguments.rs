@@ -457,7 +457,7 @@ pub(super) struct StdArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct PlayArguments {
-    /// A program (.hedge), a mesh, a folder; the page lists what lies beside them
+    /// A program (.hedge), a mesh, or a folder to list
     #[arg(value_name = "FILE", num_args = 0..=3)]
     pub files: Vec<PathBuf>,
     /// The port; 0 for any that is free

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::bounded::{Bounded, is_small};
 use super::drain::Drains;
-use super::native::Way;
+use super::engine::Way;
 use super::paths::{Candidates, Fields, WalkBack, Written as WrittenFields};
 use super::readers::Place;
 use super::stale::Stale;

@@ -7,7 +7,7 @@
 
 use std::ops::ControlFlow;
 
-use super::native::Way;
+use super::engine::Way;
 use super::{Call, Inst, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::Mesh;
 

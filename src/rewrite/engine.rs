@@ -12,3 +12,17 @@ pub enum Engine {
     /// Native code for all that runs, from the first run on.
     NativeAtOnce,
 }
+
+/// The kind of code that runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(feature = "native"), expect(dead_code, reason = "only native code is told"))]
+pub(super) enum Way {
+    /// A script, which leaves its registers in its window.
+    Script,
+    /// A function.
+    Function,
+    /// An operation, whole or not at all.
+    Whole,
+    /// An operation, up to its first write.
+    Dry,
+}

@@ -9,9 +9,9 @@
 use super::attempt::Said;
 use super::chance::Chance;
 use super::drain::Drains;
+use super::engine::Way;
 use super::key_paths::KeyPaths;
 use super::known::KnownLevel;
-use super::native::Way;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;

@@ -4,7 +4,7 @@
 //! the level that it was: a journal of the mesh knows what was written, so both cost no more
 //! than the steps did.
 
-use super::native::Way;
+use super::engine::Way;
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 

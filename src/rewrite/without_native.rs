@@ -1,21 +1,8 @@
 //! In place of native code where it is not built in: the machine runs everything.
 
+use super::engine::Way;
 use super::{Call, Machine, Outcome, Trap, Watch};
 use crate::mesh::Mesh;
-
-/// What runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(dead_code, reason = "only native code goes several ways")]
-pub(super) enum Way {
-    /// A script, which leaves its registers in its window.
-    Script,
-    /// A function.
-    Function,
-    /// An operation, whole or not at all.
-    Whole,
-    /// An operation, up to its first write.
-    Dry,
-}
 
 /// There is no native code.
 #[derive(Clone, Debug, Default, PartialEq)]

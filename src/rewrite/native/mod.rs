@@ -43,6 +43,7 @@ use operands::Surroundings;
 use translate::Text;
 
 use super::call::MOST_CALLS;
+use super::engine::Way;
 use super::{Call, Engine, Inst, Machine, Message, Outcome, Reg, Trap, Watch};
 use crate::mesh::{ColumnId, Mesh};
 
@@ -64,19 +65,6 @@ const RUNS: u32 = 500;
 /// How deep native code may be nested: beyond, the machine runs what is called, which takes no
 /// more of the stack for functions that call each other.
 const DEPTH: usize = 64;
-
-/// What runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
-    /// A script, which leaves its registers in its window.
-    Script,
-    /// A function.
-    Function,
-    /// An operation, whole or not at all.
-    Whole,
-    /// An operation, up to its first write.
-    Dry,
-}
 
 /// The native code of a code, made when it has run often enough.
 #[derive(Default)]

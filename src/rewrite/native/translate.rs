@@ -19,7 +19,8 @@ use super::context::{Context, noted};
 use super::facts::{Fact, KnownAt, Walk, ends, targets};
 use super::liveness::Liveness;
 use super::operands::{Class, Operand, Surroundings, Use};
-use super::{Variant, Way, stubs};
+use super::{Variant, stubs};
+use crate::rewrite::engine::Way;
 use crate::rewrite::{Code, Inst, Label, Phase, Refusal, Reg};
 
 /// The answers of native code.
