@@ -6,7 +6,7 @@ use crate::mesh::Mesh;
 
 /// There is no native code.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Native;
+pub struct Native(());
 
 impl Machine {
     #[inline]

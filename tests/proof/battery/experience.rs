@@ -2,7 +2,7 @@
 
 use hedgerow::diagram::Rule;
 use hedgerow::mesh::{Mesh, validate};
-use hedgerow::rewrite::{Machine, Outcome, Plan};
+use hedgerow::rewrite::{Engine, Machine, Outcome, Plan};
 
 use crate::battery::trial::Trial;
 use support::reference::matching::{bound_by, matches_where};
@@ -42,7 +42,7 @@ impl Experience {
 const MOST: usize = 200;
 
 /// Rewrites literally at every match of the rules, the same one written out for several sizes;
-/// with a plan the machine has to agree with one of them.
+/// with a plan the machine has to agree with one of them, and native code with the machine.
 pub fn experience(
     rules: &[&Rule],
     plan: Option<&Plan>,
@@ -50,6 +50,8 @@ pub fn experience(
 ) -> Experience {
     let mut experience = Experience::default();
     let mut machine = Machine::default();
+    let mut native = Machine::default();
+    native.use_engine(Engine::NativeAtOnce);
     for Trial { mesh, places } in trials {
         for place in places {
             let mut most = 0;
@@ -89,6 +91,11 @@ pub fn experience(
             let mut result = mesh.clone();
             let slots: Vec<_> = place.iter().map(|&element| u64::from(element)).collect();
             let outcome = machine.apply(&mut result, plan, &slots);
+            let mut again = mesh.clone();
+            if native.apply(&mut again, plan, &slots) != outcome || !identical(&again, &result) {
+                let what = format!("native code makes\n{}", mesh_text(&again));
+                experience.breaks(&mesh, &place, what);
+            }
             let difference = match outcome {
                 Ok(Outcome::Applied { .. }) => {
                     experience.applied += 1;
