@@ -125,7 +125,9 @@ test('a forgotten twin breaks a mesh, which is shown', async () => {
   await page.waitForSelector('.counterexample svg')
   await page.locator('.counterexample button').first().click()
   await said('said', /carried out on this mesh/)
-  assert.equal(await page.locator('.label-pointer', { hasText: 'twin' }).count(), 2)
+  const twins = page.locator('.label-pointer', { hasText: 'twin' })
+  await twins.nth(1).waitFor() // it is drawn with the next frame
+  assert.equal(await twins.count(), 2)
   await picture('counterexample')
   await page.locator('#said button').click()
   await said('counts', /162 vertices/)
