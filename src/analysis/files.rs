@@ -161,7 +161,13 @@ pub fn meant(path: &str, name: &str, reader: &mut dyn Reader) -> Option<String> 
         let ended = format!("{path}.hedge");
         let apart = |one: &str| damerau_levenshtein(one, other);
         let alone = damerau_levenshtein(&ended, &last(other));
-        apart(path).min(apart(&ended)).min(alone)
+        // `triangel.hedge` for `std/triangle.hedge`: as near, without the folder and the ending.
+        let stem = |name: &str| last(name).trim_end_matches(".hedge").to_owned();
+        let (written, known) = (stem(path), stem(other));
+        let stems = damerau_levenshtein(&written, &known);
+        let is_near = stems <= written.chars().count() / 4;
+        let stems = if is_near { stems } else { usize::MAX };
+        apart(path).min(apart(&ended)).min(alone).min(stems)
     };
     let near = known.into_iter().filter(|other| other != path);
     let near = near.min_by_key(|other| distance(other))?;
@@ -217,6 +223,26 @@ pub(super) fn without_consequences(parts: &[Part], told: &mut Vec<Diagnostic>, s
         );
         let is_lost = is_unknown && names.contains(&sources.slice(place));
         !inside && !is_lost
+    });
+}
+
+/// Leaves out that attributes have no value in new elements where their declaration has another
+/// mistake: what they are is not known then.
+pub(super) fn without_lost_attributes(parts: &[Part], told: &mut Vec<Diagnostic>) {
+    let of_attributes = |told: &Diagnostic| told.code == "missing-attribute";
+    let touches =
+        |item: Span, place: Span| item.file == place.file && item.touches(place.start as usize);
+    let items = parts.iter().flat_map(|part| &part.parsed.tree.items);
+    let declared = items.filter(|item| matches!(item, Item::Attr(_))).map(Item::span);
+    let lost: Vec<Span> = declared
+        .filter(|&item| {
+            told.iter().any(|error| !of_attributes(error) && touches(item, error.span()))
+        })
+        .collect();
+    told.retain(|error| {
+        let mut labels = error.labels.iter();
+        let is_lost = labels.any(|label| lost.iter().any(|&item| touches(item, label.span)));
+        !(of_attributes(error) && is_lost)
     });
 }
 

@@ -3,7 +3,9 @@
 use super::Examined;
 use super::before::tell_of_before;
 use super::broken_dependencies::tell_what_is_lacking;
-use super::files::{Absent, Part, Parts, Reader, fetch, without_consequences};
+use super::files::{
+    Absent, Part, Parts, Reader, fetch, without_consequences, without_lost_attributes,
+};
 use super::foreign::tell_as_elsewhere;
 use super::library_hints::tell_where;
 use super::parse_cache::Readings;
@@ -90,6 +92,7 @@ impl Analysis {
             lacks.push(examined.lacks);
         }
         diagnostics.extend(plan_steps(&program, &functions, &mut plans));
+        without_lost_attributes(&parts, &mut diagnostics);
         tell_what_is_lacking(&program, &parts, sources, (&plans, &diagnostics), &mut lacks);
         diagnostics.sort_by_key(|diagnostic| {
             let Span { file, start, .. } = diagnostic.span();

@@ -291,6 +291,11 @@ impl Declared {
         self.lacks
     }
 
+    /// The type of the elements that have an attribute of this name.
+    pub(super) fn element_with(&self, name: &str) -> Option<Type> {
+        self.attributes.iter().find(|head| head.name == name).map(|head| head.element)
+    }
+
     /// True if an attribute of this name has been refused, or may stand where it cannot be seen
     /// yet.
     pub(super) fn has_attribute(&self, name: &str) -> bool {

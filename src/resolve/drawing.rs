@@ -251,6 +251,11 @@ impl<'a> Drawing<'a> {
         let ([first, ..], Some(end)) = (l.items.as_slice(), &l.end) else {
             return;
         };
+        // That corners of a single loop have a subscript has been told.
+        if l.name.index.is_none() && l.each.is_none() && first.from.index.is_some() {
+            self.report.fail();
+            return;
+        }
         let [begins, ends] = [&first.from, end].map(ToString::to_string);
         let message = format!("the loop of `{face}` begins at `{begins}`, but ends at `{ends}`");
         let error = Diagnostic::error("open-loop", message, end.span)

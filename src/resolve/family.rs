@@ -6,12 +6,13 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::source::Span;
 use crate::syntax::tree::{self, Arrow, Ident, Index, Name, Side, Spoke, Statement};
 
 use super::mention::{Mention, mentions};
 use super::report::Report;
+use super::words::quoted;
 
 /// The largest constant that a subscript can add to the index: the checker looks at cycles
 /// that are longer than what one statement spans.
@@ -23,6 +24,8 @@ struct Letter {
     first: Option<(String, Span)>,
     /// Names that have been told to have two forms.
     told: Vec<String>,
+    /// Other letters that have been told.
+    others: Vec<String>,
 }
 
 /// Tests the subscripts of a rule; its index, if it has families.
@@ -34,6 +37,7 @@ pub(super) fn read_index(
     let mut letter = Letter::default();
     let mut forms: HashMap<String, (bool, Span)> = HashMap::new();
     let created = created(rule);
+    bare_in_new(rule, &created, report);
     for param in params {
         let name = &param.name;
         if let Some(index) = &name.index
@@ -81,6 +85,53 @@ fn created(rule: &tree::Rule) -> HashMap<&str, (bool, Span)> {
     });
     let names = listed.flatten();
     names.map(|name| (name.ident.text.as_str(), (name.index.is_some(), name.span))).collect()
+}
+
+/// Complains about names of `new` without the subscript that they have wherever they are drawn.
+fn bare_in_new(rule: &tree::Rule, created: &HashMap<&str, (bool, Span)>, report: &mut Report) {
+    let drawn: Vec<Mention> =
+        [&rule.before, &rule.after].into_iter().flatten().flat_map(mentions).collect();
+    let index_of = |word: &str| {
+        let mut others =
+            drawn.iter().filter(|mention| mention.kind.is_some() && mention.text == word);
+        let first = others.next()?.index?;
+        others.all(|mention| mention.index.is_some()).then_some(first)
+    };
+    let mut bare: Vec<(&str, Span, &str)> = created
+        .iter()
+        .filter(|(_, (has_index, _))| !has_index)
+        .filter_map(|(word, (_, span))| {
+            Some((*word, *span, index_of(word)?.variable.as_ref()?.text.as_str()))
+        })
+        .collect();
+    bare.sort_by_key(|(_, span, _)| span.start);
+    let Some((_, first, letter)) = bare.first().copied() else {
+        return;
+    };
+    let words: Vec<&str> = bare.iter().map(|(word, ..)| *word).collect();
+    let families: Vec<String> = words.iter().map(|word| format!("{word}[{letter}]")).collect();
+    let (be, has) = if words.len() == 1 {
+        ("is a family", "it has its")
+    } else {
+        ("are families", "they have their")
+    };
+    let message = format!("{} {be}: in `new` {has} subscript, too", quoted(&words));
+    let mut error = Diagnostic::error("two-forms", message, first);
+    for (_, span, _) in &bare[1..] {
+        error = error.label(*span, "");
+    }
+    error.fixes.push(Fix {
+        title: format!("write `{}`", families.join(" ")),
+        edits: bare
+            .iter()
+            .zip(families)
+            .map(|((_, span, _), text)| Edit { span: *span, text })
+            .collect(),
+    });
+    report.add(error);
+    for word in words {
+        report.confuse(word);
+    }
 }
 
 /// True if a name has a subscript here as it has elsewhere. Of a name that has two forms nothing
@@ -168,6 +219,10 @@ impl Letter {
             return;
         };
         if *letter != variable.text {
+            if self.others.contains(&variable.text) {
+                return report.fail();
+            }
+            self.others.push(variable.text.clone());
             let message = format!("a rule has one index: `{letter}`, but here `{}`", variable.text);
             let error = Diagnostic::error("wrong-subscript", message, variable.span)
                 .label(*first, "it is here");
@@ -214,7 +269,11 @@ impl Letter {
         let free = each.is_some() || subject.index.is_some();
         let odd = parts.into_iter().find(|part| part.index.is_some() != free);
         if let Some(part) = odd {
-            report.add(mixed(part, subject, free));
+            let error = mixed(part, subject, free);
+            report.add(match statement {
+                Statement::Loop(orbit) if !free => repeated(error, orbit),
+                _ => error,
+            });
             return;
         }
         // The corners of one loop have no index to run with either.
@@ -228,6 +287,30 @@ impl Letter {
             }
         }
     }
+}
+
+/// Says how `face f: v[i] -h[i]-> v[i+1]` is drawn all around.
+fn repeated(error: Diagnostic, orbit: &tree::Loop) -> Diagnostic {
+    let ([first, ..], Some(end)) = (orbit.items.as_slice(), &orbit.end) else {
+        return error;
+    };
+    let index = |name: &Name| name.index.as_ref().map(|index| index.offset);
+    let is_period = end.ident.text == first.from.ident.text && index(end) > index(&first.from);
+    let letter = first.from.index.as_ref().and_then(|index| index.variable.as_ref());
+    let (Some(letter), true) = (letter, is_period) else {
+        return error;
+    };
+    let mut error = error;
+    let title = format!("repeat it: `each {} {{ … }}`", letter.text);
+    let (begin, end) = (first.from.span.before(), end.span);
+    error.fixes.push(Fix {
+        title,
+        edits: vec![
+            Edit { span: begin, text: format!("each {} {{ ", letter.text) },
+            Edit { span: end, text: "}".to_owned() },
+        ],
+    });
+    error
 }
 
 /// A run without a name in a period.

@@ -33,6 +33,16 @@ const VISITED: Here = Said("a loop is `for v in vertices { … }`");
 const NOTHING: Here = Said("no pointer is missing: beyond the boundary is a hole, `hole(h.face)`");
 const CONVERTED: Here = Said("an int stands wherever a real is wanted; `round(x)` makes an int");
 const NUMBERED: Here = Said("an element has no number to reckon with; `print v` shows it");
+const POINTED: Here =
+    Said("a pointer stands behind a dot: `h.next`, `h.twin`, `h.target`, `v.halfedge`");
+const AROUND: Here =
+    Said("around an element there are `v.halfedges`, `v.neighbors`, `f.vertices` …");
+const PICKED: Here = Said(
+    "an element is found by a loop that ends with `break`, `for e in edges where … { … }`, or by \
+     `argmin(length(e) for e in edges)`; by chance in `shuffle(edges)`",
+);
+const CHANGED: Here =
+    Said("a script changes a mesh by calling operations: `split(e)`, `dissolve_edge(e)`");
 const STOPPED: Here = Said("`assert c else \"…\"` stops a script");
 
 /// The replacement of a foreign name of a type is here.
@@ -86,7 +96,22 @@ pub(super) fn field(ty: Type, word: &str) -> Option<Here> {
         (Type::Vertex, "x" | "y" | "z") => {
             return Some(Said("a vertex has a position: `v.position.x`"));
         }
-        (Type::Vertex, "neighbours" | "adjacent" | "adjacent_vertices" | "verts") => "neighbors",
+        (
+            Type::Vertex,
+            "neighbours" | "adjacent" | "adjacent_vertices" | "verts" | "vertices" | "ring"
+            | "one_ring",
+        ) => "neighbors",
+        (Type::Vertex, "incident_faces" | "adjacent_faces") => "faces",
+        (Type::Vertex, "incident_edges" | "adjacent_edges") => "edges",
+        (Type::Face, "neighbors" | "neighbours" | "faces" | "adjacent_faces" | "adjacent") => {
+            return Some(Said(
+                "the faces beside a face are those of its edges: `for e in f.edges { for g in e.faces { … } }`",
+            ));
+        }
+        (Type::Vec3 | Type::Vec4, "r") => "x",
+        (Type::Vec3 | Type::Vec4, "g") => "y",
+        (Type::Vec3 | Type::Vec4, "b") => "z",
+        (Type::Vec4, "a") => "w",
         (Type::Vertex, "outgoing" | "outgoing_halfedges" | "spokes") => "halfedges",
         (Type::Edge, "v0" | "origin" | "source" | "start" | "from") => "halfedge.vertex",
         (Type::Edge, "v1" | "end" | "to" | "tip") => "halfedge.target",
@@ -152,6 +177,71 @@ pub(super) fn function(word: &str) -> Option<Here> {
         }
         "clamp" => Said("it is `min(max(x, low), high)`"),
         "sqr" | "square" => Said("it is `x * x`"),
+        "next"
+        | "prev"
+        | "twin"
+        | "opposite"
+        | "sym"
+        | "target"
+        | "source"
+        | "origin"
+        | "halfedge"
+        | "vertex"
+        | "edge"
+        | "face"
+        | "position"
+        | "pos"
+        | "to_vertex"
+        | "from_vertex"
+        | "to_vertex_handle"
+        | "from_vertex_handle"
+        | "next_halfedge_handle"
+        | "opposite_halfedge_handle"
+        | "prev_halfedge_handle"
+        | "edge_handle"
+        | "face_handle"
+        | "halfedge_handle" => POINTED,
+        "one_ring"
+        | "ring"
+        | "neighbors"
+        | "neighbours"
+        | "adjacent_vertices"
+        | "incident_edges"
+        | "incident_faces"
+        | "vv_range"
+        | "ve_range"
+        | "vf_range"
+        | "fv_range"
+        | "fh_range"
+        | "vertices_around_target"
+        | "halfedges_around_target"
+        | "halfedges_around_face"
+        | "faces_around_target" => AROUND,
+        "face_normal" | "vertex_normal" | "calc_normal" | "calc_face_normal" => Written("normal"),
+        "face_area" | "calc_face_area" => Written("area"),
+        "edge_midpoint" => Written("midpoint"),
+        "face_centroid" | "face_barycenter" | "calc_face_centroid" => Written("centroid"),
+        "calc_edge_length" => Written("length"),
+        "first" | "choice" | "pick" | "any_of" | "random_choice" | "random_edge" | "sample" => {
+            PICKED
+        }
+        "sort" | "sort_by" | "order" | "order_by" => {
+            Said("`drain e in edges by length(e) { … }` takes the least first")
+        }
+        "seed" | "srand" | "set_seed" => Said("the seed is given to the run: `--seed 7`"),
+        "save" | "write" | "export" | "save_mesh" | "write_obj" | "write_mesh" => {
+            Said("what a script leaves is written by `hedgerow run … -o FILE`")
+        }
+        "read" | "open" | "import" | "read_obj" | "load_mesh" | "read_mesh" => {
+            Said("the mesh is given to the run: `hedgerow run FILE.hedge MESH.obj`")
+        }
+        "valid" | "is_valid" | "validate" | "check" | "is_manifold" | "check_mesh" => {
+            Said("what is proved keeps every mesh valid, so there is nothing to ask")
+        }
+        "add_vertex" | "add_face" | "add_edge" | "new_vertex" | "new_face" | "delete_vertex"
+        | "delete_face" | "delete_edge" | "remove_vertex" | "remove_face" | "remove_edge"
+        | "delete" | "remove" | "set_next" | "set_twin" | "set_face" | "set_vertex"
+        | "garbage_collection" => CHANGED,
         "rand" | "randint" | "rnd" | "uniform" => Written("random"),
         "permute" | "shuffled" => Written("shuffle"),
         _ => return sequence_called(word),
@@ -194,6 +284,13 @@ pub(super) fn name(word: &str) -> Option<Here> {
         "num_vertices" | "n_vertices" | "num_faces" | "n_faces" | "num_edges" | "n_edges" => {
             COUNTED
         }
+        "boundaries" | "boundary_loops" | "borders" | "boundary_cycles" => Written("holes"),
+        "boundary_edges" | "border_edges" | "boundary_vertices" | "border_vertices"
+        | "boundary_halfedges" => {
+            Said("those on the boundary are chosen: `for e in edges where boundary(e) { … }`")
+        }
+        "echo" | "puts" | "printf" | "println" => PRINTED,
+        "nan" | "NaN" | "NAN" => Said("what is not a number is asked by `is_nan(x)`"),
         _ => return None,
     })
 }

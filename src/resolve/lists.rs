@@ -142,7 +142,12 @@ impl<'a> Reader<'a> {
         let error = if !matches!(kind, Kind::Vertex | Kind::Edge | Kind::Face) {
             let message =
                 format!("`{word}` is {}; `keep` names vertices, edges and faces", kind.a_word());
-            Diagnostic::error("cannot-keep", message, name.span)
+            let note = "a halfedge stays where its face and its edge are kept";
+            if self.report.says(note) {
+                return self.report.fail();
+            }
+            let error = Diagnostic::error("cannot-keep", message, name.span);
+            if kind == Kind::Halfedge { error.note(note) } else { error }
         } else if !self.names.readable(id) || (kind != Kind::Vertex && !self.stated(id)) {
             let message = format!("`before` says nothing of `{word}` that could be kept");
             Diagnostic::error("cannot-keep", message, name.span)

@@ -140,8 +140,9 @@ impl Typing<'_> {
     /// Says that a name is not known, and what it may have been meant to be.
     pub(super) fn unknown_name(&mut self, word: &str, span: Span) {
         if WHOLE_MESH.iter().any(|(known, _)| *known == word) {
-            let message =
-                format!("`{word}` is a sequence; it can stand after `in` or in `count({word})`");
+            let message = format!(
+                "`{word}` is a sequence; it can stand after `in`, as in `for x in {word}` and `sum(… for x in {word})`, or in `count({word})`"
+            );
             self.report.add(Diagnostic::error("not-a-value", message, span));
             return;
         }
@@ -157,6 +158,12 @@ impl Typing<'_> {
         };
         let candidates = self.scopes.names().chain(drawn).chain(CONSTANTS.map(|(known, _)| known));
         let here = foreign_words::name(word);
-        self.report.add(foreign_words::tell(error, (word, span), here, candidates));
+        let error = foreign_words::tell(error, (word, span), here, candidates);
+        let is_clear = !error.fixes.is_empty();
+        self.report.add(error);
+        // What has a fix is told wherever it is to be mended, all else once.
+        if !is_clear {
+            self.report.confuse(word);
+        }
     }
 }

@@ -224,6 +224,9 @@ fn two_kinds(mention: &Mention, kind: Kind, first: &Origin) -> Diagnostic {
         (Ok(Kind::Halfedge), Kind::Vertex) => {
             error.note("a loop has vertices, and halfedges in its arrows: `v0 -a-> v1`")
         }
+        (Ok(Kind::Halfedge), Kind::Fan) => {
+            error.note(format!("the name of a fan touches its star: `*{word}`"))
+        }
         _ => error,
     };
     error.saying(format!("used as {used}")).label(first.span, format!("here it is {first_is}"))

@@ -236,8 +236,8 @@ impl Typing<'_> {
         let ops = self.ops;
         let found = number.and_then(|number| Some((number, ops.get(number)?)));
         let Some((number, op)) = found else {
-            self.unknown_op(function);
-            for arg in args.iter().filter(|arg| !is_sequence(arg)) {
+            let is_meant = self.unknown_op(function);
+            for arg in args.iter().filter(|arg| is_meant && !is_sequence(arg)) {
                 self.expression(arg);
             }
             return None;
@@ -247,13 +247,14 @@ impl Typing<'_> {
         Some((number, values))
     }
 
-    fn unknown_op(&mut self, function: &Ident) {
+    /// Says that there is no such op; true if it is known what was meant.
+    fn unknown_op(&mut self, function: &Ident) -> bool {
         let declared = self.declared;
         let word = function.text.as_str();
         if declared.lacks_files() {
             // What declares it has been refused already.
             self.report.fail();
-            return;
+            return false;
         }
         if declared.is_called(word) {
             let message = match declared.is_script(word) {
@@ -262,12 +263,15 @@ impl Typing<'_> {
             };
             let error = Diagnostic::error("not-an-op", message, function.span);
             self.report.add(error);
-            return;
+            return false;
         }
         let message = format!("there is no op `{word}`");
         let error = Diagnostic::error("unknown-op", message, function.span);
         let here = foreign_words::function(word).or_else(|| mesh_maker(word));
         let place = (word, function.span);
-        self.report.add(foreign_words::tell(error, place, here, declared.op_names()));
+        let error = foreign_words::tell(error, place, here, declared.op_names());
+        let is_meant = !error.fixes.is_empty();
+        self.report.add(error);
+        is_meant
     }
 }

@@ -85,10 +85,10 @@ impl Typing<'_> {
             return None;
         }
         if known.is_empty() {
-            self.unknown_function(function, span);
+            let is_meant = self.unknown_function(function, span);
             // The arguments may hold more that is wrong; but such a function may well have
             // been thought to take a sequence.
-            for arg in args.iter().filter(|arg| !is_sequence(arg)) {
+            for arg in args.iter().filter(|arg| is_meant && !is_sequence(arg)) {
                 self.expression(arg);
             }
             return None;
@@ -192,32 +192,53 @@ impl Typing<'_> {
         self.report.fail();
     }
 
-    /// Says that an expression cannot call this.
-    fn unknown_function(&mut self, function: &Ident, span: Span) {
+    /// Says that an expression cannot call this; true if it is known what was meant, so that the
+    /// arguments can be looked at.
+    fn unknown_function(&mut self, function: &Ident, span: Span) -> bool {
         let word = function.text.as_str();
         if self.declared.op(word).is_some() {
             self.op_in_expression(word, span);
-            return;
+            return false;
         }
         if self.declared.called(word).is_some() {
             let message = format!("`{word}` cannot be called in the default of a function");
             let error = Diagnostic::error("unknown-function", message, function.span);
             self.report.add(error);
-            return;
+            return false;
         }
         if self.declared.lacks_files() {
             // What declares it has been refused already.
             self.report.fail();
-            return;
+            return false;
+        }
+        if mesh_maker(word).is_some() && self.report.is_confused("mesh") {
+            // That a script names no mesh has been told.
+            self.report.fail();
+            return false;
+        }
+        if fold_names().any(|known| known == word) {
+            let message = format!(
+                "`{word}` wants a value for each element: `{word}(length(e) for e in edges)`"
+            );
+            self.report.add(Diagnostic::error("type-mismatch", message, span));
+            return false;
         }
         let message = format!("there is no function `{word}`");
         let error = Diagnostic::error("unknown-function", message, function.span);
+        if let Some(element) = self.declared.element_with(word) {
+            let note = format!("an attribute stands behind its {}: `x.{word}`", element.word());
+            self.report.add(error.note(note));
+            return false;
+        }
         let declared = self.declared;
         let mut candidates: Vec<&str> = function_names().chain(fold_names()).collect();
         candidates.extend(declared.called_names());
         let here = foreign_words::function(word).or_else(|| mesh_maker(word));
         let place = (word, function.span);
-        self.report.add(foreign_words::tell(error, place, here, candidates));
+        let error = foreign_words::tell(error, place, here, candidates);
+        let is_meant = !error.fixes.is_empty();
+        self.report.add(error);
+        is_meant
     }
 
     /// An op rewrites the mesh, so it has no place inside of a computation.
@@ -225,7 +246,7 @@ impl Typing<'_> {
         let message = format!("`{op}` is an op; it cannot be called inside of an expression");
         let error = Diagnostic::error("op-in-expression", message, span).note(format!(
             "an op stands as a statement `{op}(…)`, as the condition of `if` or `if let x =`, \
-             or after `let x = must`"
+             or after `let x = must`; whether it would apply is asked by `can {op}(…)`"
         ));
         self.report.add(error);
     }

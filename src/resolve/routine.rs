@@ -166,6 +166,9 @@ pub(super) fn resolve_body(
         report.add(error);
     }
     if report.failed() {
+        // What it would give may be what could not be read.
+        let is_open = value == Value::Nothing && signature.result == Value::Open;
+        let value = if is_open { Value::Unknown } else { value };
         return (value, requires, None);
     }
     let body = scopes.into_variables().map(|variables| Body { variables, block });

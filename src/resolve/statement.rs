@@ -166,11 +166,20 @@ impl Scripting<'_> {
         let word = &name.text;
         let found = self.typing.scopes.find(word);
         let Some((variable, local)) = found.map(|(number, local)| (number, local.clone())) else {
+            if word == "mesh" {
+                let message = "a script has the mesh it is run on, which has no name";
+                let error = Diagnostic::error("test-mesh", message, name.span)
+                    .note("a test begins with `mesh = cube()`, or `mesh = load(\"cube.obj\")`");
+                self.typing.report.add(error);
+                self.typing.report.confuse(word);
+                return None;
+            }
             let message = format!("there is no variable `{word}`");
             let error = Diagnostic::error("unknown-name", message, name.span);
             let error = suggest(error, word, name.span, self.typing.scopes.names())
                 .note("a variable begins with `let` or `var`");
             self.typing.report.add(error);
+            self.typing.report.confuse(word);
             let ty = self.typing.expression(value).map(|value| value.ty);
             self.assumed(name, ty);
             return None;

@@ -29,6 +29,15 @@ pub(super) fn steps_signature(
 ) -> (Signature, program::Op) {
     let result = match &op.result {
         None => Returned::Nothing,
+        Some(word) if op.params.iter().any(|param| param.name.ident.text == word.text) => {
+            let param = op.params.iter().find(|param| param.name.ident.text == word.text);
+            let kind = param.map_or("edge", |param| param.ty.text.as_str());
+            let message = "an op in steps says of what kind it returns an element";
+            let error = Diagnostic::error("unknown-type", message, word.span)
+                .note(format!("which one it is says `return {}`", word.text));
+            report.add(error.fix(format!("write `{kind}`"), word.span, kind));
+            Returned::Unknown
+        }
         Some(word) => match type_named(word, report) {
             Some(ty) if ty.is_element() => Returned::Element(ty),
             Some(ty) => {

@@ -48,10 +48,11 @@ macro_rules! token_kinds {
             BadNumber,
             /// A sign, a comment, a text or a number of other languages; no rule of the grammar
             /// takes it.
-            #[regex(r"[;!%^?&∧∨¬≤≥≠×·∗−–—─→⟶➔⇒…∈]|&&", priority = 1)]
+            #[regex(r"[;!%^?&~`∧∨¬≤≥≠×·∗−–—─→⟶➔⇒…∈\u{A0}\u{2007}\u{202F}\u{3000}]|&&", priority = 1)]
             #[regex(r"#[^\n]*", allow_greedy = true)]
             #[regex(r"/\*([^*]|\*+[^*/])*\*+/")]
             #[regex(r"'[^'\r\n]*'")]
+            #[regex(r"'[\p{XID_Start}_]\p{XID_Continue}*")]
             #[regex(r"“[^”\r\n]*”")]
             #[regex(r"\.[0-9]+")]
             Foreign,

@@ -108,7 +108,11 @@ impl<'t> Match<'t, '_> {
                 (span, self.spaced(Edit { span, text }))
             }
             _ => {
-                // Something is only missing: it comes behind what is there.
+                // Something is only missing: it comes behind what is there, or before all of it.
+                if front == 0 {
+                    let span = token(self.all().start).unwrap_or_default();
+                    return (span, self.spaced(Edit { span: span.before(), text }));
+                }
                 let before = self.parts[..front].iter().map(|range| range.end).max();
                 let before = before.and_then(|end| end.checked_sub(1)).and_then(token);
                 let span = before.unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use super::finding::{Found, Match};
 use super::place::{Braces, CODE, DRAWING, HEAD, Item, PARTS, Places};
-use super::sign::{Sign, sign};
+use super::sign::{Around, Sign, sign};
 use super::table::{Form, forms};
 use crate::diagnostic::Edit;
 use crate::syntax::token::{Token, TokenKind as T};
@@ -64,7 +64,7 @@ pub fn mend(text: &str, tokens: &[Token]) -> Mended {
             continue;
         }
         if kind == T::Foreign {
-            found.push(foreign(&mut item, at));
+            found.push(foreign(&mut item, at, place));
             continue;
         }
         let begins = braces.begins(&item, at);
@@ -96,10 +96,11 @@ fn matching(
 }
 
 /// A foreign sign of which the table knows nothing.
-fn foreign(item: &mut Item, at: usize) -> Found {
+fn foreign(item: &mut Item, at: usize, place: Places) -> Found {
     let span = item.tokens[at].span;
     let (span, written) = item.comment(at).unwrap_or((span, item.word(at)));
-    let Sign { kind, says, fix } = sign(written, span, item.is_last(at));
+    let around = Around { alone: item.is_last(at), touches: item.touches(at), place };
+    let Sign { kind, says, fix } = sign(written, span, around);
     let first = item.word(at).chars().next().map_or(0, u32::from);
     match kind {
         Some(kind) => item.tokens[at].kind = kind,

@@ -1,6 +1,7 @@
 //! Signs and texts that are no words of the language, of which it is known what they mean
 //! elsewhere: comments, texts in other quotes, numbers without a digit before the point.
 
+use super::place::{DRAWING, Places};
 use crate::source::Span;
 use crate::syntax::token::TokenKind as T;
 
@@ -14,9 +15,18 @@ pub(super) struct Sign {
     pub fix: Option<(Span, String)>,
 }
 
-/// The replacement of a foreign sign of which the table knows nothing. `alone` says whether nothing
-/// follows on its line.
-pub(super) fn sign(written: &str, span: Span, alone: bool) -> Sign {
+/// The surroundings of a foreign sign.
+pub(super) struct Around {
+    /// True if nothing follows on its line.
+    pub alone: bool,
+    /// True if it stands close behind what is before.
+    pub touches: bool,
+    /// Where in a program it stands.
+    pub place: Places,
+}
+
+/// The replacement of a foreign sign of which the table knows nothing.
+pub(super) fn sign(written: &str, span: Span, around: Around) -> Sign {
     let first = written.chars().next().unwrap_or('?');
     let whole = |text: String| Some((span, text));
     match first {
@@ -37,8 +47,16 @@ pub(super) fn sign(written: &str, span: Span, alone: bool) -> Sign {
         '/' => Sign {
             kind: None,
             says: "a comment begins with `//` and ends with its line".to_owned(),
-            fix: if alone { whole(lines(written)) } else { whole(String::new()) },
+            fix: if around.alone { whole(lines(written)) } else { whole(String::new()) },
         },
+        '\'' if around.place == DRAWING || !written[1..].ends_with('\'') => {
+            let name = written.trim_matches('\'');
+            Sign {
+                kind: Some(T::Word),
+                says: format!("a prime stands behind its name: `{name}'`"),
+                fix: whole(format!("{name}'")),
+            }
+        }
         '\'' | '\u{201C}' => {
             let inside: String = written.chars().skip(1).collect();
             let inside = inside.trim_end_matches(['\'', '\u{201D}']).replace('"', "\\\"");
@@ -48,10 +66,20 @@ pub(super) fn sign(written: &str, span: Span, alone: bool) -> Sign {
                 fix: whole(format!("\"{inside}\"")),
             }
         }
+        '.' if around.touches => Sign {
+            kind: None,
+            says: "there are no ranges: `repeat n { … }` does something `n` times".to_owned(),
+            fix: None,
+        },
         '.' => Sign {
             kind: Some(T::Real),
             says: "a number has a digit before its point".to_owned(),
             fix: whole(format!("0{written}")),
+        },
+        '\u{A0}' | '\u{2007}' | '\u{202F}' | '\u{3000}' => Sign {
+            kind: None,
+            says: format!("this is no plain space but U+{:04X}", u32::from(first)),
+            fix: whole(" ".to_owned()),
         },
         _ => Sign { kind: None, says: format!("`{written}` means nothing here"), fix: None },
     }

@@ -10,8 +10,9 @@ use std::ops::Range;
 pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     let mut starts = Vec::new();
     let mut open = 0_usize;
+    let closings = Closings::of(text, tokens);
     for at in 0..tokens.len() {
-        if begins_item(text, tokens, at, open > 0) {
+        if begins_item(text, tokens, at, open > 0) && !closings.is_inside(text, tokens, at, open) {
             starts.push(at);
             open = 0;
         }
@@ -26,6 +27,47 @@ pub(super) fn cut(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     }
     let ends = starts.iter().skip(1).copied().chain([tokens.len()]);
     starts.iter().copied().zip(ends).map(|(start, end)| start..end).collect()
+}
+
+/// How far braces are closed behind each token, up to where an item surely begins.
+struct Closings {
+    /// The braces that are open before each token, those closed too often counted as well.
+    depths: Vec<i32>,
+    /// The least of these behind each token.
+    least: Vec<i32>,
+}
+
+impl Closings {
+    fn of(text: &str, tokens: &[Token]) -> Self {
+        let mut depth = 0;
+        let mut depths = Vec::with_capacity(tokens.len());
+        for token in tokens {
+            depths.push(depth);
+            depth += match token.kind {
+                T::LeftBrace => 1,
+                T::RightBrace => -1,
+                _ => 0,
+            };
+        }
+        let mut least = vec![depth; tokens.len()];
+        let mut behind = depth;
+        for at in (0..tokens.len()).rev() {
+            least[at] = behind;
+            let ends = begins_item(text, tokens, at, true) && indent(text, tokens, at) == Some(0);
+            behind = if ends { depths[at] } else { behind.min(depths[at]) };
+        }
+        Self { depths, least }
+    }
+
+    /// True if what is declared at a token stands inside of an item whose braces, so many, are all
+    /// closed behind it: it is misplaced, and no brace is missing.
+    fn is_inside(&self, text: &str, tokens: &[Token], at: usize, open: usize) -> bool {
+        let declares = matches!(tokens[at].kind, T::Attr | T::Private | T::Fn | T::Op | T::Script);
+        open > 0
+            && declares
+            && indent(text, tokens, at) != Some(0)
+            && i64::from(self.least[at]) <= i64::from(self.depths[at]) - open as i64
+    }
 }
 
 /// The kind of item that begins here, as far as that tells it from everything else.

@@ -7,6 +7,9 @@ use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind as T};
 
+/// The words of the note about a word of the language that was taken for a name.
+const ANOTHER_NAME: &str = "another name is needed";
+
 /// The surroundings of a failure.
 pub(super) struct Around<'t> {
     /// The text of the file.
@@ -74,7 +77,10 @@ pub(super) fn report_all(failures: Vec<Failure>, around: &Around) -> Vec<Diagnos
             let same = !said.notes.is_empty()
                 && said.notes == other.notes
                 && said.labels[0].text == other.labels[0].text;
-            let unbraced = other.notes.iter().any(|note| note.starts_with(IN_BRACES));
+            let unbraced = other
+                .notes
+                .iter()
+                .any(|note| note.starts_with(IN_BRACES) || note.starts_with(ANOTHER_NAME));
             leftover || same || unbraced || same_line(around.text, other.span(), said.span())
         });
         if is_mistake || !follows {
@@ -158,7 +164,22 @@ fn mistaken(mistake: Mistake, span: Span, text: &str) -> Diagnostic {
         Mistake::UnknownFormat => {
             let message = "this is no way to print a value";
             let found = Diagnostic::error("syntax-error", message, span);
-            found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are")
+            let found =
+                found.note("`{x:.3}` has three digits behind the point, `{x:full}` all there are");
+            let spec = written.strip_prefix(':').and_then(|rest| rest.split('}').next());
+            let digits = spec.and_then(|spec| {
+                let (_, digits) = spec.rsplit_once('.')?;
+                Some((spec, digits.trim_end_matches(|c: char| c.is_ascii_alphabetic())))
+            });
+            match digits.filter(|(_, digits)| digits.parse::<u8>().is_ok()) {
+                Some((spec, digits)) => {
+                    let start = span.start + 1;
+                    let place = Span { start, end: start + spec.len() as u32, ..span };
+                    let ours = format!(".{digits}");
+                    found.fix(format!("write `{{x:{ours}}}`"), place, ours)
+                }
+                None => found,
+            }
         }
         Mistake::NoTwin => {
             let message = "every halfedge has a twin";
@@ -186,6 +207,9 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
     if let Some(open) = around.open_at(failure.span).filter(|_| closes) {
         return not_closed(open, &failure, &found, around);
     }
+    if let Some(told) = keyword_as_name(&failure, around).or_else(|| no_value(&failure, around)) {
+        return told;
+    }
     let context = failure.context.filter(|_| !anew && !closes);
     let place = context.and_then(|context| place(context, around));
     let mut message = if wanted.is_empty() {
@@ -211,6 +235,42 @@ fn unexpected(failure: Failure, around: &Around) -> Diagnostic {
         Some(context) => form(told, context, around),
         None => told,
     }
+}
+
+/// Tells of a word of the language where a name is wanted, if what follows shows that it was meant
+/// as one.
+fn keyword_as_name(failure: &Failure, around: &Around) -> Option<Diagnostic> {
+    let kind = failure.found.filter(|kind| kind.is_keyword())?;
+    let names = [Phrase::Name, Phrase::Parameter, Phrase::Halfedge, Phrase::Vertex];
+    failure.wanted.phrases().find(|phrase| names.contains(phrase))?;
+    let at = around.item.partition_point(|token| token.span.start < failure.span.start);
+    let before = around.item.get(at.checked_sub(1)?)?;
+    let behind = around.item.get(at + 1);
+    let apart = |one: Span, other: Span| {
+        let between = around.text.get(one.end as usize..other.start as usize);
+        between.is_none_or(|between| between.contains('\n'))
+    };
+    let goes_on =
+        behind.is_some_and(|next| next.kind.is_wordlike() && !apart(failure.span, next.span));
+    if goes_on || apart(before.span, failure.span) {
+        return None;
+    }
+    let word = kind.spelling()?;
+    let message = format!("`{word}` is a word of the language, so nothing else has this name");
+    let told = Diagnostic::error("syntax-error", message, failure.span);
+    Some(told.note(format!("{ANOTHER_NAME}, as `{word}0` or `{word}_`")))
+}
+
+/// Tells of `{}` in a text that is printed.
+fn no_value(failure: &Failure, around: &Around) -> Option<Diagnostic> {
+    let at = around.item.partition_point(|token| token.span.start < failure.span.start);
+    let before = around.item.get(at.checked_sub(1)?)?;
+    let is_empty = matches!(before.kind, T::TextHead | T::TextMiddle)
+        && matches!(failure.found, Some(T::TextMiddle | T::TextTail));
+    is_empty.then(|| {
+        let message = "between braces stands the value that is printed: `{count(edges)}`";
+        Diagnostic::error("syntax-error", message, failure.span)
+    })
 }
 
 /// Tells of a brace that is not closed where something stands that cannot be inside of it.

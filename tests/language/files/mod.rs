@@ -132,9 +132,12 @@ fn every_fix_leaves_a_sound_file() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let mut applied = 0;
     let mut broken = Vec::new();
-    for page in
-        ["language/files/elsewhere.md", "language/files/newcomers.md", "proof/laws/slips.md"]
-    {
+    for page in [
+        "language/files/elsewhere.md",
+        "language/files/newcomers.md",
+        "language/files/students.md",
+        "proof/laws/slips.md",
+    ] {
         let text = fs::read_to_string(folder.join(page)).expect("a page");
         for (heading, input) in inputs(&text) {
             let (fixes, left) = left_after_fixes(&input);

@@ -18,14 +18,15 @@ fn files_below(folder: &Path, found: &mut Vec<PathBuf>) {
 }
 
 /// The texts of the files below some folders that end in a way. What is written as in another
-/// language, of which `elsewhere.md` is full, hedgerow tells where a grammar may read it.
+/// language, of which `elsewhere.md` and `students.md` are full, hedgerow tells where a grammar may read it.
 fn texts(folders: &[&str], end: &str) -> Vec<String> {
     let mut files = Vec::new();
     for folder in folders {
         files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files);
     }
     files.retain(|file| file.extension().is_some_and(|extension| extension == end));
-    files.retain(|file| !file.ends_with("files/elsewhere.md"));
+    let foreign = ["files/elsewhere.md", "files/students.md"];
+    files.retain(|file| !foreign.iter().any(|page| file.ends_with(page)));
     files.sort();
     let texts = files.iter().map(|file| fs::read_to_string(file).unwrap());
     texts.collect()

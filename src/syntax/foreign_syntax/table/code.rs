@@ -1,7 +1,10 @@
 //! Other statements of scripts and functions.
 
-use super::{Line, sure, told};
+use super::{Line, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::{CODE, HEAD, PARTS};
+
+const CHANGED: &str = "a script changes a mesh by calling operations: `dissolve_edge(e)`";
+const REFUSED: &str = "`must` stops where an op refuses, `if let x = …` asks";
 
 pub(super) const LINES: &[Line] = &[
     told(
@@ -16,6 +19,43 @@ pub(super) const LINES: &[Line] = &[
         "",
         "values are printed by `print \"{count(edges)} edges\"`",
     ),
+    sure(CODE, "^print : $l:line", "print $l", "no colon stands behind `print`"),
+    told(
+        CODE,
+        "^print $t:text % $l:line",
+        "print $t",
+        "values stand in the text that is printed: `print \"{count(edges)} edges\"`",
+    ),
+    fixed(CODE, "` $a:part `", "true", "\"$a\"", "a text stands in double quotes"),
+    sure(CODE, "^$f ( $a:inside ) ~!/?", "must $f($a)", REFUSED),
+    sure(CODE, "= $f ( $a:inside ) ~!/? $:end", "= must $f($a)", REFUSED),
+    sure(
+        CODE,
+        "$w=can/why ( $f , $a:inside )",
+        "$w $f($a)",
+        "`$w` stands before the call: `$w $f(…)`",
+    ),
+    sure(
+        CODE,
+        "$w=can/why ( $f ( $a:inside ) )",
+        "$w $f($a)",
+        "`$w` stands before the call: `$w $f(…)`",
+    ),
+    told(
+        CODE,
+        "^attr/private $l:line",
+        "",
+        "an attribute is declared beside scripts, not in them: `attr weight: edge real = 0`",
+    ),
+    told(
+        CODE,
+        "^$k=fn/op/script $f ( $p:inside ) $r:part { $b:inside }",
+        "",
+        "`$k $f` is declared beside what calls it, not in it",
+    ),
+    told(CODE, "^erase/keep/new $n:part $:end", "", CHANGED),
+    told(CODE, "^delete/remove $n $:end", "", CHANGED),
+    told(CODE, "= new vertex/edge/face/halfedge $l:line", "= true", CHANGED),
     sure(
         CODE,
         "^print ( $l:inside ) $:end",

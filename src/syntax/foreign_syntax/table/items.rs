@@ -44,7 +44,12 @@ pub(super) const LINES: &[Line] = &[
         "fn $f($p) -> $t {",
         "a function is `fn $f(…) -> $t { … }`",
     ),
-    sure(HEAD, "$k=op/fn/script $f < $x:inside > (", "$k $f(", "there are no templates"),
+    told(
+        HEAD,
+        "$k=op/fn/script $f < $x:inside > (",
+        "$k $f (",
+        "there are no templates: a type is written where it is meant",
+    ),
     told(
         HEAD,
         ") returns/return/yields $t:part {",
@@ -69,6 +74,19 @@ pub(super) const LINES: &[Line] = &[
         "script $f(",
         "`{}` is written `script`",
     ),
+    sure(
+        HEAD,
+        "^from/use/import/include $p:text _use/import/as/hiding/show/with $l:line",
+        "use $p",
+        "a file is used whole, and has no other name: `use $p`",
+    ),
+    sure(
+        HEAD,
+        "^use/import/include $p:text { $l:inside }",
+        "use $p",
+        "a file is used whole, by its path: `use $p`",
+    ),
+    fixed(HEAD, "^use < $p:some >", "", "use \"$p\"", "the path of a file stands in quotes"),
     sure(
         HEAD,
         "^import/include/using/open/require/load/from/with/Use $p:text",
@@ -102,6 +120,25 @@ pub(super) const LINES: &[Line] = &[
     sure(HEAD, "^private $:end", "", "only an attribute can be `private`"),
     sure(HEAD, "^private $k=op/fn/script", "$k", "only an attribute can be `private`"),
     sure(HEAD, "^template < $x:inside >", "", "there are no templates"),
+    sure(HEAD, "^$m=main ~(", "script $m(", "a program is `script name() { … }`"),
+    told(
+        HEAD,
+        "$k=op/fn/script $a ~- ~$b:word ~(",
+        "$k $a (",
+        "a name has letters, digits and `_`: `$a_$b`",
+    ),
+    told(
+        HEAD,
+        "script $f ( $p:inside ) ->/: $t:word {",
+        "script $f($p) {",
+        "a script gives no value; a `fn` does",
+    ),
+    sure(
+        HEAD,
+        ") -> $m : $t=vertex/halfedge/edge/face",
+        ") -> $m",
+        "the drawing tells what `$m` is: `-> $m`",
+    ),
     told(HEAD, "^let/var/const/constexpr/auto/val/global/define $n:part = $v:line", "", CONSTANT),
     told(HEAD, "^$n = $v:line", "", CONSTANT),
     told(
@@ -164,6 +201,12 @@ pub(super) const LINES: &[Line] = &[
         "attr $n : $k=vertex/halfedge/edge/face : $t:word",
         "attr $n: $k $t",
         "an attribute is `attr $n: $k $t`",
+    ),
+    sure(
+        HEAD,
+        "attr $n : $t=real/int/bool/vec2/vec3/vec4/mat3/mat4 per/of/on/for/at/each $k=vertex/halfedge/edge/face",
+        "attr $n: $k $t",
+        "the kind of element stands before the type: `attr $n: $k $t`",
     ),
     told(
         HEAD,

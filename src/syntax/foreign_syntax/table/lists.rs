@@ -22,6 +22,19 @@ pub(super) const LINES: &[Line] = &[
         "$w $l $n $e",
         "names are listed without their kinds: what is drawn tells them",
     ),
+    sure(
+        DRAWING,
+        "^keep $e : $a | $b",
+        "edge $e: $a | $b",
+        "`keep $e` repeats the statement of `$e` and has none of its own: drawn anew it is `edge $e: $a | $b`",
+    ),
+    sure(
+        DRAWING,
+        "^keep $f : $v $d=-/=/=>",
+        "face $f: $v $d",
+        "`keep $f` repeats the statement of `$f` and has none of its own: drawn anew it is `face $f: …`",
+    ),
+    sure(DRAWING, "^$w=erase/keep/new $a : $n", "$w $a $n", "no sign stands in a list: `$w a b`"),
     sure(DRAWING, "$w=new/erase/keep :/= $n", "$w $n", "no sign stands behind `$w`: `$w a b`"),
     sure(
         DRAWING,

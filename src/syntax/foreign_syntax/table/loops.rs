@@ -5,6 +5,9 @@ use crate::syntax::foreign_syntax::place::CODE;
 
 const LOOP: &str = "a loop is `for v in vertices where … { … }`";
 const BRACES: &str = "a block stands in braces: `$w … { … }`";
+const LEAST: &str = "`drain` takes the least key first; `by -x` takes the greatest";
+const ORDERED: &str =
+    "`for` has no order; `drain $n in … by x while … { … }` takes the least first";
 const CHOICE: &str = "a choice is `if c { … } else { … }`, also as a value";
 
 pub(super) const LINES: &[Line] = &[
@@ -44,6 +47,37 @@ pub(super) const LINES: &[Line] = &[
         "^for $n in $a:part .5/.6/.7/.8/.9/.10/.3/.4/.2/.1/.20/.50/.100 {",
         "repeat true {",
         "there are no ranges: `repeat n { … }` does something `n` times",
+    ),
+    told(
+        CODE,
+        "^repeat $i in/=/: $n:some {",
+        "repeat true {",
+        "`repeat n { … }` has no variable; `var $i = 0` before it and `$i = $i + 1` in it count",
+    ),
+    sure(CODE, "^repeat $n:some times/time/x {", "repeat $n {", "it is `repeat n { … }`"),
+    sure(CODE, "^drain min/least/smallest/lowest $n in", "drain $n in", LEAST),
+    told(CODE, "^drain max/most/largest/greatest/highest $n in", "drain $n in", LEAST),
+    sure(
+        CODE,
+        "^drain $n in $s:some while $c:some by $k:some {",
+        "drain $n in $s by $k while $c {",
+        "the key stands before the condition: `drain $n in … by … while … { … }`",
+    ),
+    fixed(
+        CODE,
+        "by $k:some desc/descending/decreasing $o={/while",
+        "by $k $o",
+        "by -($k) $o",
+        LEAST,
+    ),
+    sure(CODE, "by $k:some asc/ascending/increasing $o={/while", "by $k $o", LEAST),
+    told(CODE, "^for $n in $s:some order/sorted/sort by $k:some {", "for $n in $s {", ORDERED),
+    told(CODE, "^for $n in $s:some by $k:some {", "for $n in $s {", ORDERED),
+    sure(
+        CODE,
+        "^for $n in $s:part { $b:inside } where $c:part $:end",
+        "for $n in $s where $c { $b }",
+        "a condition stands before the block: `for $n in … where … { … }`",
     ),
     told(
         CODE,

@@ -8,6 +8,37 @@ const GUARDED: &str =
 const REQUIRED: &str = "what has to hold is asked by `require c else \"…\"`";
 
 pub(super) const LINES: &[Line] = &[
+    sure(
+        PARTS,
+        "^alias $a =/==/| $b $:end",
+        "alias $a $b",
+        "names that may be one stand side by side: `alias $a $b`",
+    ),
+    sure(
+        PARTS,
+        "^alias (/{/[ $l:names )/}/]",
+        "alias $l",
+        "names that may be one stand side by side, without brackets: `alias v2 v3`",
+    ),
+    told(PARTS, "^alias $a $:end", "", "`alias` lists two names or more, of which any may be one"),
+    sure(
+        PARTS,
+        "^guard surface $a=simple",
+        "guard $a",
+        "one level is guarded: what is simple is a surface, too",
+    ),
+    told(
+        PARTS,
+        "^keeps/ensures/ensure/maintain/maintains/preserve/preserves $l:line",
+        "",
+        "what is to be proved stands in the head, `op flip(e: edge) keeps triangles {`; `guard simple` refuses what would break a level",
+    ),
+    sure(
+        PARTS,
+        "^require $a:some = $b:some",
+        "require $a == $b",
+        "whether two are equal is asked by `==`",
+    ),
     sure(PARTS, "->/=>/,/;/→/⇒/⟶ $a=after", "$a", "nothing stands between the parts of an op"),
     sure(PARTS, "->/=>/→/⇒/⟶ {", "after {", "what an op leaves is `after { … }`"),
     sure(PARTS, "$s=before/after/steps :/= {", "$s {", "`$s` is followed by its brace"),

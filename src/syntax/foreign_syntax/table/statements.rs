@@ -10,6 +10,8 @@ const PAIRED: &str = "an edge is a pair of twins with a bar between them: `edge 
 const OWN_ENDS: &str = "an edge names its two halfedges, not its ends: `edge e: a | d` where `v0 -a-> v1` and `v1 -d-> v0`";
 const BACKWARDS: &str = "arrows run forward, around the face: `v0 -$a-> v1`";
 const DRAWN: &str = "a drawing has no `{}`: alternatives are `rule name { … }`, a refusal is `require c else \"…\"`, and `each i { … }` repeats a period";
+const AROUND: &str = "the index runs around, after the last comes the first: `v[i+1]`";
+const OUTER: &str = "the twin has a name of its own: `edge $e: $a | $a'`";
 const ARROW: &str = "a halfedge is drawn `v0 -a-> v1`, a path `v0 =P=> v1`";
 
 pub(super) const LINES: &[Line] = &[
@@ -28,6 +30,80 @@ pub(super) const LINES: &[Line] = &[
         "what an op returns stands in its head: `op name(…) -> x { … }`",
     ),
     told(DRAWING, "^print/assert/must $l:line", "", STEPS),
+    // What is followed by another part stands behind a brace that is missing.
+    told(
+        DRAWING,
+        "^guard/alias/require/keeps $l:line $n=}/face/hole/loop/edge/vertex/new/keep/erase",
+        "$n",
+        "`{}` stands between `before { … }` and `after { … }`, not in them",
+    ),
+    sure(
+        DRAWING,
+        "^each $i { $k=face/hole/loop/edge/vertex $b:inside }",
+        "$k $b",
+        "a statement with a subscript holds for every index already, and has no `each`",
+    ),
+    sure(
+        DRAWING,
+        "$c=: for/forall/foreach/every/all/repeat $i {",
+        "$c each $i {",
+        "a period is repeated by `each $i { … }`",
+    ),
+    sure(
+        DRAWING,
+        "$c=: for each/all/every $i {",
+        "$c each $i {",
+        "a period is repeated by `each $i { … }`",
+    ),
+    sure(
+        DRAWING,
+        "each $i (/[ $l:inside )/] $:end",
+        "each $i { $l }",
+        "a period stands in braces: `each $i { … }`",
+    ),
+    sure(
+        DRAWING,
+        "$e=each $i { $l:inside $d=->/=> $v }",
+        "$e $i { $l $d }",
+        "a period ends with an arrow: behind it the next one begins",
+    ),
+    sure(DRAWING, "[ ( $i $s=+/- $n:number ) %/mod $m:some ]", "[$i $s $n]", AROUND),
+    sure(DRAWING, "[ $i $s=+/- $n:number %/mod $m:some ]", "[$i $s $n]", AROUND),
+    told(
+        DRAWING,
+        "^outer/outside/boundary/border/exterior : $l:line",
+        "",
+        "a boundary loop is a hole and has a name: `hole f1: v0 -a-> v1 =P=> v0`",
+    ),
+    sure(
+        DRAWING,
+        "^outer/outside/boundary/border/exterior face/loop/hole $f :",
+        "hole $f:",
+        "a boundary loop is a `hole`",
+    ),
+    told(DRAWING, "^edge $e :/= $a | $b ./-> $t:word $l:part $:end", "", OUTER),
+    told(DRAWING, "^edge $e :/= $a | twin/opposite/pair/sym ( $b ) $:end", "", OUTER),
+    told(DRAWING, "^edge $e :/= $a | ~ $b $:end", "", OUTER),
+    told(
+        DRAWING,
+        "^vertex $v : $a ->/=>/-/=/> $l:line",
+        "",
+        "the spokes of a vertex stand side by side, counterclockwise: `vertex $v: a *S b`",
+    ),
+    sure(
+        DRAWING,
+        "^vertex $v : {/(/[ $l:inside }/)/] $:end",
+        "vertex $v: $l",
+        "the spokes of a vertex stand side by side, without brackets",
+    ),
+    told(
+        DRAWING,
+        "^vertex $v : $l:part . ~. ~. $m:line",
+        "",
+        "spokes that have no name are a fan: `*S`, or `*` without a name",
+    ),
+    sure(DRAWING, "- $a . ~. ~. ->", "=$a=>", "a path is `=$a=>`"),
+    sure(DRAWING, "~ $a ~ >", "=$a=>", "a path is `=$a=>`"),
     sure(
         DRAWING,
         "^boundary/border/Hole/holes/outside/exterior/boundary_loop/HOLE/rim $f :",

@@ -6,6 +6,9 @@ use crate::syntax::foreign_syntax::place::{CODE, PARTS};
 const SIDES: &str = "an op is drawn: `before { … }` is what it finds, `after { … }` what it leaves";
 const EXISTS: &str =
     "no element is missing: beyond a boundary is a hole, `hole(h.face)`, `boundary(v)`";
+const AGGREGATE: &str =
+    "what holds stands in front: `count(boundary(e) for e in edges)`, likewise `any` and `all`";
+const COMPONENT: &str = "a component of a vector is `p.x`, `p.y`, `p.z`";
 const CALLED: &str = "what is called stands in front: `degree(v)`, `flip(e)`";
 const POINTER: &str = "a pointer is read without parentheses: `h.$p`";
 
@@ -79,7 +82,79 @@ pub(super) const LINES: &[Line] = &[
         "a pointer is read behind a dot: `h.$p`",
     ),
     sure(CODE | PARTS, "~-> ~$p:word", ".$p", "a pointer is read behind a dot: `h.$p`"),
+    sure(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= $x . $f=adjacent/distance/dot/cross/angle ~( $y:inside )",
+        "$b $f($x, $y)",
+        CALLED,
+    ),
+    sure(
+        CODE | PARTS,
+        "$b=(/,/=/+/-/{/}/return/not/and/or/if/while/where/by/require/print/assert/else/</>/<=/>=/==/!= $x . $f=degree/length/area/normal/centroid/midpoint/boundary/hole/dihedral_angle/angle/cotangent/normalize ~( )",
+        "$b $f($x)",
+        CALLED,
+    ),
     told(CODE | PARTS, ". $f:word ~( $x:inside )", "", CALLED),
+    fixed(CODE | PARTS, ". $f=position ~[ 0 ]", ".$f", ".$f.x", COMPONENT),
+    fixed(CODE | PARTS, ". $f=position ~[ 1 ]", ".$f", ".$f.y", COMPONENT),
+    fixed(CODE | PARTS, ". $f=position ~[ 2 ]", ".$f", ".$f.z", COMPONENT),
+    fixed(
+        CODE | PARTS,
+        "any/exists/some ( $x in $s:part where/,/:/| $c:inside )",
+        "true",
+        "any($c for $x in $s)",
+        AGGREGATE,
+    ),
+    fixed(
+        CODE | PARTS,
+        "all/forall/every ( $x in $s:part where/,/:/| $c:inside )",
+        "true",
+        "all($c for $x in $s)",
+        AGGREGATE,
+    ),
+    fixed(
+        CODE | PARTS,
+        "count ( $x in $s:part where/,/:/|/if $c:inside )",
+        "true",
+        "count($c for $x in $s)",
+        AGGREGATE,
+    ),
+    told(
+        CODE | PARTS,
+        "count ( $s=vertices/edges/faces/halfedges/holes where $c:inside )",
+        "true",
+        AGGREGATE,
+    ),
+    told(
+        CODE | PARTS,
+        "$f=sum/mean/min/max/argmin/argmax ( $x in $s:inside )",
+        "true",
+        "an aggregate is `$f(length(e) for e in edges)`",
+    ),
+    told(
+        CODE | PARTS,
+        "$f=sum/mean/min/max/argmin/argmax/any/all/count ( $g ( $b:inside ) in $s:inside )",
+        "true",
+        "an aggregate is `$f(length(e) for e in edges)`",
+    ),
+    told(
+        CODE,
+        "$f ~( $n =/: $v:inside )",
+        "true",
+        "arguments have no names: they stand in their order, `$f(x, y)`",
+    ),
+    told(
+        CODE,
+        "( $t=int/float/double/real ) $n",
+        "true",
+        "an int stands wherever a real is wanted; `round(x)` makes an int",
+    ),
+    told(
+        CODE,
+        "( $t=int/float/double/real ) $n:number",
+        "true",
+        "an int stands wherever a real is wanted; `round(x)` makes an int",
+    ),
     sure(
         CODE | PARTS,
         "( [ $b:inside for $n in $s:inside ] )",
@@ -121,6 +196,12 @@ pub(super) const LINES: &[Line] = &[
     ),
     fixed(CODE | PARTS, "| $x |", "$x", "abs($x)", "the size of a number is `abs(x)`"),
     sure(CODE | PARTS, "=>", ">=", "`{}` is written `>=`"),
+    sure(
+        CODE | PARTS,
+        "$a:word : : $b:word ~(",
+        "$b(",
+        "a name stands alone, without what it belongs to: `$b`",
+    ),
     told(
         CODE | PARTS,
         "$a:word : : $b:word",

@@ -4,6 +4,37 @@ use super::{Line, TYPED, fixed, sure, told};
 use crate::syntax::foreign_syntax::place::CODE;
 
 pub(super) const LINES: &[Line] = &[
+    told(
+        CODE,
+        "^let/var $n : $t:word $:end",
+        "",
+        "a variable has a value from the beginning: `var $n = 0`",
+    ),
+    told(CODE, "^let/var $n $:end", "", "a variable has a value from the beginning: `var $n = 0`"),
+    told(
+        CODE,
+        "^let/var $a = $b = $l:line",
+        "",
+        "a statement sets one variable: `var $a = 0` and `var $b = 0`",
+    ),
+    told(
+        CODE,
+        "^let/var $a , $b = $l:line",
+        "",
+        "a statement sets one variable: `let $a = 0` and `let $b = 0`",
+    ),
+    sure(
+        CODE,
+        "^$w=let/var $a = $x:some , $b = $y:line",
+        "$w $a = $x $w $b = $y",
+        "a statement sets one variable",
+    ),
+    told(
+        CODE,
+        "^let/var $n = $s=vertices/edges/faces/halfedges/holes where $c:line",
+        "",
+        "a sequence is no value: `count(c for x in $s)` counts, `for x in $s where c { … }` visits",
+    ),
     sure(CODE, "^let mut $n", "var $n", "what changes is a `var`"),
     sure(CODE, "^$n : ~=", "let $n =", "a variable begins with `let`, or with `var` if it changes"),
     sure(
