@@ -6,13 +6,14 @@
 //! A new loop is a `face` or a `hole`. Two fans, or two paths, that touch in `before` have no
 //! border that anybody could find.
 
-use super::problem::Problem;
+use super::problem::{Problem, Remedy, enumerate};
+use super::remedies::by_ends;
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, LoopKind, NameId, Ref, Side, Spoke, View};
+use crate::diagram::{Drawing, Edge, Kind, LoopKind, NameId, Ref, Side, Spoke, Star, View};
 
 /// Tests the law.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
-    let mut law = Law { drawing, problems: Vec::new() };
+    let mut law = Law { drawing, problems: Vec::new(), misled: Vec::new() };
     law.halfedges_are_placed();
     law.edges_join_their_ends(&drawing.rule.before, &drawing.before, "before");
     law.edges_join_their_ends(&drawing.rule.after, &drawing.after, "after");
@@ -69,6 +70,8 @@ pub(super) fn neighbours_are_twins(drawing: &Drawing) -> Vec<Problem> {
 struct Law<'a> {
     drawing: &'a Drawing<'a>,
     problems: Vec<Problem>,
+    /// Vertices of `before` whose statements list what does not start there.
+    misled: Vec<NameId>,
 }
 
 impl Law<'_> {
@@ -79,14 +82,20 @@ impl Law<'_> {
     fn halfedges_are_placed(&mut self) {
         let drawing = self.drawing;
         let rule = drawing.rule;
+        let mut told = Vec::new();
         for name in rule.names_of(Kind::Halfedge) {
             let Some(span) = drawing.before.mention(name) else {
                 continue;
             };
             let placed = |half| drawing.before.loop_of_item(half).is_some();
+            // Of two twins the first is told for both.
+            if drawing.before.twin(name).is_some_and(|twin| told.contains(&twin)) {
+                continue;
+            }
             if placed(name) || drawing.before.twin(name).is_some_and(placed) {
                 continue;
             }
+            told.push(name);
             let text = rule.quoted(name);
             let message =
                 format!("{text} stands in no loop of `before`, and is no twin of one that does");
@@ -101,6 +110,7 @@ impl Law<'_> {
     fn edges_join_their_ends(&mut self, side: &Side, view: &View, word: &str) {
         let drawing = self.drawing;
         let rule = drawing.rule;
+        let mut wrong = Vec::new();
         for edge in &side.edges {
             let [left, right] = edge.halfedges;
             for (ends, starts) in [(left, right), (right, left)] {
@@ -127,10 +137,36 @@ impl Law<'_> {
                     .label(start.span, format!("{} starts here", rule.quoted(starts.name)));
                 let back = [left, right].map(|half| runs_back(drawing, view, half.name));
                 diagnostic.notes.extend(back.into_iter().flatten().next());
-                self.tell(diagnostic);
+                wrong.push((edge, diagnostic));
                 break;
             }
         }
+        self.tell_of_edges(wrong);
+    }
+
+    /// Tells of all edges whose halfedges are no twins at once: what is swapped in one is in
+    /// another.
+    fn tell_of_edges(&mut self, wrong: Vec<(&Edge, Diagnostic)>) {
+        if self.drawing.rule.cycle.is_some() {
+            wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
+            return;
+        }
+        let mut edges = wrong.iter().map(|(edge, _)| *edge);
+        let halves: Vec<_> = edges.clone().flat_map(|edge| edge.halfedges).collect();
+        let halves: Vec<_> = halves.iter().map(|half| half.name).collect();
+        let pairs = by_ends(self.drawing, &halves);
+        let anew = pairs
+            .filter(|pairs| pairs.len() == wrong.len())
+            .map(|pairs| edges.by_ref().map(|edge| edge.edge.name).zip(pairs).collect::<Vec<_>>());
+        let remedies: Vec<_> = anew.map(Remedy::PairAnew).into_iter().collect();
+        let mut wrong = wrong.into_iter();
+        let Some((_, mut diagnostic)) = wrong.next() else {
+            return;
+        };
+        for (edge, _) in wrong {
+            diagnostic = diagnostic.label(edge.span, "nor can these");
+        }
+        self.problems.push(Problem { diagnostic, remedies });
     }
 
     fn spokes_start_at_their_vertex(&mut self) {
@@ -141,6 +177,7 @@ impl Law<'_> {
         {
             let mut listed: Vec<Option<Ref>> = vec![None; rule.names.len()];
             for star in &side.stars {
+                let mut wrong = Vec::new();
                 for spoke in &star.spokes {
                     let (Spoke::Halfedge(spoke) | Spoke::Fan(spoke)) = *spoke else {
                         continue;
@@ -169,14 +206,36 @@ impl Law<'_> {
                         "{text} is listed as a spoke of {vertex}, but starts at {}",
                         rule.quoted(says.name)
                     );
-                    self.tell(
-                        Diagnostic::error("ends-disagree", message, spoke.span)
-                            .saying(format!("listed at {vertex} here"))
-                            .label(says.span, format!("starts at {} here", rule.quoted(says.name))),
-                    );
+                    let diagnostic = Diagnostic::error("ends-disagree", message, spoke.span)
+                        .saying(format!("listed at {vertex} here"))
+                        .label(says.span, format!("starts at {} here", rule.quoted(says.name)));
+                    wrong.push((spoke, diagnostic));
                 }
+                if word == "before" && !wrong.is_empty() {
+                    self.misled.push(star.vertex.name);
+                }
+                self.tell_of_spokes(star, wrong);
             }
         }
+    }
+
+    /// Tells of all that is listed at a vertex and does not start there.
+    fn tell_of_spokes(&mut self, star: &Star, wrong: Vec<(Ref, Diagnostic)>) {
+        let rule = self.drawing.rule;
+        let names: Vec<_> = wrong.iter().map(|(spoke, _)| spoke.name).collect();
+        if names.len() < 2 || rule.cycle.is_some() {
+            wrong.into_iter().for_each(|(_, diagnostic)| self.tell(diagnostic));
+            return;
+        }
+        let (list, vertex) = (enumerate(rule, &names), rule.quoted(star.vertex.name));
+        let message = format!("{list} are listed as spokes of {vertex}, but start elsewhere");
+        let mut diagnostic = Diagnostic::error("ends-disagree", message, star.span)
+            .saying(format!("listed at {vertex} here"))
+            .note("the spokes of a vertex are the halfedges that start there, counterclockwise");
+        for (_, other) in wrong {
+            diagnostic.labels.extend(other.labels.into_iter().skip(1));
+        }
+        self.tell(diagnostic);
     }
 
     fn no_named_halfedge_hides_in_a_fan(&mut self) {
@@ -185,7 +244,8 @@ impl Law<'_> {
         for star in &rule.before.stars {
             for name in rule.names_of(Kind::Halfedge) {
                 let here = drawing.origin_before(name) == Some(star.vertex.name);
-                if !here || drawing.before.star_of_spoke(name).is_some() {
+                let is_told = self.misled.contains(&star.vertex.name);
+                if !here || is_told || drawing.before.star_of_spoke(name).is_some() {
                     continue;
                 }
                 let text = rule.quoted(name);

@@ -38,11 +38,17 @@ pub(super) fn add_fixes(
             | Remedy::KeepAndTake { .. }
             | Remedy::Insert { .. }
             | Remedy::Pair { .. }
+            | Remedy::PairAnew(_)
             | Remedy::PairAll(_)
             | Remedy::Draw { .. } => left.iter().all(|one| known(one) || lacks_attribute(one)),
             // Names that nothing knows are new for sure if nothing is missing but what a new
             // element is given.
-            Remedy::Create(_) | Remedy::CreateAndPair { .. } => left.iter().all(lacks_attribute),
+            Remedy::Create(names) => {
+                // A vertex alone that has no position either may be meant for another one.
+                let alone = names.iter().all(|&name| rule.kind(name) == Kind::Vertex);
+                left.iter().all(|one| lacks_attribute(one) && !(alone && lacks_position(one)))
+            }
+            Remedy::CreateAndPair { .. } => left.iter().all(lacks_attribute),
         };
         let fix = good.then(|| remedy.fix(rule)).flatten()?;
         Some((fix, left.is_empty()))
@@ -75,6 +81,11 @@ pub(super) fn add_fixes(
 /// True if a new element is not given an attribute that it needs.
 fn lacks_attribute(problem: &Problem) -> bool {
     problem.diagnostic.code == "missing-attribute"
+}
+
+/// True if a new vertex is given no position.
+fn lacks_position(problem: &Problem) -> bool {
+    lacks_attribute(problem) && problem.diagnostic.message.ends_with("has no position")
 }
 
 /// The one of several diagnostics that is the cause of all, with what was said of the mesh.
@@ -165,6 +176,13 @@ impl Remedy {
                 drawn.span = span;
                 mended.after.loops.push(drawn);
             }
+            Remedy::PairAnew(edges) => {
+                for (edge, halfedges) in edges {
+                    let mut statements = mended.after.edges.iter_mut();
+                    let statement = statements.find(|statement| statement.edge.name == *edge)?;
+                    statement.halfedges = halfedges.map(|half| Ref::plain(half, span));
+                }
+            }
             Remedy::Pair { edge, halfedges } => {
                 let mention = |name| Ref::plain(name, span);
                 let halfedges = halfedges.map(mention);
@@ -228,6 +246,7 @@ impl Remedy {
                 let text = format!("{drawn} ");
                 return Some(Fix { title, edits: vec![Edit { span: behind.span.before(), text }] });
             }
+            Remedy::PairAnew(edges) => return pair_anew(rule, edges),
             Remedy::PairAll(pairs) => return pair_all(rule, &[], pairs),
             Remedy::CreateAndPair { created, pairs } => return pair_all(rule, created, pairs),
             Remedy::Draw { face, items } => {
@@ -255,6 +274,19 @@ impl Remedy {
         let text = format!("\n    {statement}");
         Some(Fix { title: format!("insert `{statement}`"), edits: vec![Edit { span: edit, text }] })
     }
+}
+
+/// Edge statements with other halfedges.
+fn pair_anew(rule: &Rule, edges: &[(NameId, [NameId; 2])]) -> Option<Fix> {
+    let mut edits = Vec::new();
+    for (edge, halfedges) in edges {
+        let statement = rule.after.edges.iter().find(|one| one.edge.name == *edge)?;
+        let [left, right] = halfedges.map(|half| &rule.name(half).text);
+        let text = format!("edge {}: {left} | {right}", rule.name(*edge).text);
+        edits.push(Edit { span: statement.span, text });
+    }
+    let written: Vec<_> = edits.iter().map(|edit| format!("`{}`", edit.text)).collect();
+    Some(Fix { title: format!("write {}", written.join(" and ")), edits })
 }
 
 /// An item of a loop as it is written.

@@ -19,6 +19,9 @@ use crate::source::Span;
 
 /// Tests the laws.
 pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
+    if let Some(empty) = draws_nothing(drawing) {
+        return vec![empty.into()];
+    }
     let unknown = Unknown::find(drawing);
     let mut problems: Vec<Problem> = Vec::new();
     problems.extend(unknown.problems);
@@ -28,7 +31,40 @@ pub(super) fn test(drawing: &Drawing) -> Vec<Problem> {
     law.edges();
     law.other_names();
     law.new_halfedges();
-    law.problems
+    one_for_another(law.problems)
+}
+
+/// What nothing introduces often stands in the place of what is forgotten: where there is just one
+/// of each, they are told together.
+fn one_for_another(problems: Vec<Problem>) -> Vec<Problem> {
+    let is_one = |problem: &Problem, code| problem.diagnostic.code == code;
+    match problems.as_slice() {
+        [unknown, missing]
+            if is_one(unknown, "unknown-name") && is_one(missing, "missing-reassignment") =>
+        {
+            let mut told = unknown.clone();
+            let message = missing.diagnostic.message.clone();
+            told.diagnostic = told.diagnostic.label(missing.diagnostic.span(), "forgotten");
+            told.diagnostic.notes.insert(0, message);
+            vec![told]
+        }
+        _ => problems,
+    }
+}
+
+/// The message about an `after` that says nothing of what `before` draws.
+fn draws_nothing(drawing: &Drawing) -> Option<Diagnostic> {
+    let (rule, after) = (drawing.rule, &drawing.rule.after);
+    let is_empty = after.loops.is_empty() && after.edges.is_empty() && after.stars.is_empty();
+    let drawn = rule.before.loops.first()?;
+    let is_silent = is_empty && rule.created.is_empty() && rule.erased.is_empty();
+    (is_silent && after.kept.is_empty()).then(|| {
+        let message = "`after` says nothing of what `before` draws";
+        Diagnostic::error("unaccounted-name", message, after_keyword(drawing))
+            .saying("nothing is drawn here")
+            .label(drawn.span, "what is drawn here is drawn again there, or erased")
+            .note("`after` is all that is there then: what stays as it is is listed, `keep f0 e`")
+    })
 }
 
 /// The keyword `after`, to point at a place where something is missing.
@@ -54,6 +90,10 @@ impl Law<'_> {
             else {
                 continue;
             };
+            // That a run is not erased at all is told below.
+            if matches!(self.drawing.rule.kind(name), Kind::Path | Kind::Fan) {
+                continue;
+            }
             let text = self.drawing.rule.quoted(name);
             let message = format!("{text} is erased, and drawn in `after` as well");
             let problem = Diagnostic::error("erased-and-drawn", message, drawn)
@@ -108,12 +148,29 @@ impl Law<'_> {
                 self.loop_is_missing(&orbits);
                 self.would_stand_there(&orbits);
             }
+            // The two sides of an edge that is erased are forgotten together.
+            _ if drawing.rule.cycle.is_none()
+                && orbits.len() > 1
+                && self.are_of_erased_edges(&orbits) =>
+            {
+                self.loop_is_missing(&orbits);
+            }
             _ => {
                 for orbit in &orbits {
                     self.loop_is_missing(std::slice::from_ref(orbit));
                 }
             }
         }
+    }
+
+    /// True if all these halfedges belong to edges that are erased.
+    fn are_of_erased_edges(&self, orbits: &[(&Loop, Vec<Ref>)]) -> bool {
+        let drawing = self.drawing;
+        let mut missing = orbits.iter().flat_map(|(_, missing)| missing);
+        missing.all(|half| {
+            let edge = drawing.before.pairing(half.name);
+            edge.is_some_and(|edge| drawing.erased(edge.edge.name).is_some())
+        })
     }
 
     /// Takes what the loop that is missing would draw, besides its items before, as explained.

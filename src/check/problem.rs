@@ -33,6 +33,8 @@ pub(super) enum Remedy {
     Insert { face: NameId, at: usize, from: NameId, item: NameId },
     /// `edge e: x | y`
     Pair { edge: NameId, halfedges: [NameId; 2] },
+    /// These edges of `after`, each with these halfedges instead of its own.
+    PairAnew(Vec<(NameId, [NameId; 2])>),
     /// An edge with a new name for each of these pairs, listed in `new`.
     PairAll(Vec<[NameId; 2]>),
     /// The loop of a face that is missing: each item behind the vertex where it starts.

@@ -3,7 +3,7 @@
 use super::problem::{Problem, Remedy, enumerate};
 use super::remedies::{by_ends, unpaired};
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, NameId};
+use crate::diagram::{Drawing, Kind, NameId, Spoke};
 use crate::source::Span;
 
 /// Names of `after` that neither `before` nor `new` knows.
@@ -53,8 +53,10 @@ impl Unknown {
     fn meaning(&self, drawing: &Drawing, name: NameId) -> Option<NameId> {
         let rule = drawing.rule;
         let word = &rule.name(name).text;
+        let alike = |other: NameId| rule.name(other).text.eq_ignore_ascii_case(word);
         let missing = |other: NameId| {
-            drawing.after.mention(other).is_none() && drawing.erased(other).is_none()
+            alike(other)
+                || drawing.after.mention(other).is_none() && drawing.erased(other).is_none()
         };
         rule.names_of(rule.kind(name))
             .filter(|&other| {
@@ -106,6 +108,9 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
     let elements = elements.filter(|&name| order.contains(&rule.kind(name)));
     let elements: Vec<_> = elements.collect();
     let mut remedies = Vec::new();
+    if rule.kind(first.0) == Kind::Fan {
+        diagnostic = of_before(drawing, diagnostic, &rule.name(first.0).text);
+    }
     if !elements.is_empty() {
         let words: Vec<_> = elements.iter().map(|&name| &*rule.name(name).text).collect();
         let what = match names.len() {
@@ -125,4 +130,21 @@ fn not_listed(drawing: &Drawing, mut names: Vec<(NameId, Span)>) -> Option<Probl
         remedies.push(Remedy::Create(elements));
     }
     Some(Problem { diagnostic, remedies })
+}
+
+/// Says where `before` draws a fan that only `after` names.
+fn of_before(drawing: &Drawing, diagnostic: Diagnostic, word: &str) -> Diagnostic {
+    let stars = drawing.rule.before.stars.iter();
+    let unnamed = stars.flat_map(|star| &star.spokes).filter_map(|spoke| match spoke {
+        Spoke::Rest(span) => Some(*span),
+        Spoke::Halfedge(_) | Spoke::Fan(_) => None,
+    });
+    match unnamed.collect::<Vec<_>>().as_slice() {
+        &[only] => diagnostic
+            .label(only, "a fan without a name")
+            .fix(format!("name it: `*{word}`"), only, format!("*{word}")),
+        _ => diagnostic.note(format!(
+            "a fan is the spokes of a vertex that have no name, drawn in `before`: `vertex v: a *{word} b`"
+        )),
+    }
 }
