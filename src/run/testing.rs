@@ -114,7 +114,10 @@ impl Lowering<'_> {
         let test = self.value(condition);
         let to = self.asm.label();
         self.asm.emit(Inst::JumpIf { condition: test, to });
-        if let Some([left, right]) = sides(condition) {
+        if let Some(mut sides) = sides(condition) {
+            // `a > b` is computed as `b < a`.
+            sides.sort_by_key(|side| side.span.start);
+            let [left, right] = sides;
             self.show("the left side is ", left);
             self.show(", the right side ", right);
         }
