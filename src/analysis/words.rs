@@ -123,6 +123,25 @@ pub const MEANINGS: &[(&str, &str)] = &[
         "patch",
         "of a face: as `ears`, such that the triangles bend the least, with each other and with the faces around",
     ),
+    (
+        "level",
+        "what a mesh is besides a map, whose orbits are in order: a `surface`, or `simple`; `guard simple` refuses what would lose it",
+    ),
+    (
+        "manifold",
+        "a mesh where every edge has two sides and every vertex one ring of spokes, as all meshes here; with more asked of it, a `surface`",
+    ),
+    (
+        "orbit",
+        "a cycle of `next` (a face or a hole), a pair of twins (an edge), or a ring of spokes (a vertex)",
+    ),
+    ("spoke", "a halfedge that starts at the vertex"),
+    ("path", "a run of zero or more halfedges of a loop: `v2 =P=> v0`"),
+    ("fan", "a run of zero or more spokes of a vertex: `*S`, or `*` without a name"),
+    (
+        "family",
+        "a name with a subscript: one element for each corner of a face or each spoke of a vertex, `v[i]`",
+    ),
     ("map", "every orbit is in order: what is always proved"),
     ("surface", "a level: no face or hole with two sides, no vertex where the surface is pinched"),
     ("simple", "a level: edges and faces are told apart by their vertices"),

@@ -136,7 +136,7 @@ pub(super) struct RunArguments {
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole)]
     pub seed: u64,
     /// Also tell how each `drain` keeps its keys current
     #[arg(short, long)]
@@ -422,7 +422,7 @@ pub(super) struct TestArguments {
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole)]
     pub seed: u64,
     /// Most memory that the meshes and lists of a test may take, as 4G;
     /// if not given, three quarters of what there is
@@ -478,4 +478,9 @@ pub(super) struct LearnArguments {
     /// Write the lesson's program to the file, to begin with
     #[arg(long, requires = "file")]
     pub start: bool,
+}
+
+/// A seed as it is written.
+fn whole(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a whole number from 0 to {} is wanted", u64::MAX))
 }

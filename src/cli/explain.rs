@@ -1,5 +1,6 @@
 //! `hedgerow explain`
 
+use super::advice::of_library;
 use super::arguments::ExplainArguments;
 use super::failure::Failure;
 use super::output::{say, table};
@@ -18,7 +19,22 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Result<(), Failure> {
         list_functions();
         return Ok(());
     }
+    // `half-edge`, `Halfedge` and `vertices` are written `halfedge` and `vertex`.
+    let plain = asked.to_lowercase().replace(['-', '_'], "");
+    let singular = match plain.strip_suffix("ices") {
+        Some(stem) => format!("{stem}ex"),
+        None => plain.trim_end_matches('s').to_owned(),
+    };
+    let known = |word: &str| explanation(word).is_some() || self::word(word).is_some();
+    let others = [plain.as_str(), singular.as_str()];
+    let other = others.into_iter().find(|other| !known(asked) && known(other));
+    let asked = other.unwrap_or(asked);
     let text = explanation(asked).map(str::to_owned).or_else(|| word(asked).map(described));
+    let text = text.or_else(|| {
+        let (file, _) = of_library(asked)?;
+        let name = file.name;
+        Some(format!("declared in `{name}`, which `hedgerow std {}` prints", file.short_name()))
+    });
     let text = text.ok_or_else(|| {
         Failure::usage(format!(
             "there is no diagnostic and no word `{asked}`; `hedgerow explain` lists the \

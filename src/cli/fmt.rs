@@ -6,6 +6,7 @@ use std::path::Path;
 use super::arguments::FmtArguments;
 use super::failure::Failure;
 use super::output::{complain, complain_of};
+use super::program::expect_program;
 use crate::analysis::{program_text, read_program};
 use crate::format::{Formatted, format};
 use crate::mesh::{FileReason, replace_file};
@@ -58,6 +59,7 @@ fn from_standard_input(check: bool) -> Result<bool, Failure> {
 }
 
 fn in_place(path: &Path, check: bool) -> Result<bool, Failure> {
+    expect_program(path)?;
     let shown = path.display().to_string();
     let text = read_program(path)
         .map_err(|why| Failure::usage(format!("cannot read `{shown}`: {why}")))?;

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
+use super::advice::of_library;
 use super::arguments::StdArguments;
 use super::failure::Failure;
 use super::output::{say, table};
@@ -33,7 +34,11 @@ pub(super) fn std(arguments: &StdArguments) -> Result<(), Failure> {
 
 fn find(name: &str) -> Result<LibraryFile, Failure> {
     let target = library::target(name).filter(|_| name.ends_with(".target"));
-    library::file(name).or(target).ok_or_else(|| {
+    let of_file = library::file(name).or_else(|| library::file(&format!("std/{name}")));
+    of_file.or(target).ok_or_else(|| {
+        if let Some((file, _)) = of_library(name) {
+            return Failure::usage(format!("`{name}` is declared in `{}`", file.name));
+        }
         let names: Vec<_> = library::files()
             .chain(library::targets())
             .map(|file| format!("`{}`", file.name))
@@ -82,6 +87,10 @@ fn sentence(docs: &[String]) -> String {
 /// Copies files to a folder; a single one also to a file.
 fn copy(files: &[LibraryFile], to: &Path, single: bool) -> Result<(), Failure> {
     let is_file = single && to.extension().is_some_and(|end| end == "hedge");
+    if !is_file && to.is_file() {
+        let shown = to.display();
+        return Err(Failure::usage(format!("`{shown}` is a file; a folder is wanted")));
+    }
     for file in files {
         let short = file.name.rsplit('/').next().unwrap_or(file.name);
         let place = if is_file { to.to_owned() } else { to.join(short) };

@@ -1,11 +1,15 @@
 //! Meshes from files, and the files they go to.
 
-use std::path::Path;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use strsim::damerau_levenshtein;
 
 use super::arguments::{EncodingArguments, RepairArguments};
 use super::failure::Failure;
 use super::files;
 use super::output::{complain, is_standard, pour};
+use super::program::is_mesh;
 use crate::mesh::{
     Dump, FileError, FileFormat, FileReason, Mesh, MeshFile, Places, Repair, WrittenNumbers,
     expect_writable, read_dump, read_mesh, write_mesh, write_mesh_to,
@@ -25,7 +29,7 @@ pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile,
             let gap = if error.to_string().contains('\n') { "\n  " } else { "; " };
             Failure::usage(format!("{error}{gap}{help}"))
         }
-        false => Failure::usage(error),
+        false => unreadable(path, error),
     })?;
     let shown = path.display();
     if file.mesh.vertex_count() == 0 {
@@ -44,6 +48,44 @@ pub(super) fn read(path: &Path, arguments: &RepairArguments) -> Result<MeshFile,
         complain(&format!("{shown}: repaired: {}", steps.join(", ")));
     }
     Ok(file)
+}
+
+/// A file that could not be had, with what may have been meant.
+fn unreadable(path: &Path, error: FileError) -> Failure {
+    let shown = path.display();
+    let ends_as_program = path.extension().is_some_and(|end| end == "hedge");
+    match &error.reason {
+        FileReason::UnknownEnding(_) if ends_as_program => {
+            Failure::usage(format!("`{shown}` is a program; a mesh is wanted here"))
+        }
+        FileReason::Io(_) if path.is_dir() => {
+            Failure::usage(format!("`{shown}` is a folder; a mesh is wanted here"))
+        }
+        FileReason::Io(reason) if reason.kind() == ErrorKind::NotFound => {
+            let advice = match near(path) {
+                Some(near) => format!("; did you mean `{}`?", near.display()),
+                None => String::new(),
+            };
+            Failure::usage(format!("cannot read `{shown}`: there is no such file{advice}"))
+        }
+        _ => Failure::usage(error),
+    }
+}
+
+/// The mesh beside a path whose name is spelt nearly so, or that only has an ending more.
+fn near(path: &Path) -> Option<PathBuf> {
+    let wanted = path.file_name()?.to_str()?;
+    let folder = path.parent()?;
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let entries = std::fs::read_dir(here).ok()?.flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let meshes = names.filter(|name| is_mesh(Path::new(name)));
+    let distance = |name: &str| {
+        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+        damerau_levenshtein(wanted, name).min(damerau_levenshtein(wanted, stem))
+    };
+    let near = meshes.map(|name| (distance(&name), name)).min()?;
+    (near.0 <= wanted.chars().count() / 3).then(|| folder.join(near.1))
 }
 
 impl RepairArguments {

@@ -5,6 +5,7 @@
 //! codes: 0 all is well; 1 something is not proved or not formatted, or a script failed; 2 bad
 //! usage or a file that cannot be read or written; 3 the operation was refused; 130 interrupted.
 
+mod advice;
 mod aliases;
 mod apply;
 mod arguments;
@@ -49,11 +50,14 @@ pub fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(mut error) => {
             let words = std::env::args_os().skip(1);
-            let words = words.map(|word| word.to_string_lossy().into_owned());
+            let words: Vec<_> = words.map(|word| word.to_string_lossy().into_owned()).collect();
             if error.kind() == ErrorKind::DisplayHelp
-                && let Some(script) = script::asked(words)
+                && let Some(script) = script::asked(words.iter().cloned())
             {
                 return ended(script::help(&script));
+            }
+            if let Some(advice) = advice::advice(&error, &words) {
+                return ended(Err(Failure::usage(advice)));
             }
             suggest_set(&mut error);
             // Help and version are no failures; a closed pipe is nobody's.

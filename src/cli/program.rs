@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::output::{complain, complain_of};
 use crate::analysis::{Analysis, Disk, meant, read_program};
 use crate::library;
-use crate::mesh::Level;
+use crate::mesh::{FileFormat, Level};
 use crate::rewrite::Plan;
 use crate::source::{Sources, Span};
 
@@ -31,11 +31,7 @@ pub(super) fn read(path: &Path) -> Result<Program, Failure> {
         false => path,
     };
     let shown = path.display().to_string();
-    if is_mesh(path) {
-        return Err(Failure::usage(format!(
-            "`{shown}` is a mesh; a program is wanted here, as in `hedgerow run FILE.hedge MESH.obj`"
-        )));
-    }
+    expect_program(path)?;
     let of_library = library::file(&shown).filter(|_| !path.exists());
     let text = match of_library {
         Some(file) => Ok(file.text.to_owned()),
@@ -88,9 +84,34 @@ pub(super) fn blame<'n>(
 }
 
 /// True if a file is a mesh, by its name: where program and mesh have changed places.
-fn is_mesh(path: &Path) -> bool {
-    let end = path.extension().map(|end| end.to_ascii_lowercase());
-    end.is_some_and(|end| end == "obj" || end == "halfedges")
+pub(super) fn is_mesh(path: &Path) -> bool {
+    path.extension().is_some() && FileFormat::of(path).is_ok()
+}
+
+/// Expects that a path may lead to a program: to no mesh, no folder, and no item of a file.
+pub(super) fn expect_program(path: &Path) -> Result<(), Failure> {
+    let shown = path.display().to_string();
+    if is_mesh(path) {
+        return Err(Failure::usage(format!(
+            "`{shown}` is a mesh; a program is wanted here, as in `hedgerow run FILE.hedge MESH.obj`"
+        )));
+    }
+    if path.is_dir() {
+        let folder = shown.trim_end_matches('/');
+        return Err(Failure::usage(format!(
+            "`{shown}` is a folder; programs are named one by one, or all of it as `{folder}/*.hedge`"
+        )));
+    }
+    if let (file, Some(name)) = part(&shown)
+        && !path.exists()
+        && (file.exists() || library::file(&file.display().to_string()).is_some())
+    {
+        let file = file.display();
+        return Err(Failure::usage(format!(
+            "a whole file is wanted here: `{file}`, without `{name}`"
+        )));
+    }
+    Ok(())
 }
 
 /// Reads a program that is wanted whole: says what is wrong, and stops there.
@@ -137,7 +158,18 @@ pub(super) fn find_script(program: &Program, name: Option<&str>) -> Result<usize
         let message = format!("`{name}` is an operation: `hedgerow apply` does it at a place");
         return Err(Failure::usage(message));
     }
-    find("script", &visible(analysis, scripts), (name, found))
+    let scripts = visible(analysis, scripts);
+    if scripts.iter().all(|script| !script.own)
+        && let Some(op) = analysis.program.ops.iter().find(|op| op.span.file == analysis.file)
+        && name.is_none()
+    {
+        let (file, op) = (program.sources.get(analysis.file).name(), &op.name);
+        return Err(Failure::usage(format!(
+            "the file has no script, but operations: `hedgerow apply {file}::{op} MESH --at PLACE \
+             -o OUT` does one at a place"
+        )));
+    }
+    find("script", &scripts, (name, found))
 }
 
 /// An item that a name may mean.

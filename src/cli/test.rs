@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::interrupt;
 use super::memory;
 use super::meshes;
-use super::output::{complain_of, say, say_json};
+use super::output::{complain, complain_of, say, say_json};
 use super::program::{self, Program};
 use crate::analysis::expect_regular;
 use crate::diagnostic::Diagnostic;
@@ -51,6 +51,11 @@ pub(super) fn test(arguments: &TestArguments) -> Result<(), Failure> {
                 told.push_str(&format!(", {broken} not run"));
             }
             say(&told);
+            if let Some(filter) =
+                arguments.filter.as_ref().filter(|_| passed + failed + broken == 0)
+            {
+                complain(&format!("warning: no test has `{filter}` in its name"));
+            }
         }
     }
     match unreadable {

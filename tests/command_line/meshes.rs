@@ -56,7 +56,7 @@ fn no_mesh() {
     refuses("long line", "v ".repeat(1_000_000), "m.obj");
     let nothing = Bench::new();
     nothing.fails(2, &["info", "nothing.obj"], "nothing.obj");
-    nothing.fails(2, &["info", "."], ".: ");
+    nothing.fails(2, &["info", "."], "`.` is a folder; a mesh is wanted here");
 }
 
 #[test]

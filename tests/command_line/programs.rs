@@ -23,7 +23,7 @@ fn a_mesh_is_no_program() {
     for arguments in [&["run", "square.obj", "s.hedge"][..], &["check", "square.obj"]] {
         bench.fails(2, arguments, "`square.obj` is a mesh; a program is wanted here");
     }
-    bench.fails(2, &["run", "s.hedge", "s.hedge"], "no mesh is read from or written to `.hedge`");
+    bench.fails(2, &["run", "s.hedge", "s.hedge"], "`s.hedge` is a program; a mesh is wanted here");
 }
 
 #[test]

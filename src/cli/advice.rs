@@ -1,0 +1,136 @@
+//! Advice on arguments that make no command: what was probably meant, in a line.
+//!
+//! Asked only where the arguments could not be read. What is said here is said in place of what
+//! the parser of arguments says; of what nothing is known here it speaks itself.
+
+use std::path::Path;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use super::program::{self, is_mesh};
+use crate::library::{self, LibraryFile};
+use crate::source::FileId;
+use crate::syntax::parse;
+use crate::syntax::tree::Item;
+
+/// What was probably meant by arguments with an error in them.
+pub(super) fn advice(error: &clap::Error, words: &[String]) -> Option<String> {
+    let invalid = |kind| match error.get(kind) {
+        Some(ContextValue::String(word)) => Some(word.as_str()),
+        _ => None,
+    };
+    match error.kind() {
+        ErrorKind::InvalidSubcommand => no_command(invalid(ContextKind::InvalidSubcommand)?),
+        ErrorKind::UnknownArgument => too_much(invalid(ContextKind::InvalidArg)?, words),
+        ErrorKind::MissingRequiredArgument => too_little(words),
+        _ => None,
+    }
+}
+
+/// Words of the command line that are no options.
+fn places(words: &[String]) -> Vec<&str> {
+    words.iter().map(String::as_str).filter(|word| !word.starts_with('-')).collect()
+}
+
+/// A word that is no command: a file, or something of the library.
+fn no_command(word: &str) -> Option<String> {
+    let path = Path::new(word);
+    if is_mesh(path) {
+        return Some(format!(
+            "`{word}` is a mesh, and no command: `hedgerow info {word}` describes it, `hedgerow run \
+             FILE.hedge {word}` runs a script on it"
+        ));
+    }
+    if path.extension().is_some_and(|end| end == "hedge") || word.contains("::") {
+        return Some(format!(
+            "`{word}` is a program, and no command: `hedgerow check {word}` proves it, `hedgerow \
+             run {word} MESH` runs a script of it"
+        ));
+    }
+    let (file, item) = of_library(word)?;
+    let name = file.name.trim_end_matches(".hedge");
+    Some(match item {
+        Item::Op(_) => format!(
+            "`{word}` is an operation of the library, and no command: `hedgerow apply {name}::{word} \
+             MESH --at PLACE -o OUT` does it at a place"
+        ),
+        _ => format!(
+            "`{word}` is a script of the library, and no command: `hedgerow run {name}::{word} MESH \
+             -o OUT` runs it"
+        ),
+    })
+}
+
+/// The operation or script of the library that has a name, and its file.
+pub(super) fn of_library(name: &str) -> Option<(LibraryFile, Item)> {
+    library::files().find_map(|file| {
+        let items = parse(FileId(0), file.text).tree.items;
+        let item = items.into_iter().find(|item| match item {
+            Item::Op(op) => op.name.text == name,
+            Item::Script(script) => script.name.text == name,
+            _ => false,
+        });
+        Some((file, item?))
+    })
+}
+
+/// A word for which there is no place.
+fn too_much(word: &str, words: &[String]) -> Option<String> {
+    let command = words.first()?.as_str();
+    let at = words.iter().position(|known| known == word || known.starts_with(&format!("{word}=")));
+    let before = |back: usize| words.get(at?.checked_sub(back)?).map(String::as_str);
+    if word == "--json" {
+        return Some("an answer in JSON is asked for by `--format json`".to_owned());
+    }
+    if !matches!(command, "run" | "apply") {
+        return None;
+    }
+    if let (Some("--set"), Some(name)) = (before(2), before(1)) {
+        return Some(format!("a value stands behind its name and `=`: `--set {name}={word}`"));
+    }
+    if let (Some("--at"), Some(kind)) = (before(2), before(1)) {
+        return Some(format!("a place is one word: `--at {kind}:{word}`"));
+    }
+    if let Some(name) = word.strip_prefix("--") {
+        return parameter(name, words);
+    }
+    let places = places(words);
+    let [_, file, name, ..] = places.as_slice() else {
+        return None;
+    };
+    if !is_mesh(Path::new(name)) && !name.contains(['.', '/', '=']) && is_mesh(Path::new(word)) {
+        let more = if command == "apply" { " --at PLACE -o OUT" } else { "" };
+        let message = format!(
+            "what is done stands behind its file: `hedgerow {command} {file}::{name} {word}{more}`"
+        );
+        return Some(message);
+    }
+    is_mesh(Path::new(word)).then(|| format!("where the result goes says `-o {word}`"))
+}
+
+/// A parameter of the script or operation that is written like an option.
+fn parameter(name: &str, words: &[String]) -> Option<String> {
+    let asked = places(words);
+    let program = program::read(program::part(asked.get(1)?).0).ok()?.analysis.program;
+    let name = name.split('=').next()?.replace('-', "_");
+    let scripts = program.scripts.iter().flat_map(|script| &script.params);
+    let of_scripts = scripts.map(|param| &param.name);
+    let of_ops = program.ops.iter().flat_map(|op| &op.params).map(|param| &param.name);
+    of_scripts.chain(of_ops).any(|known| *known == name).then(|| {
+        format!("`{name}` is a parameter of the program: its value is given by `--set {name}=…`")
+    })
+}
+
+/// Something is missing: perhaps since program and mesh are one.
+fn too_little(words: &[String]) -> Option<String> {
+    let places = places(words);
+    let [command @ ("run" | "apply"), only] = places.as_slice() else {
+        return None;
+    };
+    is_mesh(Path::new(only)).then(|| {
+        format!(
+            "`{only}` is a mesh, and the program stands before it: `hedgerow {command} FILE.hedge \
+             {only}`, for example `hedgerow run std/remesh {only}`"
+        )
+    })
+}
