@@ -12,8 +12,6 @@ mod collect;
 mod guard;
 mod walk;
 
-mod around;
-mod around_vertex;
 mod assign;
 mod reassign;
 mod write_target;

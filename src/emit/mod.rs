@@ -14,7 +14,6 @@ mod selection;
 
 // An operation as a routine.
 mod action;
-mod around;
 mod build;
 mod callee;
 mod expression;
