@@ -6,9 +6,11 @@
 //! provably does not change.
 
 mod operation;
+mod output;
 
 mod bind;
 mod collect;
+mod collected;
 mod guard;
 mod walk;
 

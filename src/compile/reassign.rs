@@ -1,10 +1,9 @@
 //! Phase 3, reassign: every pointer of every named element, as code and as rows of the table.
 
-use super::collect::Collected;
+use super::collected::{Collected, Run};
 use super::expression::halfedge_field;
-use super::operation::Output;
+use super::output::Output;
 use super::registers::{Home, Registers};
-use super::run::Run;
 use super::write_target::Onto;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Write};

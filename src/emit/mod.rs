@@ -16,6 +16,7 @@ mod selection;
 mod action;
 mod build;
 mod callee;
+mod conventions;
 mod expression;
 mod guard;
 mod hoist;

@@ -3,7 +3,7 @@
 //! Paths that change their loop and fans that change their vertex are walked first, while
 //! `next` and `twin` are still what they were.
 
-use super::build::Conventions;
+use super::conventions::Conventions;
 use super::names::Names;
 use super::routine::Statement;
 use super::term::{IndexLoop, Term};
