@@ -10,21 +10,9 @@
 
 use glam::DVec3;
 
-use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
-
-/// The dead slots of one kind.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Slots {
-    pub(super) free: Vec<u32>,
-    pub(super) pending: Vec<u32>,
-}
-
-impl Slots {
-    pub(super) fn unused(&self) -> usize {
-        self.free.len() + self.pending.len()
-    }
-}
+use super::records::{FaceRecord, HalfedgeRecord};
 
 impl Mesh {
     /// A new vertex: isolated, at the origin of space, columns at their defaults.

@@ -5,13 +5,10 @@
 //! mesh is and however many steps lie before. Each note that is put back becomes the note of what
 //! was there instead, so the same notes lead both ways.
 //!
-//! A history has as many steps as fit into a limit of memory, from some step on.
+//! A history has the last steps, as many as fit into a limit of memory.
 
-use std::collections::HashSet;
-
-use super::attribute::ColumnId;
 use super::connectivity::Mesh;
-use super::journal::Note;
+use super::notes::{Note, Recorder};
 
 /// States of a mesh, each a step from the next, and the one that is shown.
 #[derive(Clone, Debug, Default)]
@@ -20,35 +17,17 @@ pub struct History {
     notes: Vec<Note>,
     /// Where the notes of each step end.
     ends: Vec<usize>,
-    /// The number of steps that were taken before, and of those that can be gone.
+    /// The number of steps that were taken before.
     first: u64,
-    count: usize,
     /// The number of steps that have been taken where the mesh is shown.
     at: usize,
 }
 
-/// What records a history.
-#[derive(Clone, Debug)]
-pub(super) struct Recorder {
-    ends: Vec<usize>,
-    /// The number of steps so far, and of those that are not recorded.
-    steps: u64,
-    first: u64,
-    /// The most bytes of the notes.
-    most: usize,
-    /// The history, if there is no room for more.
-    full: Option<History>,
-    /// What this step has written.
-    seen: HashSet<(u8, u32, Option<ColumnId>)>,
-}
-
 impl Mesh {
-    /// Records a history from now on: of the steps behind the first ones, those that fit into so
-    /// many bytes. Nothing else is different.
-    pub fn record_history(&mut self, first: u64, most: usize) {
-        let (ends, seen) = (Vec::new(), HashSet::new());
-        let recorder = Recorder { ends, steps: 0, first, most, full: None, seen };
-        self.journal.recorder = Some(Box::new(recorder));
+    /// Records a history from now on: of the last steps as many as fit into so many bytes. Nothing
+    /// else is different.
+    pub fn record_history(&mut self, most: usize) {
+        self.journal.recorder = Some(Box::new(Recorder { most, ..Recorder::default() }));
     }
 
     /// A step ends, if a history is recorded.
@@ -61,27 +40,9 @@ impl Mesh {
 
     #[cold]
     fn record_step(&mut self) {
-        let Some(mut recorder) = self.journal.recorder.take() else { return };
-        recorder.steps += 1;
-        if recorder.full.is_some() || recorder.steps <= recorder.first {
-            self.journal.notes.clear();
-        } else {
-            self.leave_first_notes(&mut recorder);
-            recorder.ends.push(self.journal.notes.len());
-            if self.journal.bytes() > recorder.most {
-                let mut full = self.history_of(&mut recorder);
-                // More may be written behind the last step, which nobody notes.
-                full.count -= 1;
-                recorder.full = Some(full);
-            }
-        }
-        self.journal.recorder = Some(recorder);
-    }
-
-    /// Leaves of the notes of the last step the first one about each record: the others are about
-    /// what stood there in between.
-    fn leave_first_notes(&mut self, recorder: &mut Recorder) {
         let notes = &mut self.journal.notes;
+        let Some(recorder) = &mut self.journal.recorder else { return };
+        // The first note about a record tells what it was; the others what stood there in between.
         let start = recorder.ends.last().copied().unwrap_or(0);
         let mut end = start;
         recorder.seen.clear();
@@ -95,52 +56,47 @@ impl Mesh {
             }
         }
         notes.truncate(end);
-    }
-
-    fn history_of(&mut self, recorder: &mut Recorder) -> History {
-        let notes = std::mem::take(&mut self.journal.notes);
-        let ends = std::mem::take(&mut recorder.ends);
-        let mut mesh = self.clone();
-        mesh.keep_all();
-        let count = ends.len();
-        History { mesh, notes, at: count, ends, first: recorder.first, count }
+        recorder.ends.push(end);
+        while notes.len() * size_of::<Note>() > recorder.most {
+            let gone = recorder.ends.len().div_ceil(2);
+            let cut = recorder.ends[gone - 1];
+            notes.drain(..cut);
+            recorder.ends.drain(..gone);
+            recorder.ends.iter_mut().for_each(|end| *end -= cut);
+            recorder.first += gone as u64;
+        }
     }
 
     /// Ends the recording. What was written behind the last step belongs to that. `None` if no
     /// history was recorded.
     pub fn take_history(&mut self) -> Option<History> {
-        let mut recorder = self.journal.recorder.take()?;
-        let history = match recorder.full.take() {
-            Some(full) => full,
-            None => {
-                if let Some(last) = recorder.ends.last_mut() {
-                    *last = self.journal.notes.len();
-                }
-                self.history_of(&mut recorder)
-            }
-        };
-        if !self.journal.is_open() {
-            self.journal.notes.clear();
+        let recorder = self.journal.recorder.take()?;
+        let Recorder { mut ends, first, .. } = *recorder;
+        let mut notes = std::mem::take(&mut self.journal.notes);
+        match ends.last_mut() {
+            Some(last) => *last = notes.len(),
+            None => notes.clear(),
         }
-        Some(history)
+        let mut mesh = self.clone();
+        mesh.keep_all();
+        Some(History { mesh, notes, at: ends.len(), ends, first })
     }
 }
 
 impl History {
     /// The numbers of the first and the last state: so many steps have been taken there.
     pub fn span(&self) -> [u64; 2] {
-        [self.first, self.first + self.count as u64]
+        [self.first, self.first + self.ends.len() as u64]
     }
 
     /// The mesh after so many steps; `None` if that is not among the states.
     pub fn go(&mut self, step: u64) -> Option<&Mesh> {
         let to = usize::try_from(step.checked_sub(self.first)?).ok()?;
-        if to > self.count {
+        if to > self.ends.len() {
             return None;
         }
         let start = |at: usize| if at == 0 { 0 } else { self.ends[at - 1] };
-        let here = start(self.at);
-        let there = start(to);
+        let (here, there) = (start(self.at), start(to));
         match there < here {
             true => {
                 let notes = self.notes[there..here].iter_mut().rev();
@@ -153,10 +109,5 @@ impl History {
         }
         self.at = to;
         Some(&self.mesh)
-    }
-
-    /// The memory that it takes, in bytes.
-    pub fn bytes(&self) -> usize {
-        self.mesh.bytes() + self.notes.capacity() * size_of::<Note>()
     }
 }

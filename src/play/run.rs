@@ -28,10 +28,9 @@ pub(super) struct Ran {
     pub history: History,
 }
 
-/// The applications of a run that are wanted: up to so many, with a history from some on.
+/// The applications of a run that are wanted: up to so many, with a history of the last of them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
-    pub from: u64,
     pub to: u64,
     /// The most bytes of the history.
     pub most: usize,
@@ -46,8 +45,7 @@ pub(super) fn run(
     host: &mut dyn Host,
 ) -> Ran {
     let mut looker = Looker { host, printed: Vec::new(), applied: 0, most: wanted.to };
-    let recorded = (wanted.from, wanted.most);
-    let (outcome, history) = session.run_recorded(script, arguments, recorded, &mut looker);
+    let (outcome, history) = session.run_recorded(script, arguments, wanted.most, &mut looker);
     let Looker { printed, applied, .. } = looker;
     match outcome {
         Ok(report) => Ran { report: Some(report), printed, applied, error: None, history },
@@ -77,7 +75,7 @@ impl Workbench {
         // Numbers by chance are the same in each run.
         self.set(before.clone());
         self.past.keep(before);
-        let wanted = Wanted { from: 0, to: u64::MAX, most: self.most_history };
+        let wanted = Wanted { to: u64::MAX, most: self.most_history };
         let ran = run(&mut self.session, &script, arguments.clone(), wanted, host);
         let answer = told(&ran);
         let Ran { applied: total, history, .. } = ran;
@@ -104,13 +102,9 @@ impl Workbench {
         let [start, end] = last.history.span();
         let half = ((end - start) / 2).max(1);
         let until = |to| if to < last.total { to } else { u64::MAX };
-        let around = Wanted {
-            from: to.saturating_sub(half),
-            to: until(to.saturating_add(half)),
-            most: self.most_history,
-        };
+        let around = Wanted { to: until(to.saturating_add(half)), most: self.most_history };
         // A step that does not fit is shown alone.
-        let alone = Wanted { from: to, to: until(to), most: 0 };
+        let alone = Wanted { to: until(to), most: 0 };
         for wanted in [None, Some(around), Some(alone)] {
             if let Some(wanted) = wanted {
                 let before = self.past.last().ok_or("the mesh before the run is not kept")?;

@@ -246,17 +246,17 @@ impl Session {
         self.go(prepared, watch)
     }
 
-    /// The same with a history: of the operations that it applies behind the first ones, those that
-    /// fit into so many bytes.
+    /// The same with a history of the last operations that it applies, as many as fit into so many
+    /// bytes.
     #[cfg(feature = "play")]
     pub(crate) fn run_recorded(
         &mut self,
         script: &Script,
         arguments: impl Arguments,
-        (first, most): (u64, usize),
+        most: usize,
         watch: &mut dyn Watch,
     ) -> (Result<Report, Error>, crate::mesh::History) {
-        self.mesh.record_history(first, most);
+        self.mesh.record_history(most);
         let outcome = self.run_watched(script, arguments, watch);
         (outcome, self.mesh.take_history().unwrap_or_default())
     }
