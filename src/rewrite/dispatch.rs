@@ -265,7 +265,11 @@ impl Machine {
 
                 // Loads.
                 Load { field, to, halfedge } => {
-                    w.set_id(to, or_trap!(access::load(mesh, field, w.id(halfedge))))
+                    let id = w.id(halfedge);
+                    match access::pointer_of(mesh, field, id) {
+                        Some(pointer) => w.set_id(to, pointer),
+                        None => break gone(ElementKind::Halfedge, id).into(),
+                    }
                 }
                 LoadHalfedge { of, to, element } => {
                     w.set_id(to, or_trap!(access::load_halfedge(mesh, of, w.id(element))));

@@ -382,8 +382,11 @@ impl Machine {
         // What a step does may yet be undone.
         if caller.op.is_none() && caller.steps.is_none() {
             self.count(op, outcome);
-            if applied && watch.applied(op).is_break() {
-                return Err(Trap::new(Message::Interrupted));
+            if applied {
+                mesh.end_step();
+                if watch.applied(op).is_break() {
+                    return Err(Trap::new(Message::Interrupted));
+                }
             }
         }
         Ok(())
