@@ -86,8 +86,8 @@ pub(super) enum Variant {
 }
 
 /// How often a code runs on the machine, or how many turns its loops take there, before it is
-/// compiled, which takes as long as some thousand do.
-const RUNS: u32 = 2000;
+/// compiled, which takes as long as some thousand do. Tests are to come there soon.
+const RUNS: u32 = if cfg!(debug_assertions) { 40 } else { 2000 };
 
 /// How deep native code may be nested: beyond, the machine runs what is called, which takes no
 /// more of the stack for functions that call each other.
