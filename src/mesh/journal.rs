@@ -255,6 +255,30 @@ impl Mesh {
 /// The notes that writers make before they write. Each is to be called while a journal is open
 /// only.
 impl Mesh {
+    /// The record of an element is about to be written by somebody else than the mesh. To be called
+    /// at any time.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(crate) fn note_element(&mut self, kind: ElementKind, id: u32) {
+        if self.journal.is_open() {
+            match kind {
+                ElementKind::Vertex => self.note_vertex(VertexId(id)),
+                ElementKind::Halfedge => self.note_halfedge(HalfedgeId(id)),
+                ElementKind::Edge => self.note_edge(EdgeId(id)),
+                ElementKind::Face => self.note_face(FaceId(id)),
+            }
+        }
+    }
+
+    /// The same for a position.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(crate) fn note_place(&mut self, v: VertexId) {
+        if self.journal.is_open() {
+            self.note_position(v);
+        }
+    }
+
     #[cold]
     pub(super) fn note_vertex(&mut self, v: VertexId) {
         let record = self.vertices[v.index()];
