@@ -1,8 +1,8 @@
 //! Draws what lies outside: the twins that a rule would leave dangling.
 
-use super::action::append;
-use super::fixes::{Proposal, kind_of, written};
+use super::edits::append;
 use super::names::SymbolId;
+use super::proposal::{Proposal, kind_of, written};
 use super::snapshot::Snapshot;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::Kind;

@@ -3,11 +3,13 @@
 
 use std::ops::Range;
 
-use super::action::{Action, Purpose, append, statement_span};
+use super::action::{Action, Purpose};
 use super::dangling_twins::draw_twins;
+use super::edits::{append, indentation, statement_span};
 use super::element::{Fate, element_of};
 use super::missing_conditions::lacking;
-use super::names::{SymbolId, SymbolKind};
+use super::names::SymbolId;
+use super::proposal::{Proposal, kind_of, written};
 use super::side::subject;
 use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Edit};
@@ -55,8 +57,6 @@ pub(super) fn mending(snapshot: &Snapshot, part: &Range<usize>) -> Vec<Action> {
     }
     actions
 }
-
-pub(super) type Proposal = (String, Vec<Edit>);
 
 fn proposals(snapshot: &Snapshot, told: &Diagnostic, part: &Range<usize>) -> Vec<Proposal> {
     if told.code == "property-not-kept" {
@@ -113,31 +113,6 @@ fn close(snapshot: &Snapshot, told: &Diagnostic) -> Vec<Proposal> {
         go_on("-h->"),
         (format!("end at `{first}`"), edit(end.span, first.to_owned())),
     ]
-}
-
-/// A name as it is listed: that of a family with its index.
-pub(super) fn written(snapshot: &Snapshot, id: SymbolId) -> String {
-    let symbol = snapshot.names().symbol(id);
-    let behind = symbol.definition.and_then(|drawn| {
-        let text = snapshot.sources().get(drawn.file).text();
-        text.get(drawn.end as usize..)
-    });
-    let index = behind.and_then(|rest| rest.strip_prefix('['));
-    let letter = index.map(|rest| {
-        let end = rest.find(|letter: char| !letter.is_alphanumeric() && letter != '_');
-        &rest[..end.unwrap_or(0)]
-    });
-    match letter {
-        Some(letter) => format!("{}[{letter}]", symbol.name),
-        None => symbol.name.clone(),
-    }
-}
-
-pub(super) fn kind_of(snapshot: &Snapshot, id: SymbolId) -> Option<Kind> {
-    match snapshot.names().symbol(id).kind {
-        SymbolKind::Element(kind) => kind,
-        _ => None,
-    }
 }
 
 fn fate(snapshot: &Snapshot, id: SymbolId, rule: &Rule) -> Option<Fate> {
@@ -305,7 +280,7 @@ fn add_to_list(snapshot: &Snapshot, after: &Side, list: &str, names: &str) -> Ed
         // What is new stands first.
         Some(first) if list == "new" => {
             let place = statement_span(first);
-            let indentation = super::action::indentation(snapshot, place);
+            let indentation = indentation(snapshot, place);
             Edit { span: place.before(), text: format!("{statement}\n{indentation}") }
         }
         _ => append(snapshot, after, &[statement]),

@@ -5,8 +5,8 @@
 //! operator around it has an inverse, and the other operands are what they were. One that has
 //! none is said in a comment. Attributes of what is new again are for a person to set.
 
+use super::edits::slice;
 use super::hover::op_named;
-use super::refactor::slice;
 use super::side::subject;
 use super::snapshot::Snapshot;
 use crate::diagnostic::Edit;

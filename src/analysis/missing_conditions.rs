@@ -3,7 +3,7 @@
 //! Nothing is guessed: what is offered has been asked for in a copy of the op, and with it the
 //! checker does not object any more.
 
-use super::action::indentation;
+use super::edits::indentation;
 use super::snapshot::Snapshot;
 use crate::check::check;
 use crate::diagnostic::{Diagnostic, Edit};

@@ -4,6 +4,7 @@
 //! diagnostic met on the way. Whatever is in order is there, however broken the rest is.
 
 mod action;
+mod actions;
 mod aliases;
 mod argument;
 mod before;
@@ -12,6 +13,7 @@ mod completion;
 mod cursor_context;
 mod dangling_twins;
 mod disk;
+mod edits;
 pub mod element;
 mod examined;
 mod example;
@@ -32,6 +34,7 @@ mod op_context;
 mod outline;
 mod parse_cache;
 mod program;
+mod proposal;
 mod refactor;
 pub mod side;
 mod signature;
@@ -44,7 +47,8 @@ mod verdict;
 mod words;
 
 pub use crate::check::{Argument, Counterexample, Proved};
-pub use action::{Action, Purpose, actions};
+pub use action::{Action, Purpose};
+pub use actions::actions;
 pub use aliases::{NamesAsOne, RuleAliases, aliases};
 pub use argument::{RuleArgument, why_proved};
 pub use completion::{Choice, Completion, completions};

@@ -1,8 +1,9 @@
 //! Changes that write for you: what `after` lacks, the inverse of an op, an alternative as
 //! an op of its own, `keep` for what stays as it is.
 
-use super::action::{Action, Purpose, append, indentation, statement_span};
+use super::action::{Action, Purpose};
 use super::cursor_context::{op_near, rule_near};
+use super::edits::{append, indentation, slice, statement_span};
 use super::hover::op_named;
 use super::invert::inverse;
 use super::side::subject;
@@ -51,11 +52,6 @@ pub(super) fn rewriting(snapshot: &Snapshot, offset: usize) -> Vec<Action> {
 
 fn is_empty(side: Option<&Side>) -> bool {
     side.is_none_or(|side| side.statements.is_empty())
-}
-
-/// A statement as it is written.
-pub(super) fn slice<'s>(snapshot: &'s Snapshot, statement: &Statement) -> &'s str {
-    snapshot.sources().slice(statement_span(statement))
 }
 
 /// The statements of `before` that `after` says nothing of.

@@ -4,9 +4,9 @@
 //! It is found by the laws themselves: a rule that changes nothing breaks them only where its
 //! drawing cannot be.
 
-use super::families::Sizes;
+use super::broken::Broken;
 use super::problem::{Problem, enumerate};
-use super::proved::Broken;
+use super::sizes::Sizes;
 use super::{alias, ends_agree, next_is_permutation, twin_is_involution, vertices_are_orbits};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Op, Rule};

@@ -5,7 +5,6 @@
 //! guard, and what the expressions of the rule ask of the mesh. A function of the program may
 //! do anything that a function may, so a call of one counts as a walk.
 
-use super::facts::{moved_fans, moved_paths};
 use super::guard::Obligation;
 use super::matching::{Claim, Step};
 use crate::diagram::{
@@ -22,9 +21,9 @@ pub(super) fn grows_with(
     let cost = Cost { drawing };
     let mut grows: Vec<String> = matching.iter().filter_map(|step| cost.of_step(step)).collect();
     let first = |run: &NameId| rule.is_first(*run);
-    let paths = moved_paths(drawing).filter(first);
+    let paths = drawing.moved_paths().filter(first);
     grows.extend(paths.map(|path| format!("the length of {}", rule.quoted(path))));
-    let fans = moved_fans(drawing).filter(first);
+    let fans = drawing.moved_fans().filter(first);
     grows.extend(fans.map(|fan| format!("the size of {}", rule.quoted(fan))));
     let tests = guard.iter().filter(|obligation| obligation.is_test());
     grows.extend(tests.filter_map(|test| test.statement.grows_with(rule)));

@@ -1,11 +1,12 @@
 //! Facts that a proof establishes besides validity: the change of the counts, and the cost.
 
+use super::change::Change;
 use super::cost::grows_with;
-use super::families::Sizes;
 use super::guard::Obligation;
 use super::matching::Step;
 use super::properties::{SizeChange, degree_changes, evenly, kept, kept_by_families, size_changes};
-use crate::diagram::{Drawing, Kind, LoopKind, NameId, Property, Ref, Rule, Side};
+use super::sizes::Sizes;
+use crate::diagram::{Drawing, LoopKind, Property};
 
 /// The facts about a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,21 +32,6 @@ pub struct Facts {
     pub sizes: Vec<SizeChange>,
 }
 
-/// The change of the numbers of elements.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
-pub struct Change {
-    /// Vertices.
-    pub vertices: i64,
-    /// Edges.
-    pub edges: i64,
-    /// Faces that are no holes.
-    pub faces: i64,
-    /// Holes.
-    pub holes: i64,
-    /// Those of which the drawing does not say whether they are faces or holes.
-    pub loops: i64,
-}
-
 /// A loop that is not after what it was before: a face, or a hole.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Turned {
@@ -55,43 +41,6 @@ pub struct Turned {
     pub from: LoopKind,
     /// The kind after.
     pub to: LoopKind,
-}
-
-impl Change {
-    fn minus(self, other: Self) -> Self {
-        Self {
-            vertices: self.vertices - other.vertices,
-            edges: self.edges - other.edges,
-            faces: self.faces - other.faces,
-            holes: self.holes - other.holes,
-            loops: self.loops - other.loops,
-        }
-    }
-
-    /// The change of V - E + F, holes counted as faces.
-    pub fn euler(self) -> i64 {
-        self.vertices - self.edges + self.faces + self.holes + self.loops
-    }
-
-    pub(super) fn of(rule: &Rule) -> Self {
-        let count = |kind: Kind| {
-            let of = |names: &[Ref]| {
-                names.iter().filter(|mention| rule.kind(mention.name) == kind).count() as i64
-            };
-            of(&rule.created) - of(&rule.erased)
-        };
-        let loops = |kind: LoopKind| {
-            let of = |side: &Side| side.loops.iter().filter(|orbit| orbit.kind == kind).count();
-            of(&rule.after) as i64 - of(&rule.before) as i64
-        };
-        Self {
-            vertices: count(Kind::Vertex),
-            edges: count(Kind::Edge),
-            faces: loops(LoopKind::Face),
-            holes: loops(LoopKind::Hole),
-            loops: loops(LoopKind::Any),
-        }
-    }
 }
 
 impl Facts {
@@ -116,9 +65,7 @@ impl Facts {
             sizes: size_changes(drawing),
         }
     }
-}
 
-impl Facts {
     /// The same for a rule with families: what is kept on cycles of all sizes.
     pub(super) fn of_families(
         sizes: &Sizes,
@@ -154,16 +101,4 @@ fn turned(drawing: &Drawing) -> Vec<Turned> {
         (before.kind != orbit.kind).then_some(Turned { face, from: before.kind, to: orbit.kind })
     });
     turned.collect()
-}
-
-/// Paths whose loop changes, so that `face` is rewritten along them.
-pub fn moved_paths<'a>(drawing: &'a Drawing) -> impl Iterator<Item = NameId> + 'a {
-    let paths = drawing.rule.names_of(Kind::Path);
-    paths.filter(|&path| drawing.before.face(path) != drawing.after.face(path))
-}
-
-/// Fans whose vertex changes, so that `vertex` is rewritten along them.
-pub fn moved_fans<'a>(drawing: &'a Drawing) -> impl Iterator<Item = NameId> + 'a {
-    let fans = drawing.rule.names_of(Kind::Fan);
-    fans.filter(|&fan| drawing.before.star_of_spoke(fan) != drawing.after.star_of_spoke(fan))
 }

@@ -26,11 +26,11 @@
 use std::borrow::Cow;
 
 use super::arrangement::{Arc, Arrangement, Lies, agreeing, arrangements};
+use super::broken::Broken;
 use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::Problem;
-use super::proved::Broken;
 use super::vertices_are_orbits::{
     MOST_SHOWN, RingCase, Rings, gains, impossible, is_unstated, settled, too_many,
 };

@@ -4,13 +4,11 @@
 //! read off the drawing: that every face stays a triangle, given that all were, is a count of
 //! halfedges, in which the length of a path follows from the loop it comes from.
 
-use super::facts::{Change, Facts};
-use super::families::Sizes;
+use super::change::Change;
 use super::guard::Obligation;
 use super::keeps;
-use super::problem::{Problem, join};
-use crate::diagnostic::Diagnostic;
-use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Op, Property, Rule};
+use super::sizes::Sizes;
+use crate::diagram::{Drawing, Kind, Loop, LoopKind, NameId, Property, Rule};
 
 /// The change of a degree or a size: a constant, and the runs that come and go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -117,52 +115,6 @@ fn family_of(rule: &Rule, word: &str) -> Option<NameId> {
     Some(rule.first_member(member))
 }
 
-/// The properties that `keeps` declares and the rule does not keep.
-pub(super) fn broken_claims(op: &Op, drawing: &Drawing, facts: &Facts) -> Vec<Problem> {
-    let broken = op.keeps.iter().filter(|(property, _)| !facts.keeps.contains(property));
-    broken
-        .map(|&(property, span)| {
-            let word = property.word();
-            let rule = drawing.rule.label.as_ref();
-            let who =
-                rule.map_or_else(|| format!("`{}`", op.name), |rule| format!("the rule `{rule}`"));
-            let message = format!("{who} does not keep `{word}`");
-            let diagnostic = Diagnostic::error("property-not-kept", message, span);
-            let why = match property {
-                Property::Level(level) => {
-                    return keeps::not_kept(drawing, diagnostic, level).into();
-                }
-                Property::Triangles => wrong_size(drawing, 3),
-                Property::Quads => wrong_size(drawing, 4),
-                Property::Euler => Some(euler_changes(facts)),
-                Property::Boundary => {
-                    Some("a hole may lose or gain vertices, or come or go".into())
-                }
-                Property::ConstantTime => {
-                    Some(format!("its time grows with {}", join(facts.grows_with.iter().cloned())))
-                }
-            };
-            match why {
-                Some(why) => diagnostic.note(why).into(),
-                None => diagnostic.into(),
-            }
-        })
-        .collect()
-}
-
-/// By how much V - E + F changes, with holes among the faces, in words.
-fn euler_changes(facts: &Facts) -> String {
-    let constant = facts.change.euler();
-    let per_index = facts.per_index.map_or(0, Change::euler);
-    match (constant, per_index) {
-        (_, 0) => format!("V - E + F, with holes, changes by {constant:+}"),
-        (0, _) => format!("V - E + F, with holes, changes by {per_index:+} for each index"),
-        _ => format!(
-            "V - E + F, with holes, changes by {constant:+}, and by {per_index:+} for each index"
-        ),
-    }
-}
-
 /// The number of halfedges of a loop of `after`, if it follows from all faces before having
 /// `size` of them.
 fn size_after(drawing: &Drawing, orbit: &Loop, size: i64) -> Option<i64> {
@@ -205,7 +157,7 @@ fn matches_faces_of(drawing: &Drawing, size: i64) -> bool {
 }
 
 /// A face of `after` that may not have `size` halfedges, in words.
-fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
+pub(super) fn wrong_size(drawing: &Drawing, size: i64) -> Option<String> {
     if !matches_faces_of(drawing, size) {
         return Some(format!("the drawing does not match where all faces have {size} sides"));
     }
@@ -245,7 +197,7 @@ fn keeps_boundary(drawing: &Drawing) -> bool {
     });
     none_created
         && rule.before.loops.iter().filter(may_be_hole).all(same)
-        && super::facts::moved_fans(drawing).next().is_none()
+        && drawing.moved_fans().next().is_none()
 }
 
 /// The change of the degree of each vertex that lives on.
@@ -266,7 +218,7 @@ pub(super) fn degree_changes(drawing: &Drawing) -> Vec<SizeChange> {
             let halfedges = || rule.names_of(Kind::Halfedge);
             let constant = halfedges().filter(starts_after).count() as i64
                 - halfedges().filter(starts_before).count() as i64;
-            let moved: Vec<_> = super::facts::moved_fans(drawing).collect();
+            let moved: Vec<_> = drawing.moved_fans().collect();
             let named = |at: Option<NameId>| at == Some(vertex);
             let gains = moved.iter().filter(|&&fan| named(drawing.after.star_of_spoke(fan)));
             let loses = moved.iter().filter(|&&fan| named(drawing.before.star_of_spoke(fan)));

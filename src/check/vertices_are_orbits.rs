@@ -6,11 +6,11 @@
 //! none; and a vertex statement of `after` must be the cycle, in order.
 
 use super::arrangement::{agreeing, arrangements};
+use super::broken::Broken;
 use super::case::{Case, Step};
 use super::chain::{Chain, Corner, corners, vertex_after};
 use super::port::{Links, Port};
 use super::problem::{Problem, enumerate};
-use super::proved::Broken;
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Kind, NameId, Spoke, Star};
 

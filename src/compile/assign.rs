@@ -21,7 +21,7 @@ impl Reassign<'_, '_, '_, '_> {
                 cell: Cell::Set { target: format!("{}.{word}", self.word(target)), value: text },
                 executed: true,
             });
-            self.for_each(target, |this| {
+            self.indexed(rule.is_member(target), |this| {
                 let value = this.value(home, width(assignment.value.ty));
                 let element = this.element(target);
                 let store = match assignment.attribute {

@@ -1,9 +1,8 @@
 //! Phase 1, collect: bind, test, ask, evaluate. Nothing is written.
 
-use super::operation::Output;
+use super::collected::{Around, Collected};
+use super::output::Output;
 use super::registers::{Home, Registers};
-use super::run::Run;
-use super::walk::Around;
 use super::{Scope, copy, lower, reason, width};
 use crate::check::guard::Obligation;
 use crate::check::matching::{Claim, Step};
@@ -20,15 +19,6 @@ pub(super) struct Collect<'o, 's, 'd, 'r> {
     /// The label to jump to when a test fails: the next attempt, or the next alternative.
     pub fail: Label,
     pub rows: &'r mut Vec<Row>,
-}
-
-/// The results of phase 1 for the others.
-pub(super) struct Collected {
-    pub registers: Registers,
-    /// For each path and fan that moves, its halfedges.
-    pub runs: Vec<Option<Run>>,
-    /// The values of the assignments, in order.
-    pub values: Vec<Home>,
 }
 
 impl Collect<'_, '_, '_, '_> {

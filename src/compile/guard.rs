@@ -5,10 +5,10 @@
 //! it: whether another edge joins two vertices, where no edge leaves them. All of it belongs to
 //! phase 1.
 
-use super::collect::{Collect, Collected};
+use super::collect::Collect;
+use super::collected::{Collected, Run};
 use super::reassign::Reassign;
 use super::registers::Home;
-use super::run::Run;
 use super::write_target::{Looks, Onto};
 use crate::check::guard::{Obligation, Statement};
 use crate::diagram::{Kind, NameId};

@@ -6,14 +6,14 @@
 //! provably does not change.
 
 mod operation;
+mod output;
 
 mod bind;
 mod collect;
+mod collected;
 mod guard;
 mod walk;
 
-mod around;
-mod around_vertex;
 mod assign;
 mod reassign;
 mod write_target;

@@ -1,21 +1,20 @@
 //! An operation: its alternatives, tried in order.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::collect::Collect;
+use super::output::{Output, kind_of_element};
 use super::reassign::Reassign;
 use super::registers::{Home, Registers};
 use super::write_target::Onto;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, NameId, Op, Property, Rule};
-use crate::mesh::{ElementKind, Level};
+use crate::mesh::Level;
 use crate::rewrite::{
-    Assembler, Cell, Code, Function, Holder, Inst, Label, Matched, Phase, Plan, Refusal, Reg, Row,
-    Stage, TooLarge,
+    Cell, Code, Function, Holder, Inst, Label, Matched, Plan, Reg, Row, Stage, TooLarge,
 };
-use crate::source::{Sources, Span};
+use crate::source::Sources;
 
 /// Compiles a proved operation.
 ///
@@ -178,67 +177,5 @@ fn erase(output: &mut Output, drawing: &Drawing, registers: &mut Registers, rows
         }
         let word = &rule.name(name).text;
         rows.push(Row { cell: Cell::Note(format!("erase {word}")), executed: true });
-    }
-}
-
-/// The kind of element a name stands for; none for paths and fans.
-pub(super) fn kind_of_element(kind: Kind) -> Option<ElementKind> {
-    match kind {
-        Kind::Vertex => Some(ElementKind::Vertex),
-        Kind::Halfedge => Some(ElementKind::Halfedge),
-        Kind::Edge => Some(ElementKind::Edge),
-        Kind::Face => Some(ElementKind::Face),
-        Kind::Path | Kind::Fan => None,
-    }
-}
-
-/// The output that all alternatives of an operation are written into.
-pub(super) struct Output<'a> {
-    pub asm: Assembler,
-    pub sources: &'a Sources,
-    places: Vec<Span>,
-    refusals: Vec<Refusal>,
-    /// Their numbers: an operation of hundreds of names has tens of thousands.
-    numbers: HashMap<Refusal, u16>,
-}
-
-impl<'a> Output<'a> {
-    fn new(sources: &'a Sources, texts: &[String]) -> Self {
-        Self {
-            asm: Assembler::knowing(texts),
-            sources,
-            places: Vec::new(),
-            refusals: Vec::new(),
-            numbers: HashMap::new(),
-        }
-    }
-
-    /// The number of a place in the source.
-    pub fn place(&mut self, span: Span) -> u32 {
-        self.places.push(span);
-        self.places.len() as u32 - 1
-    }
-
-    /// The number of a refusal; the same for equal ones.
-    pub fn refusal(&mut self, reason: String, phase: Phase) -> u16 {
-        let refusal = Refusal { reason, phase };
-        let next = u16::try_from(self.refusals.len()).unwrap_or(u16::MAX);
-        let (refusals, numbers) = (&mut self.refusals, &mut self.numbers);
-        *numbers.entry(refusal).or_insert_with_key(|refusal| {
-            refusals.push(refusal.clone());
-            next
-        })
-    }
-
-    /// The words of a place in the source, on one line.
-    pub fn words(&self, span: Span) -> String {
-        self.sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ")
-    }
-}
-
-impl Row {
-    /// `target = value`
-    pub(super) fn set(target: String, value: String, executed: bool) -> Self {
-        Self { cell: Cell::Set { target, value }, executed }
     }
 }

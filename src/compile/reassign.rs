@@ -1,12 +1,12 @@
-//! Phase 3, reassign: every pointer of every named element.
+//! Phase 3, reassign: every pointer of every named element, as code and as rows of the table.
 
-use super::collect::Collected;
-use super::operation::Output;
-use super::registers::Registers;
-use super::run::Run;
+use super::collected::{Collected, Run};
+use super::expression::halfedge_field;
+use super::output::Output;
+use super::registers::{Home, Registers};
 use super::write_target::Onto;
 use crate::check::matching::Bound;
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId};
+use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Write};
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
@@ -24,21 +24,15 @@ impl Reassign<'_, '_, '_, '_> {
     /// The code of the whole phase. All that is stored has been loaded before the first
     /// store: the selects in between read registers only.
     pub fn emit(mut self) {
-        let rule = self.drawing.rule;
-        let first = |orbit: &&Loop| rule.is_first(orbit.face.name);
-        for orbit in rule.after.loops.iter().filter(first) {
-            match orbit.each {
-                true => self.orbit_around(orbit),
-                false => self.for_each(orbit.face.name, |this| this.orbit(orbit)),
-            }
+        // Of each loop of paths that may be empty, the first halfedges of those that are not.
+        let mut linked = Vec::new();
+        for reassignment in self.drawing.reassignments() {
+            self.indexed(reassignment.at_each_index, |this| {
+                for write in &reassignment.writes {
+                    this.write(write, &mut linked);
+                }
+            });
         }
-        let first = |edge: &&Edge| rule.is_first(edge.edge.name);
-        for edge in rule.after.edges.iter().filter(first) {
-            self.for_each(edge.edge.name, |this| this.edge(edge));
-        }
-        self.outer_origins();
-        self.fans();
-        self.vertices();
         self.assignments();
     }
 
@@ -50,89 +44,122 @@ impl Reassign<'_, '_, '_, '_> {
         self.registers.element(&mut self.output.asm, name)
     }
 
-    /// Does something about a name: of a family, for each index.
-    pub(super) fn for_each(&mut self, name: NameId, what: impl FnOnce(&mut Self)) {
-        let repeated = self.drawing.rule.is_member(name);
-        let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+    /// Does something, at each index if that is wanted.
+    pub(super) fn indexed(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self)) {
+        let indices = at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
         what(self);
         if let Some(indices) = indices {
             self.registers.end_turns(&mut self.output.asm, indices);
         }
     }
 
-    pub(super) fn is_path(&self, item: NameId) -> bool {
-        self.drawing.rule.kind(item) == Kind::Path
+    fn write(&mut self, write: &Write, linked: &mut Vec<(NameId, u16)>) {
+        match write {
+            Write::Halfedge { pointer, of, value, changes } => {
+                let target = format!("{}.{}", self.told(of), pointer.word());
+                let text = self.told(value);
+                let [halfedge, value] = [of, value].map(|one| self.operand(one, linked));
+                let store = Inst::Store { field: halfedge_field(*pointer), halfedge, value };
+                self.set(target, text, changes.then_some(store));
+            }
+            Write::AsItWas { pointer, of } => {
+                let target = format!("{}.{}", self.word(*of), pointer.word());
+                self.set(target, Cell::AS_IT_WAS.into(), None);
+            }
+            Write::Anchor { value: None, .. } => {}
+            Write::Anchor { pointer, of, value: Some(value), keeps } => {
+                let target = format!("{}.halfedge", self.word(*of));
+                let of_kind = match pointer {
+                    Pointer::VertexHalfedge => ElementField::Vertex,
+                    Pointer::EdgeHalfedge => ElementField::Edge,
+                    _ => ElementField::Face,
+                };
+                if *keeps {
+                    self.set(target, Cell::AS_IT_WAS.into(), None);
+                    return;
+                }
+                let text = self.told(value);
+                let (element, value) = (self.element(*of), self.operand(value, linked));
+                self.set(target, text, Some(Inst::StoreHalfedge { of: of_kind, element, value }));
+            }
+            Write::FaceAlong { path, face, .. } => {
+                let target = format!("face along {}", self.word(*path));
+                let store = self.store_run(HalfedgeField::Face, *path, *face);
+                self.set(target, self.word(*face).into(), store);
+            }
+            Write::VertexAround { fan, vertex, .. } => {
+                let target = format!("vertex around {}", self.word(*fan));
+                let store = self.store_run(HalfedgeField::Vertex, *fan, *vertex);
+                self.set(target, self.word(*vertex).into(), store);
+            }
+            Write::Hole { face, is_hole, changes } => {
+                // The preview knows nothing of what is new.
+                let is_set = *changes || self.onto != Onto::Mesh;
+                let store = Inst::StoreHole { face: self.element(*face), hole: *is_hole };
+                let target = format!("{}.hole", self.word(*face));
+                self.set(target, is_hole.to_string(), is_set.then_some(store));
+            }
+            Write::LinkPaths { face, period } => {
+                let heads = self.link_paths(period);
+                linked.push((*face, heads));
+            }
+        }
     }
 
-    pub(super) fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
+    fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
         self.rows.push(Row::set(target, value, inst.is_some()));
         if let Some(inst) = inst.and_then(|inst| self.onto.aim(inst)) {
             self.output.asm.emit(inst);
         }
     }
 
-    /// The `halfedge` of a vertex, an edge or a face. One that is kept is as it was: that need
-    /// not be the halfedge that would be set.
-    pub(super) fn anchor(&mut self, element: NameId, value: String, store: Inst, keeps: bool) {
-        let target = format!("{}.halfedge", self.word(element));
-        match keeps {
-            true => self.set(target, Cell::AS_IT_WAS.into(), None),
-            false => self.set(target, value, Some(store)),
+    /// The words for an operand.
+    fn told(&self, operand: &Operand) -> String {
+        let end = |end: &str, item: &NameId| match self.drawing.rule.kind(*item) {
+            Kind::Path => format!("{end}({})", self.word(*item)),
+            _ => self.word(*item).to_owned(),
+        };
+        let joined = |items: &[NameId], word| {
+            items.iter().map(|item| end(word, item)).collect::<Vec<_>>().join(" or ")
+        };
+        match operand {
+            Operand::Named(name) => self.word(*name).to_owned(),
+            Operand::First(items) => joined(items, "first"),
+            Operand::Last(items) => joined(items, "last"),
+            Operand::FirstLinked { path, .. } | Operand::FirstOfSome(path) => end("first", path),
         }
     }
 
-    /// A row `x.pointer = value`; executed unless nothing changes.
-    fn pointer(&mut self, field: HalfedgeField, halfedge: NameId, value: NameId, changed: bool) {
-        let pointer = match field {
-            HalfedgeField::Next => "next",
-            HalfedgeField::Prev => "prev",
-            HalfedgeField::Twin => "twin",
-            HalfedgeField::Vertex => "vertex",
-            HalfedgeField::Edge => "edge",
-            HalfedgeField::Face => "face",
-        };
-        let target = format!("{}.{pointer}", self.word(halfedge));
-        let text = self.word(value).to_string();
-        let (halfedge, value) = (self.element(halfedge), self.element(value));
-        self.set(target, text, changed.then_some(Inst::Store { field, halfedge, value }));
+    /// The register of an operand.
+    fn operand(&mut self, operand: &Operand, linked: &[(NameId, u16)]) -> Reg {
+        match operand {
+            Operand::Named(name) => self.element(*name),
+            Operand::First(items) => self.there(items, Bound::First),
+            Operand::Last(items) => self.there(items, Bound::Last),
+            Operand::FirstLinked { face, .. } => {
+                let list = linked.iter().find(|(of, _)| of == face);
+                let buffer = list.expect("its paths have been linked").1;
+                self.member(buffer, 0)
+            }
+            Operand::FirstOfSome(path) => self.first_of_some(*path),
+        }
     }
 
-    /// The register of the first halfedge from the item at `at` on: its own, or if it is
-    /// an empty path, that of what follows.
-    pub(super) fn head(&mut self, items: &[NameId], at: usize) -> Reg {
-        self.end_of(items, at, 1, Bound::First)
-    }
-
-    /// The register of the last halfedge up to the item at `at`.
-    pub(super) fn tail(&mut self, items: &[NameId], at: usize) -> Reg {
-        self.end_of(items, at, items.len() - 1, Bound::Last)
-    }
-
-    fn end_of(
-        &mut self,
-        items: &[NameId],
-        at: usize,
-        step: usize,
-        end: impl Fn(NameId) -> Bound,
-    ) -> Reg {
-        let count = items.len();
-        let places = (0..count).map(|turn| items[(at + turn * step) % count]);
+    /// The halfedge at an end of the first item that is not empty.
+    fn there(&mut self, items: &[NameId], end: impl Fn(NameId) -> Bound) -> Reg {
         let mut ends: Vec<(Reg, Option<Reg>)> = Vec::new();
-        for item in places {
-            let bound = match self.is_path(item) {
-                true => end(item),
-                false => Bound::Element(item),
+        for &item in items {
+            let bound = match self.drawing.rule.kind(item) {
+                Kind::Path => end(item),
+                _ => Bound::Element(item),
             };
             let asm = &mut self.output.asm;
             let empty = self.registers.is_empty(asm, item);
             ends.push((self.registers.bound(asm, bound), empty));
-            if empty.is_none() {
-                break;
-            }
         }
-        let (mut reg, _) = ends.pop().expect("a loop has items");
+        let (mut reg, _) = ends.pop().expect("an operand has items");
         while let Some((then, empty)) = ends.pop() {
-            let condition = empty.expect("only paths that may be empty lead on");
+            let condition = empty.expect("all but the last may be empty");
             let to = self.output.asm.reg();
             self.output.asm.emit(Inst::Select { to, condition, then: reg, otherwise: then });
             reg = to;
@@ -140,80 +167,72 @@ impl Reassign<'_, '_, '_, '_> {
         reg
     }
 
-    fn orbit(&mut self, orbit: &Loop) {
-        let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
-        let count = items.len();
-        let ends: Vec<_> =
-            (0..count).map(|at| (self.head(&items, at), self.tail(&items, at))).collect();
-        for at in 0..count {
-            self.item(orbit, at, ends[at].1, ends[(at + 1) % count].0);
+    /// Links the paths of a loop that are not empty; the buffer of their first halfedges.
+    fn link_paths(&mut self, period: &[NameId]) -> u16 {
+        let asm = &mut self.output.asm;
+        let [heads, tails] = [asm.buffer(), asm.buffer()];
+        for buffer in [heads, tails] {
+            asm.emit(Inst::BufferClear { buffer });
         }
-        self.face_halfedge(orbit, ends[0].0);
-        self.face_kind(orbit);
+        self.indexed(true, |this| {
+            for &path in period {
+                let asm = &mut this.output.asm;
+                let skip = asm.label();
+                if let Some(condition) = this.registers.is_empty(asm, path) {
+                    asm.emit(Inst::JumpIf { condition, to: skip });
+                }
+                for (buffer, bound) in [(heads, Bound::First(path)), (tails, Bound::Last(path))] {
+                    let from = this.registers.bound(asm, bound);
+                    asm.emit(Inst::BufferPush { buffer, from });
+                }
+                asm.bind(skip);
+            }
+        });
+        // From here on an index counts the paths that are there.
+        let cycle = self.registers.cycle.replace(heads);
+        self.indexed(true, |this| {
+            let [tail, head] =
+                [(tails, 0), (heads, 1)].map(|(buffer, shift)| this.member(buffer, shift));
+            for (at, &path) in period.iter().enumerate() {
+                let next = period[(at + 1) % period.len()];
+                let [last, first] = [("last", path), ("first", next)]
+                    .map(|(end, path)| format!("{end}({})", this.word(path)));
+                // The first two lines link all.
+                let store = |field, halfedge, value| {
+                    (at == 0).then_some(Inst::Store { field, halfedge, value })
+                };
+                let next = store(HalfedgeField::Next, tail, head);
+                let prev = store(HalfedgeField::Prev, head, tail);
+                this.set(format!("{last}.next"), first.clone(), next);
+                this.set(format!("{first}.prev"), last, prev);
+            }
+        });
+        self.registers.cycle = cycle;
+        heads
     }
 
-    /// The pointers of one item, given its end and the beginning of the next.
-    pub(super) fn item(&mut self, orbit: &Loop, at: usize, tail: Reg, head: Reg) {
-        let drawing = self.drawing;
-        let face = orbit.face.name;
-        let count = orbit.items.len();
-        let item = &orbit.items[at % count];
-        let (name, next) = (item.item.name, orbit.items[(at + 1) % count].item.name);
-        let same = drawing.before.item_after(name) == Some(next);
-        self.link(name, next, tail, head, !same);
-        self.lies_in(item, face);
+    fn member(&mut self, buffer: u16, shift: i16) -> Reg {
+        self.registers.read(&mut self.output.asm, Home::Member { buffer, shift })
     }
 
-    /// The origin and the face of one item.
-    pub(super) fn lies_in(&mut self, item: &LoopItem, face: NameId) {
-        let drawing = self.drawing;
-        let name = item.item.name;
-        if self.is_path(name) {
-            self.path_face(name, face);
-            return;
-        }
-        let origin = item.from.name;
-        self.pointer(
-            HalfedgeField::Vertex,
-            name,
-            origin,
-            drawing.before.loop_origin(name) != Some(origin),
-        );
-        self.pointer(HalfedgeField::Face, name, face, drawing.before.face(name) != Some(face));
-    }
-
-    /// `next` of what ends one item, `prev` of what begins the next.
-    pub(super) fn link(&mut self, item: NameId, next: NameId, tail: Reg, head: Reg, changed: bool) {
-        let last = if self.is_path(item) {
-            format!("last({})", self.word(item))
-        } else {
-            self.word(item).into()
-        };
-        let first = if self.is_path(next) {
-            format!("first({})", self.word(next))
-        } else {
-            self.word(next).into()
-        };
-        let (field, other) = (HalfedgeField::Next, HalfedgeField::Prev);
-        let store = changed.then_some(Inst::Store { field, halfedge: tail, value: head });
-        self.set(format!("{last}.next"), first.clone(), store);
-        let store = changed.then_some(Inst::Store { field: other, halfedge: head, value: tail });
-        self.set(format!("{first}.prev"), last, store);
-    }
-
-    fn path_face(&mut self, path: NameId, face: NameId) {
-        let target = format!("face along {}", self.word(path));
-        let store = self.store_run(HalfedgeField::Face, path, face);
-        self.set(target, self.word(face).into(), store);
+    /// The first halfedge of some path of a family that is not empty.
+    fn first_of_some(&mut self, path: NameId) -> Reg {
+        let to = self.output.asm.reg();
+        self.indexed(true, |this| {
+            let asm = &mut this.output.asm;
+            let from = this.registers.bound(asm, Bound::First(path));
+            let skip = asm.label();
+            if let Some(condition) = this.registers.is_empty(asm, path) {
+                asm.emit(Inst::JumpIf { condition, to: skip });
+            }
+            asm.emit(Inst::Copy { to, from });
+            asm.bind(skip);
+        });
+        to
     }
 
     /// Sets a pointer of every halfedge of a run, if it was collected.
-    pub(super) fn store_run(
-        &mut self,
-        field: HalfedgeField,
-        run: NameId,
-        value: NameId,
-    ) -> Option<Inst> {
+    fn store_run(&mut self, field: HalfedgeField, run: NameId, value: NameId) -> Option<Inst> {
         let rule = self.drawing.rule;
         let Run { buffer, ends } = self.collected.runs[rule.first_member(run).index()]?;
         let value = self.element(value);
@@ -226,76 +245,5 @@ impl Reassign<'_, '_, '_, '_> {
             },
             _ => Inst::StoreAll { field, buffer, value },
         })
-    }
-
-    /// A face keeps its halfedge as long as nothing has left its loop.
-    pub(super) fn face_halfedge(&mut self, orbit: &Loop, head: Reg) {
-        let drawing = self.drawing;
-        let face = orbit.face.name;
-        let keeps = drawing.before.loop_of_face(face).is_some_and(|before| {
-            before.items.iter().all(|item| drawing.after.face(item.item.name) == Some(face))
-        });
-        let first = orbit.items[0].item.name;
-        let value = if self.is_path(first) {
-            format!("first({})", self.word(first))
-        } else {
-            self.word(first).into()
-        };
-        let store = Inst::StoreHalfedge {
-            of: ElementField::Face,
-            element: self.element(face),
-            value: head,
-        };
-        self.anchor(face, value, store, keeps);
-    }
-
-    pub(super) fn face_kind(&mut self, orbit: &Loop) {
-        let face = orbit.face.name;
-        let before = self.drawing.before.loop_of_face(face).map(|before| before.kind);
-        if orbit.kind == LoopKind::Any || before == Some(orbit.kind) {
-            return;
-        }
-        let hole = orbit.kind == LoopKind::Hole;
-        let store = Inst::StoreHole { face: self.element(face), hole };
-        self.set(format!("{}.hole", self.word(face)), hole.to_string(), Some(store));
-    }
-
-    fn edge(&mut self, statement: &Edge) {
-        let drawing = self.drawing;
-        let edge = statement.edge.name;
-        let [left, right] = statement.halfedges.map(|half| half.name);
-        for (half, twin) in [(left, right), (right, left)] {
-            self.pointer(HalfedgeField::Twin, half, twin, drawing.before.twin(half) != Some(twin));
-            self.pointer(HalfedgeField::Edge, half, edge, drawing.before.edge(half) != Some(edge));
-        }
-        let keeps = drawing.before.edge_statement(edge).is_some_and(|before| {
-            before.halfedges.iter().all(|half| half.name == left || half.name == right)
-        });
-        let (element, value) = (self.element(edge), self.element(left));
-        let store = Inst::StoreHalfedge { of: ElementField::Edge, element, value };
-        self.anchor(edge, self.word(left).into(), store, keeps);
-    }
-
-    /// Outer halfedges start where their vertex statement, or their drawn twin, says.
-    fn outer_origins(&mut self) {
-        let drawing = self.drawing;
-        for half in drawing.rule.names_of(Kind::Halfedge) {
-            let here = drawing.rule.is_first(half) && drawing.after.mention(half).is_some();
-            if !drawing.is_outer(half) || !here {
-                continue;
-            }
-            let origin = drawing.origin_after(half).expect("a halfedge has an origin");
-            let changed = drawing.origin_before(half) != Some(origin);
-            self.for_each(half, |this| {
-                this.pointer(HalfedgeField::Vertex, half, origin, changed);
-                // A path may end with it, or hold it.
-                let paths = this.drawing.rule.names_of(Kind::Path).next().is_some();
-                let kept = ["next", "prev", "face"].into_iter().filter(|_| !paths);
-                for pointer in kept {
-                    let target = format!("{}.{pointer}", this.word(half));
-                    this.set(target, Cell::AS_IT_WAS.into(), None);
-                }
-            });
-        }
     }
 }

@@ -1,19 +1,10 @@
 //! The halfedges of paths and fans that move, collected while the mesh is as it was.
 
 use super::collect::Collect;
+use super::collected::Run;
 use crate::check::matching::{Bound, Source};
-use crate::check::{moved_fans, moved_paths};
 use crate::diagram::{NameId, Spoke};
 use crate::rewrite::{Cell, ElementField, Inst, Walk};
-
-/// The place of the halfedges of a path or fan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Run {
-    /// All of them; of a family those of every index, one after the other.
-    pub buffer: u16,
-    /// Of a family, where those of each index end.
-    pub ends: Option<u16>,
-}
 
 impl Collect<'_, '_, '_, '_> {
     /// Collects the halfedges of the paths and fans that move.
@@ -22,10 +13,10 @@ impl Collect<'_, '_, '_, '_> {
         let rule = drawing.rule;
         let mut runs = vec![None; rule.names.len()];
         let first = |run: &NameId| rule.is_first(*run);
-        for path in moved_paths(drawing).filter(first) {
+        for path in drawing.moved_paths().filter(first) {
             runs[path.index()] = Some(self.collect_path(path));
         }
-        for fan in moved_fans(drawing).filter(first) {
+        for fan in drawing.moved_fans().filter(first) {
             runs[fan.index()] = Some(self.collect_run(fan, Self::collect_fan));
             let text = &rule.name(fan).text;
             self.row(Cell::Note(format!("collect the spokes of {text}")));

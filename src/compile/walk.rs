@@ -1,19 +1,12 @@
 //! Families in phase 1: the walk that binds them, and what is claimed of all of them at once.
 
 use super::collect::Collect;
-use super::operation::kind_of_element;
+use super::collected::Around;
+use super::output::kind_of_element;
 use super::registers::Home;
 use crate::check::matching::Claim;
 use crate::diagram::{Kind, NameId};
 use crate::rewrite::{Cell, Inst, Phase, Reg, Walk};
-
-/// The kind of test for a claim about families.
-pub(super) enum Around {
-    /// A register says whether it holds.
-    Holds(Reg),
-    /// All slots of a buffer must differ.
-    Distinct(u16),
-}
 
 impl Collect<'_, '_, '_, '_> {
     /// Walks an orbit once around and deals its halfedges out to the families of a period.

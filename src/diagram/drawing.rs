@@ -97,6 +97,18 @@ impl<'a> Drawing<'a> {
         view.loop_target(item).or_else(|| self.origin_after(view.twin(item)?))
     }
 
+    /// Paths whose loop changes, so that `face` is rewritten along them.
+    pub fn moved_paths(&self) -> impl Iterator<Item = NameId> {
+        let paths = self.rule.names_of(Kind::Path);
+        paths.filter(|&path| self.before.face(path) != self.after.face(path))
+    }
+
+    /// Fans whose vertex changes, so that `vertex` is rewritten around it.
+    pub fn moved_fans(&self) -> impl Iterator<Item = NameId> {
+        let fans = self.rule.names_of(Kind::Fan);
+        fans.filter(|&fan| self.before.star_of_spoke(fan) != self.after.star_of_spoke(fan))
+    }
+
     /// True if a path may have no halfedge: its ends before are one vertex, and it is not the whole
     /// of its loop.
     pub fn may_be_empty(&self, path: NameId) -> bool {

@@ -202,6 +202,22 @@ pub enum Pointer {
     FaceHalfedge,
 }
 
+impl Pointer {
+    /// The word behind the dot.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Next => "next",
+            Self::Prev => "prev",
+            Self::Twin => "twin",
+            Self::Vertex => "vertex",
+            Self::Target => "target",
+            Self::Edge => "edge",
+            Self::Face => "face",
+            Self::VertexHalfedge | Self::EdgeHalfedge | Self::FaceHalfedge => "halfedge",
+        }
+    }
+}
+
 /// A stored attribute of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {

@@ -9,6 +9,7 @@ mod drawing;
 mod expression;
 mod member;
 mod op;
+mod reassign;
 mod spokes;
 mod unroll;
 mod visit;
@@ -23,6 +24,7 @@ pub use op::{
     Alias, Assignment, Cycle, Edge, Example, Kind, Loop, LoopItem, LoopKind, Name, NameId, Op,
     Param, Property, Ref, Require, Role, Rule, Side, Spoke, Star,
 };
+pub use reassign::{Operand, Reassignment, Write};
 pub use unroll::{Naming, Unrolled};
 
 pub use crate::mesh::Level;

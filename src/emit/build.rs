@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::NotEmitted;
 use super::action::Action;
+use super::conventions::Conventions;
 use super::expression::{Expressions, is_spelled, is_surely_finite, parameters};
 use super::guard;
 use super::matching::Matching;
@@ -14,24 +15,6 @@ use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
-
-/// The conventions of the mesh of a language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Conventions<'c> {
-    /// True if halfedges store `prev`; if not, who wants it walks.
-    pub prev: bool,
-    /// True if there are vertices at which no halfedge starts.
-    pub isolated_vertices: bool,
-    /// True if attributes lie in columns that have to be found first.
-    pub columns: bool,
-    /// True if the mesh knows what was done to it, and undoes it. Who changes it borrows it then,
-    /// so that nothing else in the same call can look at it.
-    pub undoes: bool,
-    /// True if pointers are set that do not change.
-    pub exhaustive: bool,
-    /// Words that the mesh class keeps to itself.
-    pub kept: &'c [String],
-}
 
 /// The routine of a proved operation, and the functions that it calls; of those, the attributes
 /// that they look at are told by number.

@@ -68,16 +68,10 @@ pub(super) trait Language {
 /// The name of a pointer where elements of all kinds have their pointers side by side.
 pub(super) fn field(pointer: Pointer) -> &'static str {
     match pointer {
-        Pointer::Next => "next",
-        Pointer::Prev => "prev",
-        Pointer::Twin => "twin",
-        Pointer::Vertex => "vertex",
-        Pointer::Target => "target",
-        Pointer::Edge => "edge",
-        Pointer::Face => "face",
         Pointer::VertexHalfedge => "vertex_halfedge",
         Pointer::EdgeHalfedge => "edge_halfedge",
         Pointer::FaceHalfedge => "face_halfedge",
+        pointer => pointer.word(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Phase 1, collect: names are bound by following pointers, and what is drawn is tested.
 
-use super::build::Conventions;
+use super::conventions::Conventions;
 use super::names::Names;
 use super::routine::Statement;
 use super::term::{Function, Term};

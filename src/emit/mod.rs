@@ -14,9 +14,9 @@ mod selection;
 
 // An operation as a routine.
 mod action;
-mod around;
 mod build;
 mod callee;
+mod conventions;
 mod expression;
 mod guard;
 mod hoist;

@@ -3,13 +3,12 @@
 //! Paths that change their loop and fans that change their vertex are walked first, while
 //! `next` and `twin` are still what they were.
 
-use super::build::Conventions;
+use super::conventions::Conventions;
 use super::names::Names;
 use super::routine::Statement;
-use super::term::Term;
+use super::term::{IndexLoop, Term};
 use super::walks::{fan_walk, path_walk};
-use crate::check::{moved_fans, moved_paths};
-use crate::diagram::{Drawing, Edge, Kind, Loop, LoopItem, LoopKind, NameId, Pointer};
+use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Type, Write};
 
 /// The statements of the phase, but for the attributes.
 pub(super) fn statements(
@@ -17,349 +16,223 @@ pub(super) fn statements(
     names: &mut Names,
     conventions: Conventions<'_>,
 ) -> Vec<Statement> {
-    let rule = drawing.rule;
-    let mut walks = Vec::new();
-    for path in moved_paths(drawing).filter(|&path| rule.is_first(path)) {
-        let walk = names.for_each(rule.is_member(path), |names| path_walk(drawing, names, path));
-        walks.extend(for_each(rule.is_member(path), names, walk.into_iter().collect()));
-    }
-    for fan in moved_fans(drawing).filter(|&fan| rule.is_first(fan)) {
-        let walk = names.for_each(rule.is_member(fan), |names| fan_walk(drawing, names, fan));
-        walks.extend(for_each(rule.is_member(fan), names, walk.into_iter().collect()));
-    }
+    let list = drawing.reassignments();
     let mut reassign = Reassign {
         drawing,
         names,
         conventions,
+        walks: Vec::new(),
+        links: Vec::new(),
+        linked: Vec::new(),
         sets: Vec::new(),
-        runs: Vec::new(),
-        first_runs: Vec::new(),
     };
-    reassign.all();
-    let Reassign { mut sets, runs, .. } = reassign;
-    walks.extend(runs);
+    for reassignment in &list {
+        reassign.indexed(reassignment.at_each_index, |this| {
+            reassignment.writes.iter().for_each(|write| this.write(write));
+        });
+    }
+    let indices = reassign.names.indices();
+    let Reassign { walks, links, mut sets, .. } = reassign;
+    let mut statements = walks;
+    statements.extend(links);
     // Halfedge by halfedge, then what points at them.
     sets.sort_by_key(|set| set.order);
-    let (each, once): (Vec<_>, Vec<_>) = sets.into_iter().partition(|set| set.repeated);
-    walks.extend(once.into_iter().map(|set| set.statement));
-    let each = each.into_iter().map(|set| set.statement).collect();
-    walks.extend(for_each(true, names, each));
-    walks
-}
-
-/// Statements that are done for each index, as one.
-fn for_each(repeated: bool, names: &Names, body: Vec<Statement>) -> Vec<Statement> {
-    match repeated && !body.is_empty() {
-        true => vec![Statement::IndexLoop { indices: names.indices(), body }],
-        false => body,
+    let (each, once): (Vec<_>, Vec<_>) = sets.into_iter().partition(|set| set.at_each_index);
+    statements.extend(once.into_iter().map(|set| set.statement));
+    if !each.is_empty() {
+        let body = each.into_iter().map(|set| set.statement).collect();
+        statements.push(Statement::IndexLoop { indices, body });
     }
+    statements
 }
 
 /// A pointer that is set, and where it stands in the code: by halfedge and pointer, those of
 /// other elements last.
 struct Set {
     order: (usize, usize),
-    repeated: bool,
+    at_each_index: bool,
     statement: Statement,
 }
 
 /// The writer of the phase.
-pub(super) struct Reassign<'d, 'n> {
-    pub drawing: &'d Drawing<'d>,
-    pub names: &'n mut Names,
-    pub conventions: Conventions<'d>,
+struct Reassign<'d, 'n> {
+    drawing: &'d Drawing<'d>,
+    names: &'n mut Names,
+    conventions: Conventions<'d>,
+    /// Walks along paths and fans.
+    walks: Vec<Statement>,
+    /// Loops of paths that may be empty.
+    links: Vec<Statement>,
+    /// Of each such loop the first halfedge of a path that is not.
+    linked: Vec<(NameId, Term)>,
     sets: Vec<Set>,
-    /// Loops of runs that may be empty.
-    pub runs: Vec<Statement>,
-    /// Of each such loop the first halfedge of a run that is not.
-    pub first_runs: Vec<(NameId, Term)>,
 }
 
 impl Reassign<'_, '_> {
-    fn all(&mut self) {
-        let rule = self.drawing.rule;
-        for orbit in &rule.after.loops {
-            self.for_each(orbit.face.name, |this| match orbit.each {
-                true => this.orbit_around(orbit),
-                false => this.orbit(orbit),
-            });
-        }
-        for edge in &rule.after.edges {
-            self.for_each(edge.edge.name, |this| this.edge(edge));
-        }
-        for half in rule.names_of(Kind::Halfedge) {
-            self.for_each(half, |this| this.outer(half));
-        }
-        for vertex in rule.names_of(Kind::Vertex) {
-            self.for_each(vertex, |this| this.vertex(vertex));
-        }
-        for edge in &rule.after.edges {
-            self.for_each(edge.edge.name, |this| this.edge_halfedge(edge));
-        }
-        for orbit in &rule.after.loops {
-            self.for_each(orbit.face.name, |this| this.face(orbit));
-        }
-    }
-
-    /// An element that keeps its halfedge. Where all is set, it is set to one that is drawn, else
-    /// to what it is.
-    fn kept(&mut self, element: NameId, pointer: Pointer, half: Option<Term>) {
-        if self.conventions.exhaustive {
-            let of = self.term(element);
-            let value = half.unwrap_or_else(|| of.clone().follow(pointer));
-            self.set_other(Statement::Set { pointer, of, value });
-        }
-    }
-
-    /// Does something about a name: of a family once, for each index.
-    fn for_each(&mut self, name: NameId, what: impl FnOnce(&mut Self)) {
-        let rule = self.drawing.rule;
-        if rule.is_first(name) {
-            self.indexed(rule.is_member(name), what);
-        }
-    }
-
-    pub fn indexed<T>(&mut self, repeated: bool, what: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.names.enter_index(repeated);
+    /// Does something, at each index if that is wanted.
+    fn indexed<T>(&mut self, at_each_index: bool, what: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.names.enter_index(at_each_index);
         let made = what(self);
         self.names.turn_back(outer);
         made
     }
 
-    fn term(&self, name: NameId) -> Term {
-        self.names.term(name)
+    fn write(&mut self, write: &Write) {
+        let exhaustive = self.conventions.exhaustive;
+        match write {
+            Write::Halfedge { pointer, of, value, changes } if *changes || exhaustive => {
+                self.halfedge(*pointer, of.name(), self.operand(of), self.operand(value));
+            }
+            Write::AsItWas { pointer, of } if exhaustive => {
+                let term = self.names.term(*of);
+                self.halfedge(*pointer, *of, term.clone(), term.follow(*pointer));
+            }
+            Write::Anchor { pointer, of, value, keeps } if !keeps || exhaustive => {
+                let element = self.names.term(*of);
+                let value = match value {
+                    // One that is kept is set to a halfedge with a name, else to what it is.
+                    Some(Operand::Named(half)) => self.names.term(*half),
+                    Some(Operand::FirstOfSome(path)) if !keeps => {
+                        return self.anchor_of_some(*pointer, element, *path);
+                    }
+                    Some(value) if !keeps => self.operand(value),
+                    _ => element.clone().follow(*pointer),
+                };
+                self.other(*pointer, Statement::Set { pointer: *pointer, of: element, value });
+            }
+            Write::FaceAlong { path, changes: true, .. } => {
+                let walk = path_walk(self.drawing, self.names, *path);
+                self.walk(walk);
+            }
+            Write::VertexAround { fan, changes: true, .. } => {
+                let walk = fan_walk(self.drawing, self.names, *fan);
+                self.walk(walk);
+            }
+            Write::Hole { face, is_hole, changes: true } => {
+                let face = self.names.term(*face);
+                let set = Statement::SetHole { face, hole: *is_hole };
+                self.other(Pointer::FaceHalfedge, set);
+            }
+            Write::LinkPaths { face, period } => {
+                let first = self.link_paths(period);
+                self.linked.push((*face, first));
+            }
+            _ => {}
+        }
     }
 
-    pub fn is_path(&self, item: NameId) -> bool {
-        self.drawing.rule.kind(item) == Kind::Path
+    fn walk(&mut self, walk: Option<Statement>) {
+        let indices = self.names.is_indexed().then(|| self.names.indices());
+        self.walks.extend(walk.map(|walk| match indices {
+            Some(indices) => Statement::IndexLoop { indices, body: vec![walk] },
+            None => walk,
+        }));
     }
 
-    /// `next` first, then `twin`, `vertex`, `edge`, `face`; of each halfedge together.
-    fn set(&mut self, name: NameId, of: Term, pointer: Pointer, value: Term) {
+    /// A pointer of a halfedge that is told by a name: of each `next` first, then `twin`,
+    /// `vertex`, `edge`, `face`.
+    fn halfedge(&mut self, pointer: Pointer, name: NameId, of: Term, value: Term) {
         let rank = match pointer {
-            Pointer::Next => 0,
             Pointer::Prev if !self.conventions.prev => return,
+            Pointer::Next => 0,
             Pointer::Prev => 1,
             Pointer::Twin => 2,
             Pointer::Vertex => 3,
             Pointer::Edge => 4,
             _ => 5,
         };
-        let statement = Statement::Set { pointer, of, value };
-        self.push((name.index(), rank), statement);
+        self.push((name.index(), rank), Statement::Set { pointer, of, value });
     }
 
-    /// A pointer of another element than a halfedge.
-    fn set_other(&mut self, statement: Statement) {
-        self.push((usize::MAX, 0), statement);
+    /// What is set of another element than a halfedge: of vertices first, then of edges.
+    fn other(&mut self, pointer: Pointer, statement: Statement) {
+        let rank = match pointer {
+            Pointer::VertexHalfedge => 0,
+            Pointer::EdgeHalfedge => 1,
+            _ => 2,
+        };
+        self.push((usize::MAX, rank), statement);
     }
 
     fn push(&mut self, order: (usize, usize), statement: Statement) {
-        self.sets.push(Set { order, repeated: self.names.is_indexed(), statement });
+        self.sets.push(Set { order, at_each_index: self.names.is_indexed(), statement });
     }
 
-    fn pointer(&mut self, half: NameId, pointer: Pointer, value: NameId, changed: bool) {
-        if changed || self.conventions.exhaustive {
-            self.set(half, self.term(half), pointer, self.term(value));
-        }
-    }
-
-    /// The first halfedge from the item at `at` on: its own, or if that is an empty path,
-    /// that of what follows.
-    fn head(&self, items: &[NameId], at: usize) -> Term {
-        self.end_of(items, at, 1, |item| self.term(item))
-    }
-
-    /// The last halfedge up to the item at `at`.
-    fn tail(&self, items: &[NameId], at: usize) -> Term {
-        self.end_of(items, at, items.len() - 1, |item| match self.is_path(item) {
-            true => self.names.last(item),
-            false => self.term(item),
-        })
-    }
-
-    fn end_of(
-        &self,
-        items: &[NameId],
-        at: usize,
-        step: usize,
-        end: impl Fn(NameId) -> Term,
-    ) -> Term {
-        let count = items.len();
-        let places = (0..count).map(|turn| items[(at + turn * step) % count]);
-        let mut ends = Vec::new();
-        for item in places {
-            let may_be_empty = self.is_path(item) && self.drawing.is_empty_somewhere(item);
-            ends.push((end(item), may_be_empty.then(|| self.names.empty(item))));
-            if !may_be_empty {
-                break;
-            }
-        }
-        let last = ends.pop().map(|(term, _)| term);
-        let mut term = last.unwrap_or(Term::Bool(false));
-        while let Some((here, empty)) = ends.pop() {
-            term = match empty {
-                Some(empty) => empty.then(term, here),
-                None => here,
-            };
-        }
-        term
-    }
-
-    fn orbit(&mut self, orbit: &Loop) {
-        let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
-        for at in 0..items.len() {
-            self.link(&items, at);
-            self.lies_in(&orbit.items[at], orbit.face.name);
-        }
-    }
-
-    /// `next` of what ends the item at `at`, `prev` of what begins the one behind it.
-    pub fn link(&mut self, items: &[NameId], at: usize) {
-        let after = (at + 1) % items.len();
-        let (name, next) = (items[at], items[after]);
-        let changed = self.drawing.before.item_after(name) != Some(next);
-        if changed || self.conventions.exhaustive {
-            let (tail, head) = (self.tail(items, at), self.head(items, after));
-            self.set(name, tail.clone(), Pointer::Next, head.clone());
-            self.set(next, head, Pointer::Prev, tail);
-        }
-    }
-
-    /// The origin and the face of one item.
-    pub fn lies_in(&mut self, item: &LoopItem, face: NameId) {
-        let drawing = self.drawing;
-        let (name, origin) = (item.item.name, item.from.name);
-        if self.is_path(name) {
-            return;
-        }
-        let moved = drawing.before.loop_origin(name) != Some(origin);
-        self.pointer(name, Pointer::Vertex, origin, moved);
-        let changed = drawing.before.face(name) != Some(face);
-        self.pointer(name, Pointer::Face, face, changed);
-    }
-
-    fn edge(&mut self, statement: &Edge) {
-        let drawing = self.drawing;
-        let edge = statement.edge.name;
-        let [left, right] = statement.halfedges.map(|half| half.name);
-        for (half, twin) in [(left, right), (right, left)] {
-            let new_twin = drawing.before.twin(half) != Some(twin);
-            self.pointer(half, Pointer::Twin, twin, new_twin);
-            let new_edge = drawing.before.edge(half) != Some(edge);
-            self.pointer(half, Pointer::Edge, edge, new_edge);
-        }
-    }
-
-    /// Outer halfedges start where their vertex statement, or their drawn twin, says, and stay in
-    /// their loop.
-    fn outer(&mut self, half: NameId) {
-        let drawing = self.drawing;
-        if !drawing.is_outer(half) || drawing.after.mention(half).is_none() {
-            return;
-        }
-        if let Some(origin) = drawing.origin_after(half) {
-            let changed = drawing.origin_before(half) != Some(origin);
-            self.pointer(half, Pointer::Vertex, origin, changed);
-        }
-        if self.conventions.exhaustive {
-            for pointer in [Pointer::Next, Pointer::Prev, Pointer::Face] {
-                let of = self.term(half);
-                self.set(half, of.clone(), pointer, of.follow(pointer));
-            }
-        }
-    }
-
-    /// An edge keeps its halfedge as long as both of its halfedges stay.
-    fn edge_halfedge(&mut self, statement: &Edge) {
-        let after = statement.halfedges.map(|half| half.name);
-        let before = self.drawing.before.edge_statement(statement.edge.name);
-        let keeps = before.is_some_and(|before| {
-            let mut halves = before.halfedges.iter();
-            halves.all(|half| after.contains(&half.name))
-        });
-        if !keeps || self.conventions.exhaustive {
-            self.set_other(Statement::Set {
-                pointer: Pointer::EdgeHalfedge,
-                of: self.term(statement.edge.name),
-                value: self.term(after[0]),
-            });
-        }
-    }
-
-    /// A face keeps its halfedge as long as nothing has left its loop.
-    fn face(&mut self, orbit: &Loop) {
-        let drawing = self.drawing;
-        let face = orbit.face.name;
-        let before = drawing.before.loop_of_face(face);
-        let keeps = before.is_some_and(|before| {
-            let mut items = before.items.iter();
-            items.all(|item| drawing.after.face(item.item.name) == Some(face))
-        });
-        let first = orbit.items[0].item.name;
-        if keeps {
-            let half = (!self.is_path(first)).then(|| self.term(first));
-            self.kept(face, Pointer::FaceHalfedge, half);
-        } else {
-            let items: Vec<_> = orbit.items.iter().map(|item| item.item.name).collect();
-            self.set_other(Statement::Set {
-                pointer: Pointer::FaceHalfedge,
-                of: self.term(face),
-                value: match self.first_runs.iter().find(|(of, _)| *of == face) {
-                    Some((_, first)) => first.clone(),
-                    None => self.head(&items, 0),
-                },
-            });
-        }
-        let same_kind =
-            before.map_or(orbit.kind == LoopKind::Face, |before| before.kind == orbit.kind);
-        if orbit.kind != LoopKind::Any && !same_kind {
-            self.set_other(Statement::SetHole {
-                face: self.term(face),
-                hole: orbit.kind == LoopKind::Hole,
-            });
-        }
-    }
-
-    /// A vertex keeps its halfedge as long as none of its spokes has left.
-    fn vertex(&mut self, vertex: NameId) {
-        let drawing = self.drawing;
-        let drawn = drawing.after.mention(vertex).is_some();
-        if !drawn || drawing.erased(vertex).is_some() {
-            return;
-        }
-        if drawing.keeps_its_spokes(vertex) {
-            let half = drawing.spoke_after(vertex).map(|half| self.term(half));
-            return self.kept(vertex, Pointer::VertexHalfedge, half);
-        }
-        let Some((value, run)) = self.spoke_of(vertex) else {
-            return;
-        };
-        let set = Statement::Set { pointer: Pointer::VertexHalfedge, of: self.term(vertex), value };
-        match run {
-            None => self.set_other(set),
-            // One of the runs is not empty.
-            Some(path) => self.indexed(true, |this| {
-                let condition = this.names.empty(path).not();
-                let body = vec![set];
-                this.set_other(Statement::When { condition, body });
+    fn operand(&self, operand: &Operand) -> Term {
+        match operand {
+            Operand::Named(name) | Operand::FirstOfSome(name) => self.names.term(*name),
+            Operand::First(items) => self.there(items, |item| self.names.term(item)),
+            Operand::Last(items) => self.there(items, |item| match self.drawing.rule.kind(item) {
+                Kind::Path => self.names.last(item),
+                _ => self.names.term(item),
             }),
+            Operand::FirstLinked { face, path } => {
+                let linked = self.linked.iter().find(|(of, _)| of == face);
+                linked.map_or_else(|| self.names.term(*path), |(_, first)| first.clone())
+            }
         }
     }
 
-    /// A halfedge that starts at the vertex after: a named one, else the first of a path. Of a
-    /// family of runs that may be empty it is that at each index, and the family is told too.
-    fn spoke_of(&mut self, vertex: NameId) -> Option<(Term, Option<NameId>)> {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
-        if let Some(half) = drawing.spoke_after(vertex) {
-            return Some((self.term(half), None));
+    /// What is at an end of the first item that is not empty.
+    fn there(&self, items: &[NameId], end: impl Fn(NameId) -> Term) -> Term {
+        let (last, others) = items.split_last().expect("an operand has items");
+        others
+            .iter()
+            .rev()
+            .fold(end(*last), |term, &item| self.names.empty(item).then(term, end(item)))
+    }
+
+    /// The halfedge of an element, where some member of a family of paths is not empty.
+    fn anchor_of_some(&mut self, pointer: Pointer, of: Term, path: NameId) {
+        self.indexed(true, |this| {
+            let condition = this.names.empty(path).not();
+            let body = vec![Statement::Set { pointer, of, value: this.names.term(path) }];
+            this.other(pointer, Statement::When { condition, body });
+        });
+    }
+
+    /// Links the paths of a loop that are not empty; the first halfedge of the first of them.
+    fn link_paths(&mut self, period: &[NameId]) -> Term {
+        let [firsts, lasts] = ["firsts", "lasts"].map(|wanted| self.names.fresh(wanted));
+        for name in [&firsts, &lasts] {
+            self.links.push(Statement::List {
+                ty: Type::Halfedge,
+                name: name.clone(),
+                items: Vec::new(),
+            });
         }
-        let path = drawing.path_after(vertex)?;
-        let certain = !drawing.is_empty_somewhere(path);
-        if rule.is_member(path) && !certain && !rule.is_member(vertex) {
-            return Some((self.indexed(true, |this| this.term(path)), Some(path)));
+        let body = self.indexed(true, |this| {
+            let pushed = period.iter().map(|&path| Statement::When {
+                condition: this.names.empty(path).not(),
+                body: [(&firsts, this.names.term(path)), (&lasts, this.names.last(path))]
+                    .map(|(list, item)| Statement::Push { list: list.clone(), item })
+                    .to_vec(),
+            });
+            pushed.collect()
+        });
+        let indices = self.names.indices();
+        self.links.push(Statement::IndexLoop { indices: indices.clone(), body });
+        // From here on an index counts the paths that are there.
+        let indices = IndexLoop { index: indices.index, size: self.names.fresh("runs") };
+        let member = |list: &String, shift| Term::Member {
+            list: list.clone(),
+            index: Some(indices.index.clone()),
+            shift,
+            size: indices.size.clone(),
+        };
+        let (last, first) = (member(&lasts, 0), member(&firsts, 1));
+        let set = |pointer, of: &Term, value: &Term| Statement::Set {
+            pointer,
+            of: of.clone(),
+            value: value.clone(),
+        };
+        let mut body = vec![set(Pointer::Next, &last, &first)];
+        if self.conventions.prev {
+            body.push(set(Pointer::Prev, &first, &last));
         }
-        Some((self.head(&drawing.heads_after(path), 0), None))
+        let size = indices.size.clone();
+        self.links.push(Statement::Size { name: size.clone(), list: firsts.clone() });
+        self.links.push(Statement::IndexLoop { indices, body });
+        Term::Member { list: firsts, index: None, shift: 0, size }
     }
 }

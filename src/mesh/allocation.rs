@@ -10,21 +10,9 @@
 
 use glam::DVec3;
 
-use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
-
-/// The dead slots of one kind.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Slots {
-    pub(super) free: Vec<u32>,
-    pub(super) pending: Vec<u32>,
-}
-
-impl Slots {
-    pub(super) fn unused(&self) -> usize {
-        self.free.len() + self.pending.len()
-    }
-}
+use super::records::{FaceRecord, HalfedgeRecord};
 
 impl Mesh {
     /// A new vertex: isolated, at the origin of space, columns at their defaults.
@@ -60,7 +48,7 @@ impl Mesh {
     pub fn erase_vertex(&mut self, v: VertexId) {
         if self.vertex_alive(v) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Vertex);
+                self.note_erased(ElementKind::Vertex, v.0);
                 self.note_vertex(v);
             }
             self.vertices[v.index()] = HalfedgeId::DEAD;
@@ -72,7 +60,7 @@ impl Mesh {
     pub fn erase_halfedge(&mut self, h: HalfedgeId) {
         if self.halfedge_alive(h) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Halfedge);
+                self.note_erased(ElementKind::Halfedge, h.0);
                 self.note_halfedge(h);
             }
             self.halfedges[h.index()].next = HalfedgeId::DEAD;
@@ -83,7 +71,7 @@ impl Mesh {
     pub fn erase_edge(&mut self, e: EdgeId) {
         if self.edge_alive(e) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Edge);
+                self.note_erased(ElementKind::Edge, e.0);
                 self.note_edge(e);
             }
             self.edges[e.index()] = HalfedgeId::DEAD;
@@ -94,7 +82,7 @@ impl Mesh {
     pub fn erase_face(&mut self, f: FaceId) {
         if self.face_alive(f) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Face);
+                self.note_erased(ElementKind::Face, f.0);
                 self.note_face(f);
             }
             self.set_hole(f, false);
@@ -106,8 +94,11 @@ impl Mesh {
     /// Frees the slots of everything erased so far. The caller knows that no one still
     /// holds an id of those. While a journal is open, one might, and nothing is freed.
     pub fn recycle(&mut self) {
-        if self.journal.is_open() {
+        if self.journal.may_roll_back() {
             return;
+        }
+        if self.journal.is_open() {
+            ElementKind::ALL.into_iter().for_each(|kind| self.note_recycled(kind));
         }
         for slots in &mut self.slots {
             slots.free.append(&mut slots.pending);

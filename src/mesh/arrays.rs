@@ -5,9 +5,10 @@ use std::fmt;
 use glam::DVec3;
 
 use super::build_error::BuildError;
-use super::connectivity::{HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{ElementKind, FaceId};
 use super::polygons::Polygons;
+use super::records::HalfedgeRecord;
 
 impl Mesh {
     /// The mesh of a list of triangles by the numbers of their corners, counterclockwise. Vertex

@@ -9,7 +9,6 @@ use std::fmt;
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
-use super::connectivity::Mesh;
 use super::id::ElementKind;
 
 /// A type that an attribute can have. Implemented for exactly the types of [`Value`].
@@ -64,7 +63,7 @@ macro_rules! attribute_types {
                 match self { $(Self::$variant(_) => AttributeType::$variant),* }
             }
 
-            fn column(self, len: usize) -> ColumnData {
+            pub(super) fn column(self, len: usize) -> ColumnData {
                 match self { $(Self::$variant(x) => ColumnData::$variant(vec![x; len])),* }
             }
         }
@@ -90,12 +89,12 @@ macro_rules! attribute_types {
                 match self { $(Self::$variant(xs) => xs.iter().for_each(|&x| see(Value::$variant(x)))),* }
             }
 
-            fn get(&self, index: usize) -> Option<Value> {
+            pub(super) fn get(&self, index: usize) -> Option<Value> {
                 match self { $(Self::$variant(xs) => xs.get(index).copied().map(Value::$variant)),* }
             }
 
             /// False when the index or the type is not the column's.
-            fn set(&mut self, index: usize, value: Value) -> bool {
+            pub(super) fn set(&mut self, index: usize, value: Value) -> bool {
                 match (self, value) {
                     $((Self::$variant(xs), Value::$variant(x)) => match xs.get_mut(index) {
                         Some(slot) => { *slot = x; true }
@@ -105,7 +104,7 @@ macro_rules! attribute_types {
                 }
             }
 
-            fn fill(&mut self, value: Value) {
+            pub(super) fn fill(&mut self, value: Value) {
                 match (self, value) {
                     $((Self::$variant(xs), Value::$variant(x)) => xs.fill(x),)*
                     _ => {}
@@ -113,7 +112,7 @@ macro_rules! attribute_types {
             }
 
             /// Makes room for so many more values; whether it could.
-            fn reserve(&mut self, more: usize) -> bool {
+            pub(super) fn reserve(&mut self, more: usize) -> bool {
                 match self { $(Self::$variant(xs) => xs.try_reserve_exact(more).is_ok()),* }
             }
 
@@ -243,7 +242,7 @@ impl fmt::Display for AttributeType {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ColumnId {
     pub kind: ElementKind,
-    place: u32,
+    pub(super) place: u32,
 }
 
 /// A column of that name is there already, with values of another type.
@@ -267,9 +266,9 @@ impl std::error::Error for ColumnConflict {}
 /// One column with its name and default.
 #[derive(Clone, Debug)]
 pub struct Column {
-    name: String,
-    default: Value,
-    data: ColumnData,
+    pub(super) name: String,
+    pub(super) default: Value,
+    pub(super) data: ColumnData,
 }
 
 impl Column {
@@ -301,7 +300,7 @@ impl Column {
 
 /// The columns of one element kind.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Columns(Vec<Column>);
+pub(super) struct Columns(pub(super) Vec<Column>);
 
 impl Columns {
     #[inline]
@@ -326,11 +325,6 @@ impl Columns {
         self.0.iter_mut().all(|column| column.data.reserve(more))
     }
 
-    /// Takes the column away that was added last.
-    pub(super) fn drop_last(&mut self) {
-        self.0.pop();
-    }
-
     pub(super) fn shrink(&mut self, len: usize) {
         for column in &mut self.0 {
             column.data.shrink(len);
@@ -342,174 +336,5 @@ impl Columns {
         for column in &mut self.0 {
             column.data.grow(len, column.default);
         }
-    }
-}
-
-impl Mesh {
-    /// Adds a column with `default` in every slot. If one of that name and type is
-    /// there, it is returned as it stands.
-    pub fn add_column(
-        &mut self,
-        kind: ElementKind,
-        name: &str,
-        default: Value,
-    ) -> Result<ColumnId, ColumnConflict> {
-        if let Some(id) = self.find_column(kind, name) {
-            let has = self.columns[kind as usize].0[id.place as usize].attribute_type();
-            let wanted = default.attribute_type();
-            return match has == wanted {
-                true => Ok(id),
-                false => Err(ColumnConflict { kind, name: name.to_owned(), has, wanted }),
-            };
-        }
-        let mut data = default.column(self.capacity(kind));
-        // It grows with the tables.
-        data.reserve(self.reserved(kind));
-        let columns = &mut self.columns[kind as usize].0;
-        columns.push(Column { name: name.to_owned(), default, data });
-        let place = columns.len() as u32 - 1;
-        self.note_added(kind);
-        Ok(ColumnId { kind, place })
-    }
-
-    /// Says what new elements get from now on. False, and nothing changed, when the type is
-    /// not the column's.
-    #[must_use]
-    pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
-        self.note_default(id);
-        let columns = &mut self.columns[id.kind as usize].0;
-        match columns.get_mut(id.place as usize) {
-            Some(column) if column.attribute_type() == default.attribute_type() => {
-                column.default = default;
-                true
-            }
-            _ => false,
-        }
-    }
-
-    /// Puts the default into every slot. No journal notes it: it is for scratch.
-    pub(crate) fn clear_column(&mut self, id: ColumnId) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-            column.data.fill(column.default);
-        }
-    }
-
-    /// Takes a column away. Ids of other columns of its kind mean nothing any more.
-    pub fn remove_column(&mut self, id: ColumnId) {
-        let columns = &mut self.columns[id.kind as usize].0;
-        if columns.len() > id.place as usize {
-            let column = columns.remove(id.place as usize);
-            self.note_removed(id, column);
-        }
-    }
-
-    pub fn find_column(&self, kind: ElementKind, name: &str) -> Option<ColumnId> {
-        let place = self.columns[kind as usize].0.iter().position(|c| c.name == name)?;
-        Some(ColumnId { kind, place: place as u32 })
-    }
-
-    /// The columns of a kind, in the order they were added.
-    pub fn columns(&self, kind: ElementKind) -> impl Iterator<Item = (ColumnId, &Column)> {
-        let columns = self.columns[kind as usize].0.iter().enumerate();
-        columns.map(move |(place, column)| (ColumnId { kind, place: place as u32 }, column))
-    }
-
-    /// The columns of all kinds that go into files.
-    pub fn sayable_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
-        let all = ElementKind::ALL.into_iter();
-        let all = all.flat_map(|kind| self.columns(kind));
-        all.filter(|(_, column)| column.is_sayable())
-    }
-
-    /// `None` for the column of another mesh that this one does not have.
-    pub fn column(&self, id: ColumnId) -> Option<&Column> {
-        self.columns[id.kind as usize].0.get(id.place as usize)
-    }
-
-    /// The value of a living element.
-    pub fn value(&self, id: ColumnId, index: u32) -> Option<Value> {
-        if !self.is_alive(id.kind, index) {
-            return None;
-        }
-        self.column(id)?.data.get(index as usize)
-    }
-
-    /// Writes the value of a living element. False, and nothing written, when the
-    /// element does not live or the type is not the column's.
-    #[must_use]
-    pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
-        self.note_value(id, index);
-        self.is_alive(id.kind, index)
-            && match self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-                Some(column) => column.data.set(index as usize, value),
-                None => false,
-            }
-    }
-
-    /// The value in a slot, living or dead.
-    pub(super) fn value_at(&self, id: ColumnId, index: u32) -> Option<Value> {
-        self.column(id)?.data.get(index as usize)
-    }
-
-    /// Writes to a slot, living or dead; nothing if there is none, or of another type.
-    pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-            column.data.set(index as usize, value);
-        }
-    }
-
-    /// Gives a column all its values, one for each slot; nothing if they are of another type or
-    /// number.
-    pub fn set_values(&mut self, id: ColumnId, data: ColumnData) {
-        let fits = |column: &Column| {
-            column.attribute_type() == data.attribute_type() && column.data.len() == data.len()
-        };
-        if self.column(id).is_some_and(fits) {
-            self.note_values(id);
-            self.put_values(id, data);
-        }
-    }
-
-    /// Puts the values of a column back.
-    pub(super) fn put_values(&mut self, id: ColumnId, data: ColumnData) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-            column.data = data;
-        }
-    }
-
-    /// Puts the default of a column back.
-    pub(super) fn put_default(&mut self, id: ColumnId, default: Value) {
-        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-            column.default = default;
-        }
-    }
-
-    /// Puts a column back where it was.
-    pub(super) fn put_column(&mut self, id: ColumnId, column: Column) {
-        let columns = &mut self.columns[id.kind as usize].0;
-        columns.insert(columns.len().min(id.place as usize), column);
-    }
-
-    /// All values of a column by slot, dead slots included; `None` when the type is
-    /// another.
-    #[inline]
-    pub fn values<T: Attribute>(&self, id: ColumnId) -> Option<&[T]> {
-        T::slice(&self.column(id)?.data)
-    }
-
-    /// As [`Column::data`], for who has called [`Mesh::note_value`]; `None` for the column of
-    /// another mesh.
-    #[doc(hidden)]
-    #[inline]
-    pub fn column_data_mut(&mut self, id: ColumnId) -> Option<&mut ColumnData> {
-        let columns = &mut self.columns[id.kind as usize].0;
-        Some(&mut columns.get_mut(id.place as usize)?.data)
-    }
-
-    #[inline]
-    pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
-        self.note_values(id);
-        let column = self.columns[id.kind as usize].0.get_mut(id.place as usize)?;
-        T::slice_mut(&mut column.data)
     }
 }

@@ -21,9 +21,10 @@ use std::fmt;
 use glam::DVec3;
 
 use super::attribute::{AttributeType, Value};
-use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 use super::invalid::Invalid;
+use super::records::{FaceRecord, HalfedgeRecord};
 use super::validate::validate;
 
 const MAGIC: [u8; 8] = *b"hedgemsh";

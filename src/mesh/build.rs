@@ -12,11 +12,12 @@
 use glam::DVec3;
 
 use super::build_error::BuildError;
-use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, ID_SPACE, VertexId};
 use super::level::is_surface_of_single_edges;
 use super::polygon_sides::Sides;
 use super::polygons::Polygons;
+use super::records::{FaceRecord, HalfedgeRecord};
 
 impl Mesh {
     pub fn from_polygons(positions: &[DVec3], polygons: &Polygons) -> Result<Self, BuildError> {

@@ -1,52 +1,13 @@
 //! The tables of a mesh and the pointers in them.
 //!
-//! Every halfedge stores its five pointers and its twin side by side (one cache line
-//! holds two and a half halfedges); vertices, edges and faces each store one halfedge
-//! of theirs. Whether an element lives is written inside its own record, so asking
-//! costs no further memory access.
-//!
 //! This file keeps tables, not laws; `validate` tells whether they are in order.
 
 use glam::DVec3;
 
-use super::allocation::Slots;
 use super::attribute::Columns;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
-use super::journal::Journal;
-
-/// The pointers of a halfedge. `vertex` is its origin.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct HalfedgeRecord {
-    pub next: HalfedgeId,
-    pub prev: HalfedgeId,
-    pub twin: HalfedgeId,
-    pub vertex: VertexId,
-    pub edge: EdgeId,
-    pub face: FaceId,
-}
-
-impl HalfedgeRecord {
-    pub(super) const UNSET: Self = Self {
-        next: HalfedgeId::NONE,
-        prev: HalfedgeId::NONE,
-        twin: HalfedgeId::NONE,
-        vertex: VertexId::NONE,
-        edge: EdgeId::NONE,
-        face: FaceId::NONE,
-    };
-
-    #[inline]
-    pub(super) fn lives(&self) -> bool {
-        self.next != HalfedgeId::DEAD
-    }
-}
-
-/// A face as its table has it: one halfedge of its loop, and whether it is a hole.
-#[derive(Clone, Debug)]
-pub(super) struct FaceRecord {
-    pub(super) halfedge: HalfedgeId,
-    pub(super) hole: bool,
-}
+use super::notes::Journal;
+use super::records::{FaceRecord, HalfedgeRecord, Slots};
 
 /// A halfedge mesh: connectivity, positions and attribute columns.
 #[derive(Clone, Debug, Default)]

@@ -5,8 +5,9 @@
 
 use glam::DVec3;
 
-use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{ElementKind, HalfedgeId};
+use super::records::{FaceRecord, HalfedgeRecord};
 
 impl Mesh {
     /// The memory that it takes, in bytes.

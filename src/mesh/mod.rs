@@ -11,11 +11,14 @@
 // The tables.
 mod allocation;
 mod attribute;
+mod columns;
 mod connectivity;
 mod id;
 mod journal;
 mod memory;
+mod notes;
 mod pointers;
+mod records;
 #[cfg(feature = "native")]
 pub(crate) mod tables;
 
@@ -26,6 +29,7 @@ mod displaced;
 mod ears;
 mod equality;
 mod geometry;
+mod history;
 mod identical;
 mod invalid;
 mod kernel;
@@ -58,7 +62,7 @@ pub use attribute::{
 };
 pub use binary::{BinaryError, read_bytes, write_bytes};
 pub use build_error::BuildError;
-pub use connectivity::{HalfedgeRecord, Mesh};
+pub use connectivity::Mesh;
 pub use difference::{Difference, difference};
 pub use displaced::{Displaced, Places};
 pub use dump::{Dump, DumpError, DumpReason, read_dump, write_dump};
@@ -69,13 +73,15 @@ pub use file::{
     MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh, read_mesh_from,
     replace_file, write_mesh, write_mesh_to,
 };
+pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;
-pub use journal::{Bookmark, Written};
 pub use level::{BelowLevel, Level, highest_level, validate_level};
 pub use level_near::{Footprint, validate_level_near};
+pub use notes::{Bookmark, Written};
 pub use polygons::Polygons;
+pub use records::HalfedgeRecord;
 pub use repair::{Repair, RepairReport, Repaired};
 pub use summary::{AttributeSummary, Bin, Lengths, Measures, Summary};
 pub use validate::validate;

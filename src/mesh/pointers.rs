@@ -6,8 +6,9 @@
 
 use glam::DVec3;
 
-use super::connectivity::{HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
+use super::records::HalfedgeRecord;
 
 /// Readers of ids known to be in range.
 impl Mesh {

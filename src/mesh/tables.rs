@@ -8,8 +8,9 @@ use std::mem::offset_of;
 use glam::DVec3;
 
 use super::attribute::{ColumnData, ColumnId};
-use super::connectivity::{FaceRecord, HalfedgeRecord, Mesh};
+use super::connectivity::Mesh;
 use super::id::HalfedgeId;
+use super::records::{FaceRecord, HalfedgeRecord};
 
 /// Where the tables begin, and how many records they have.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,8 @@ use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Asking};
 
-use super::typing::{Place, Typing, typed};
+use super::typed::typed;
+use super::typing::{Place, Typing};
 
 impl Asking {
     pub(super) fn word(self) -> &'static str {

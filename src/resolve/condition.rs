@@ -7,7 +7,8 @@ use crate::diagram::{Access, Alias, Assignment, Kind, Level, NameId, Ref, Requir
 use crate::source::Span;
 use crate::syntax::tree::{self, Condition, Ident, Statement};
 
-use super::field::{attribute, attributes_of, is_taken};
+use super::field::private;
+use super::fields::{attribute, attributes_of, is_taken};
 use super::foreign_words::{self, Here};
 use super::lists::mention;
 use super::lookup::element_type;
@@ -15,6 +16,7 @@ use super::names::Names;
 use super::report::Report;
 use super::suggestion::suggest;
 use super::typing::{Place, Typing};
+use super::words::not_held;
 use super::words::{a_type, quoted};
 
 /// The requirements of a rule of `op`.
@@ -39,11 +41,6 @@ pub(super) fn requires(conditions: &[Condition], op: &str, typing: &mut Typing) 
         }
     }
     requires
-}
-
-/// The reason of a `require` that gives none.
-pub(super) fn not_held(op: &str) -> String {
-    format!("the require of `{op}` does not hold")
 }
 
 /// The level that a rule guards, and where it says so.
@@ -306,12 +303,4 @@ impl Typing<'_> {
             }
         })
     }
-}
-
-/// An attribute of another file that keeps it to itself.
-pub(super) fn private(name: &Ident, declared: Span) -> Diagnostic {
-    let message = format!("`{}` is private to the file that declares it", name.text);
-    Diagnostic::error("unknown-attribute", message, name.span)
-        .label(declared, "it is declared here")
-        .note("without `private` all files see it that use that one")
 }

@@ -6,7 +6,8 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::builtin::CONSTRUCTORS;
-use super::typing::{Typing, to_real, typed};
+use super::typed::{to_real, typed};
+use super::typing::Typing;
 use super::words::{a_type, quoted};
 
 /// The type that a constructor of this name makes.

@@ -11,12 +11,12 @@ use crate::diagram::{Access, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident, Item};
 
-use super::attribute::{Head, head};
+use super::attribute_head::{Head, head};
 use super::builtin::function_names;
-use super::file::Unit;
 use super::report::Report;
-use super::routine::FunctionSignature;
-use super::sequence::fold_names;
+use super::sequence_names::fold_names;
+use super::signature::FunctionSignature;
+use super::unit::Unit;
 use super::words::a_type;
 
 /// The meaning of a name of an item.

@@ -11,41 +11,9 @@ use crate::syntax::tree::{self, ActionKind, Block, ExprKind, Item};
 use super::builtin::SHUFFLE;
 use super::declared::{Declared, What};
 use super::depth::each_part;
-use super::file::Unit;
-use super::sequence::WHOLE_MESH;
-
-/// The effects of a function, each with a place that does it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Effects {
-    /// It calls an op, or sets attributes.
-    pub(super) changes: Option<Span>,
-    /// It prints.
-    pub(super) prints: Option<Span>,
-    /// It looks at the whole mesh.
-    pub(super) looks: Option<Span>,
-    /// It asks an op.
-    pub(super) asks: Option<Span>,
-    /// It takes numbers by chance.
-    pub(super) draws: Option<Span>,
-}
-
-impl Effects {
-    /// The effects of a script that is called here.
-    pub(super) fn all(here: Span) -> Self {
-        let here = Some(here);
-        Self { changes: here, prints: here, looks: here, asks: here, draws: here }
-    }
-
-    fn take_in(&mut self, other: Effects) -> bool {
-        let before = *self;
-        self.changes = self.changes.or(other.changes);
-        self.prints = self.prints.or(other.prints);
-        self.looks = self.looks.or(other.looks);
-        self.asks = self.asks.or(other.asks);
-        self.draws = self.draws.or(other.draws);
-        *self != before
-    }
-}
+use super::sequence_names::WHOLE_MESH;
+use super::signature::Effects;
+use super::unit::Unit;
 
 /// The effects of a function as known from its tree.
 #[derive(Clone, Debug, Default)]

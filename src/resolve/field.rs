@@ -1,80 +1,18 @@
 //! Fields: the pointers of an element, its attributes, the components of a vector.
 
 use crate::diagnostic::{Diagnostic, Edit, Fix};
-use crate::diagram::{Access, Expr, ExprKind, Pointer, Type};
+use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::builtin::{Wanted, overloads};
-use super::condition::private;
+use super::fields::{Field, fields_of, is_taken};
+
 use super::foreign_words::{self, Here};
-use super::sequence::sequences_of;
-use super::typing::{Typing, typed};
+use super::sequence_names::sequences_of;
+use super::typed::typed;
+use super::typing::Typing;
 use super::words::{a_type, quoted};
-
-/// The kind of a field.
-#[derive(Clone, Copy)]
-enum Field {
-    Pointer(Pointer, Type),
-    Attribute(Access, Type),
-    Part(u8, Type),
-}
-
-/// The fields of a type that are values.
-fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
-    use Field::{Attribute, Part, Pointer as To};
-    use Type::{Real, Vec3, Vec4};
-    match ty {
-        Type::Halfedge => &[
-            ("next", To(Pointer::Next, Type::Halfedge)),
-            ("prev", To(Pointer::Prev, Type::Halfedge)),
-            ("twin", To(Pointer::Twin, Type::Halfedge)),
-            ("vertex", To(Pointer::Vertex, Type::Vertex)),
-            ("target", To(Pointer::Target, Type::Vertex)),
-            ("edge", To(Pointer::Edge, Type::Edge)),
-            ("face", To(Pointer::Face, Type::Face)),
-        ],
-        Type::Vertex => &[
-            ("position", Attribute(Access::Position, Type::Vec3)),
-            ("halfedge", To(Pointer::VertexHalfedge, Type::Halfedge)),
-        ],
-        Type::Edge => &[("halfedge", To(Pointer::EdgeHalfedge, Type::Halfedge))],
-        Type::Face => &[("halfedge", To(Pointer::FaceHalfedge, Type::Halfedge))],
-        Type::Vec2 => &[("x", Part(0, Real)), ("y", Part(1, Real))],
-        Type::Vec3 => &[("x", Part(0, Real)), ("y", Part(1, Real)), ("z", Part(2, Real))],
-        Type::Vec4 => &[
-            ("x", Part(0, Real)),
-            ("y", Part(1, Real)),
-            ("z", Part(2, Real)),
-            ("w", Part(3, Real)),
-        ],
-        // The columns, as everywhere in graphics.
-        Type::Mat3 => &[("x", Part(0, Vec3)), ("y", Part(3, Vec3)), ("z", Part(6, Vec3))],
-        Type::Mat4 => &[
-            ("x", Part(0, Vec4)),
-            ("y", Part(4, Vec4)),
-            ("z", Part(8, Vec4)),
-            ("w", Part(12, Vec4)),
-        ],
-        Type::Bool | Type::Int | Type::Real | Type::Text => &[],
-    }
-}
-
-/// The attribute of this name that elements of type `ty` have, and the type of its values.
-pub(super) fn attribute(ty: Type, word: &str) -> Option<(Access, Type)> {
-    fields_of(ty).iter().find_map(|(known, field)| match field {
-        Field::Attribute(access, value) if *known == word => Some((*access, *value)),
-        _ => None,
-    })
-}
-
-/// The names of the attributes that elements of type `ty` have.
-pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
-    let attribute = |(known, field): &(&'static str, Field)| {
-        matches!(field, Field::Attribute(..)).then_some(*known)
-    };
-    fields_of(ty).iter().filter_map(attribute).collect()
-}
 
 /// A field of a type, for those who list them.
 pub(super) struct Entry {
@@ -94,11 +32,6 @@ pub(super) fn entries_of(ty: Type) -> Vec<Entry> {
         Entry { name, ty, is_attribute }
     };
     fields_of(ty).iter().map(entry).collect()
-}
-
-/// True if elements of type `ty` have a field of this name without any declaration.
-pub(super) fn is_taken(ty: Type, word: &str) -> bool {
-    fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
 }
 
 /// The function of elements of type `ty` that a word names, here or elsewhere.
@@ -198,4 +131,12 @@ impl Typing<'_> {
             known => error.note(format!("{} has {}", a_type(ty), quoted(known))),
         });
     }
+}
+
+/// An attribute of another file that keeps it to itself.
+pub(super) fn private(name: &Ident, declared: Span) -> Diagnostic {
+    let message = format!("`{}` is private to the file that declares it", name.text);
+    Diagnostic::error("unknown-attribute", message, name.span)
+        .label(declared, "it is declared here")
+        .note("without `private` all files see it that use that one")
 }

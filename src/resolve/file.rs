@@ -12,6 +12,7 @@ use super::report::Report;
 use super::script::resolve_script;
 use super::steps::resolve_steps;
 use super::testing::resolve_test;
+use super::unit::Unit;
 
 /// A program, and what is wrong with it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,17 +21,6 @@ pub struct Resolved {
     pub program: Program,
     /// The mistakes, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
-}
-
-/// A file of a program.
-#[derive(Clone, Debug)]
-pub struct Unit<'t> {
-    /// Its tree.
-    pub tree: &'t tree::File,
-    /// The files it uses, by their places among the units.
-    pub uses: Vec<usize>,
-    /// True if it uses others that could not be had.
-    pub lacks: bool,
 }
 
 /// Finds what every name of a file means that uses no other, and what type every value has.

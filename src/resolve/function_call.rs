@@ -8,12 +8,13 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::What;
-use super::effects::Effects;
-use super::parameter::Parameter;
 use super::program::StatementKind;
-use super::routine::{FunctionSignature, Value};
 use super::script::Scripting;
-use super::typing::{Place, Typing, typed};
+use super::signature::Effects;
+use super::signature::Parameter;
+use super::signature::{FunctionSignature, Value};
+use super::typed::typed;
+use super::typing::{Place, Typing};
 use super::words::{a_type, arguments};
 
 /// The call of a function.

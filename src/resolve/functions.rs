@@ -11,13 +11,12 @@ use crate::syntax::tree::{self, Item};
 
 use super::declared::Declared;
 use super::effects::{TreeEffects, deeds};
-use super::file::Unit;
-use super::op::Signature;
 use super::program::Function;
 use super::report::Report;
-use super::routine::{
-    FunctionSignature, Value, resolve_function, script_signature, written_signature,
-};
+use super::routine::{resolve_function, script_signature, written_signature};
+use super::signature::Signature;
+use super::signature::{FunctionSignature, Value};
+use super::unit::Unit;
 
 /// The functions of a program, by number.
 pub(super) struct Functions<'t> {

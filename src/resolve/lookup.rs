@@ -10,8 +10,9 @@ use crate::syntax::tree;
 use super::family::WIDEST;
 use super::foreign_words;
 use super::names::Names;
-use super::sequence::WHOLE_MESH;
-use super::typing::{Place, Typing, typed};
+use super::sequence_names::WHOLE_MESH;
+use super::typed::typed;
+use super::typing::{Place, Typing};
 
 /// The constants of the language.
 pub(super) const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("infinity", f64::INFINITY)];

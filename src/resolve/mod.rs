@@ -14,6 +14,7 @@
 mod program;
 
 mod file;
+mod unit;
 
 mod declared;
 mod depth;
@@ -23,6 +24,7 @@ mod suggestion;
 mod words;
 
 mod attribute;
+mod attribute_head;
 mod condition;
 mod drawing;
 mod family;
@@ -31,40 +33,49 @@ mod mention;
 mod names;
 mod op;
 mod parameter;
+mod property;
 mod rule;
 mod unused;
 
 mod builtin;
 mod constructors;
 mod field;
+mod fields;
 mod lookup;
 mod operator;
 mod overloads;
 mod scopes;
 mod sequence;
+mod sequence_names;
+mod type_name;
+mod typed;
 mod typing;
 mod vocabulary;
 
 mod effects;
 mod function_call;
 mod functions;
+mod return_value;
 mod returns;
 mod routine;
+mod signature;
 
 mod asking;
 mod op_call;
 mod script;
 mod statement;
 mod steps;
+mod test_meshes;
 mod testing;
 
 pub use crate::syntax::tree::Digits;
-pub use file::{Resolved, Unit, resolve, resolve_all};
+pub use file::{Resolved, resolve, resolve_all};
 pub use program::{
     Block, Body, Function, Op as ResolvedOp, Print, Program, Script, Statement, StatementKind,
     Steps, Test, TestMesh, Variable,
 };
 pub use suggestion::closest;
+pub use unit::Unit;
 pub use vocabulary::{
     FieldWord, Signature, fields, function_words, is_function, mesh_and_constant_words,
     sequence_words, signatures, type_with_article,

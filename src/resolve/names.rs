@@ -8,8 +8,8 @@ use crate::source::Span;
 use crate::syntax::tree::{Rule, Side, Statement};
 
 use super::mention::{Mention, mentions};
-use super::parameter::Parameter;
 use super::report::Report;
+use super::signature::Parameter;
 use super::words::a_type;
 
 /// The names of one rule.

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{self, Attribute, Kind, Property, Type};
-use crate::source::Span;
+use crate::diagram::{self, Attribute, Kind, Type};
 use crate::syntax::tree::{self, Arrow, Ident, Statement};
 
 use super::declared::{Declared, duplicate};
@@ -12,66 +11,21 @@ use super::family::{is_family, read_index};
 use super::foreign_words;
 use super::lookup::element_type;
 use super::names::Names;
-use super::parameter::{Owner, Parameter, parameters};
+use super::parameter::{Owner, parameters};
 use super::program;
+use super::property::properties;
 use super::report::Report;
 use super::rule::{Context, resolve_rule};
+use super::signature::Parameter;
+use super::signature::{Returned, Signature};
 use super::steps::steps_signature;
 use super::suggestion::suggest;
-use super::words::quoted;
 
 /// The greatest number of halfedges that the loops of `before` can name: every pair of them may
 /// have to be told apart.
 const MOST_BEFORE: usize = 256;
 /// The same for those of `after`.
 const MOST_AFTER: usize = 1024;
-
-/// The signature of an op, for its calls.
-#[derive(Clone, Debug)]
-pub(super) struct Signature {
-    /// Its name.
-    pub(super) name: String,
-    /// Its parameters.
-    pub(super) params: Vec<Parameter>,
-    /// Its result.
-    pub(super) result: Returned,
-}
-
-impl Signature {
-    /// The op at this name: drawn, or without a diagram, which its steps will take the place of.
-    pub(super) fn op(&self, name: Span, diagram: Option<diagram::Op>) -> program::Op {
-        program::Op {
-            name: self.name.clone(),
-            span: name,
-            params: self.params.iter().map(Parameter::param).collect(),
-            result: self.result.element(),
-            diagram,
-            still: None,
-            steps: None,
-        }
-    }
-}
-
-/// The result of an op.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Returned {
-    /// Nothing.
-    Nothing,
-    /// An element.
-    Element(Type),
-    /// Something, but it could not be found out what.
-    Unknown,
-}
-
-impl Returned {
-    /// The type of the element.
-    fn element(self) -> Option<Type> {
-        match self {
-            Returned::Element(ty) => Some(ty),
-            Returned::Nothing | Returned::Unknown => None,
-        }
-    }
-}
 
 /// Resolves an op.
 pub(super) fn resolve_op(
@@ -187,28 +141,6 @@ fn one_result(name: &Ident, op: &tree::Op, report: &mut Report) {
         let message = format!("`{}` is a family, and an op returns one element", name.text);
         report.add(Diagnostic::error("two-forms", message, name.span));
     }
-}
-
-/// The properties that `keeps` claims; `map` is what the checker always proves.
-pub(super) fn properties(keeps: &[Ident], report: &mut Report) -> Vec<(Property, Span)> {
-    let mut properties = Vec::new();
-    for word in keeps {
-        let known = |property: &Property| property.word() == word.text;
-        match Property::ALL.into_iter().find(known) {
-            Some(property) => properties.push((property, word.span)),
-            None if word.text == "map" => {}
-            None => {
-                let message = format!("there is no property `{}` to keep", word.text);
-                let error = Diagnostic::error("unknown-property", message, word.span);
-                let words = Property::ALL.map(Property::word);
-                let words = [&words[..], &["map"]].concat();
-                let error = suggest(error, &word.text, word.span, words.iter().copied())
-                    .note(format!("the properties are {}", quoted(&words)));
-                report.add(error);
-            }
-        }
-    }
-    properties
 }
 
 /// Two rules of an op have two names.

@@ -6,11 +6,11 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Ident};
 
 use super::foreign_words;
-use super::op::Returned;
 use super::program::{Block, Statement, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::sequence::is_sequence;
+use super::signature::Returned;
 use super::testing::mesh_maker;
 use super::typing::Typing;
 use super::words::a_type;

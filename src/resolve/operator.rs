@@ -5,7 +5,8 @@ use crate::diagram::{Binary, Expr, ExprKind, Type, Unary};
 use crate::source::Span;
 use crate::syntax::tree::{self, BinaryOp, UnaryOp};
 
-use super::typing::{Typing, to_real, typed};
+use super::typed::{to_real, typed};
+use super::typing::Typing;
 use super::words::{a_type, operator, subject};
 
 /// An operand as it is written, and its value.

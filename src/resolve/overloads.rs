@@ -8,9 +8,11 @@ use crate::syntax::tree::{self, Ident};
 use super::builtin::{Overload, SHUFFLE, Wanted, function_names, overloads};
 use super::constructors::constructed;
 use super::foreign_words;
-use super::sequence::{fold_names, is_sequence};
+use super::sequence::is_sequence;
+use super::sequence_names::fold_names;
 use super::testing::mesh_maker;
-use super::typing::{Place, Typing, to_real, typed};
+use super::typed::{to_real, typed};
+use super::typing::{Place, Typing};
 use super::vocabulary::signatures;
 use super::words::{a_type, arguments, either, subject};
 

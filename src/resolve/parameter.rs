@@ -1,47 +1,19 @@
 //! Parameters and the types that are written in words.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, Param, Type};
-use crate::source::Span;
+use crate::diagram::{Expr, Type};
 use crate::syntax::tree::{self, Ident};
 
 use super::declared::{Declared, duplicate};
-use super::foreign_words::{self, Here};
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
+use super::signature::Parameter;
+use super::type_name::type_named;
 use super::typing::{Place, Typing};
-use super::words::{a_type, quoted};
+use super::words::a_type;
 
 /// The greatest number of parameters of an item.
 const MOST_PARAMETERS: usize = 255;
-
-/// A parameter, as far as it is understood.
-#[derive(Clone, Debug)]
-pub(super) struct Parameter {
-    /// Its name.
-    pub(super) name: String,
-    /// The span of its name.
-    pub(super) span: Span,
-    /// Its type, if there is such a type.
-    pub(super) ty: Option<Type>,
-    /// True if a call may leave it out.
-    pub(super) optional: bool,
-    /// Its default, if it could be understood.
-    pub(super) default: Option<Expr>,
-}
-
-impl Parameter {
-    /// The parameter as others see it. One whose type is unknown counts as a real: its
-    /// item cannot be used, but calls of it should still be counted right.
-    pub(super) fn param(&self) -> Param {
-        Param {
-            name: self.name.clone(),
-            span: self.span,
-            ty: self.ty.unwrap_or(Type::Real),
-            default: self.default.clone(),
-        }
-    }
-}
 
 /// The item whose parameters they are.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -52,27 +24,6 @@ pub(super) enum Owner {
     Script,
     /// A function: elements and values; a default names nothing.
     Function,
-}
-
-/// The type of this name.
-pub(super) fn type_named(word: &Ident, report: &mut Report) -> Option<Type> {
-    let found = Type::ALL.into_iter().find(|ty| ty.word() == word.text);
-    if found.is_some() {
-        return found;
-    }
-    if word.text.is_empty() {
-        // None is written, and the parser has said so.
-        report.fail();
-        return None;
-    }
-    let message = format!("there is no type `{}`", word.text);
-    let error = Diagnostic::error("unknown-type", message, word.span);
-    let known = Type::ALL.map(Type::word);
-    let ours = foreign_words::type_word(&word.text).map(Here::Written);
-    let error = foreign_words::tell(error, (&word.text, word.span), ours, known)
-        .note(format!("the types are {}", quoted(&known)));
-    report.add(error);
-    None
 }
 
 /// The parameters of an item.

@@ -6,54 +6,11 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind};
 
 use super::program::{Block, Statement, StatementKind};
-use super::routine::{FunctionSignature, Value};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
-use super::typing::to_real;
+use super::signature::Value;
+use super::typed::to_real;
 use super::words::a_type;
-
-/// The values that the statements at hand may return.
-#[derive(Clone, Debug)]
-pub(super) struct Returns {
-    /// The name of the function; `None` in a script.
-    function: Option<String>,
-    value: Value,
-    /// The first `return`, which decides where no type is written.
-    first: Option<Span>,
-    /// True if the type must be written for a value to be returned.
-    cycles: bool,
-    /// The place for the type, if it is not.
-    pub(super) head: Option<Span>,
-}
-
-impl Returns {
-    /// Nothing: the statements of a script.
-    pub(super) fn nothing() -> Self {
-        Self { function: None, value: Value::Nothing, first: None, cycles: false, head: None }
-    }
-
-    /// The result by the signature of a function.
-    pub(super) fn of_function(signature: &FunctionSignature, cycles: bool) -> Self {
-        Self {
-            function: Some(signature.name.clone()),
-            value: match signature.result {
-                Value::Open if cycles => Value::Nothing,
-                value => value,
-            },
-            first: None,
-            head: None,
-            cycles,
-        }
-    }
-
-    /// The result of the function, now that all of it has been seen.
-    pub(super) fn value(&self) -> Value {
-        match self.value {
-            Value::Open => Value::Nothing,
-            value => value,
-        }
-    }
-}
 
 impl Scripting<'_> {
     /// The body of a function: a value at its end is what it gives.

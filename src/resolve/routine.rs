@@ -10,42 +10,18 @@ use crate::syntax::tree;
 use super::condition::requires;
 use super::declared::Declared;
 use super::depth::shallow_block;
-use super::effects::Effects;
-use super::op::Signature;
-use super::parameter::{Owner, Parameter, parameters, type_named};
+use super::parameter::{Owner, parameters};
 use super::program::{Body, Function};
 use super::report::Report;
-use super::returns::{Returns, ends};
+use super::return_value::Returns;
+use super::returns::ends;
 use super::script::Scripting;
-use super::typing::typed;
-
-/// The signature of a function, for its calls.
-#[derive(Clone, Debug)]
-pub(super) struct FunctionSignature {
-    /// Its name.
-    pub(super) name: String,
-    /// The span of its name.
-    pub(super) span: Span,
-    /// Its parameters.
-    pub(super) params: Vec<Parameter>,
-    /// The type of its value.
-    pub(super) result: Value,
-    /// Its effects besides.
-    pub(super) effects: Effects,
-}
-
-/// The type of what a function gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Value {
-    /// Nothing.
-    Nothing,
-    /// A value.
-    Of(Type),
-    /// Something; its body has yet to say what.
-    Open,
-    /// It could not be found out.
-    Unknown,
-}
+use super::signature::Effects;
+use super::signature::Parameter;
+use super::signature::Signature;
+use super::signature::{FunctionSignature, Value};
+use super::type_name::type_named;
+use super::typed::typed;
 
 /// The signature of a function, as far as it is written.
 pub(super) fn written_signature(

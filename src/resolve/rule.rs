@@ -11,10 +11,11 @@ use super::declared::Declared;
 use super::drawing::{draw_after, draw_before};
 use super::lists::read_lists;
 use super::names::Names;
-use super::op::Returned;
-use super::parameter::{Parameter, local};
+use super::parameter::local;
 use super::report::Report;
 use super::scopes::Scopes;
+use super::signature::Parameter;
+use super::signature::Returned;
 use super::typing::{Place, Typing};
 
 /// The context of a rule, from its op.

@@ -6,17 +6,18 @@ use crate::source::Span;
 use crate::syntax::tree::{self, Action, ActionKind, Ident};
 
 use super::builtin::SHUFFLE;
-use super::condition::not_held;
 use super::declared::Declared;
 use super::depth::shallow_block;
-use super::op::Signature;
-use super::parameter::{Owner, Parameter, local, parameters};
+use super::parameter::{Owner, local, parameters};
 use super::program::{Block, Script, Statement, StatementKind};
 use super::report::Report;
-use super::returns::Returns;
+use super::return_value::Returns;
 use super::scopes::{Binding, Local, Scopes};
-use super::testing::Meshes;
+use super::signature::Parameter;
+use super::signature::Signature;
+use super::test_meshes::Meshes;
 use super::typing::{Place, Typing};
+use super::words::not_held;
 
 /// Resolving the statements of one script.
 pub(super) struct Scripting<'a> {

@@ -7,44 +7,10 @@ use crate::syntax::tree::{self, Ident};
 
 use super::foreign_words;
 use super::scopes::{Binding, Local};
-use super::typing::{Place, Typing, to_real, typed};
+use super::sequence_names::{FOLDS, WHOLE_MESH, fold_names, sequences_of};
+use super::typed::{to_real, typed};
+use super::typing::{Place, Typing};
 use super::words::{a_type, quoted, subject};
-
-/// The sequences of the whole mesh.
-pub(super) const WHOLE_MESH: [(&str, Collection); 5] = [
-    ("vertices", Collection::Vertices),
-    ("halfedges", Collection::Halfedges),
-    ("edges", Collection::Edges),
-    ("faces", Collection::Faces),
-    ("holes", Collection::Holes),
-];
-
-const FOLDS: [(&str, FoldFunction); 9] = [
-    ("mean", FoldFunction::Mean),
-    ("sum", FoldFunction::Sum),
-    ("min", FoldFunction::Min),
-    ("max", FoldFunction::Max),
-    ("argmin", FoldFunction::ArgMin),
-    ("argmax", FoldFunction::ArgMax),
-    ("count", FoldFunction::Count),
-    ("any", FoldFunction::Any),
-    ("all", FoldFunction::All),
-];
-
-/// The names of the aggregates.
-pub(super) fn fold_names() -> impl Iterator<Item = &'static str> {
-    FOLDS.iter().map(|(known, _)| *known)
-}
-
-/// The fields of a type that are sequences.
-pub(super) fn sequences_of(ty: Type) -> &'static [&'static str] {
-    match ty {
-        Type::Vertex => &["halfedges", "edges", "faces", "neighbors"],
-        Type::Face => &["halfedges", "vertices", "edges", "ears", "patch"],
-        Type::Edge => &["vertices", "faces"],
-        _ => &[],
-    }
-}
 
 /// The sequence of this name around an element.
 fn around(base: Expr, word: &str) -> Result<Collection, Expr> {

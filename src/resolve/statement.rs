@@ -7,12 +7,12 @@ use crate::syntax::tree::{self, Action, ActionKind, Digits, Ident, Piece, Shown}
 
 use super::declared::duplicate;
 use super::foreign_words;
-use super::parameter::type_named;
 use super::program::{Print, StatementKind};
 use super::scopes::{Binding, Local};
 use super::script::Scripting;
 use super::suggestion::suggest;
-use super::typing::to_real;
+use super::type_name::type_named;
+use super::typed::to_real;
 use super::words::{a_type, subject};
 
 impl Scripting<'_> {

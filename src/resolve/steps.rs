@@ -11,12 +11,15 @@ use crate::syntax::tree;
 
 use super::condition::guard;
 use super::declared::Declared;
-use super::effects::Effects;
-use super::op::{Returned, Signature, properties};
-use super::parameter::{Parameter, type_named};
 use super::program;
+use super::property::properties;
 use super::report::Report;
-use super::routine::{FunctionSignature, Value, resolve_body};
+use super::routine::resolve_body;
+use super::signature::Effects;
+use super::signature::Parameter;
+use super::signature::{FunctionSignature, Value};
+use super::signature::{Returned, Signature};
+use super::type_name::type_named;
 use super::words::a_type;
 
 /// The signature of an op in steps, for its calls, and the op needs to know, and the op without its

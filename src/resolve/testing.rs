@@ -16,11 +16,12 @@ use crate::syntax::tree::{self, Action, ActionKind, BinaryOp, ExprKind, Ident};
 use super::declared::{Declared, duplicate};
 use super::depth::shallow_block;
 use super::foreign_words::Here;
-use super::op::Signature;
 use super::program::{Script, StatementKind, Test, TestMesh};
 use super::report::Report;
 use super::script::Scripting;
+use super::signature::Signature;
 use super::suggestion::suggest;
+use super::test_meshes::Meshes;
 use super::words::{arguments, quoted};
 
 /// The constructors of meshes: the name, and the least that each of its sizes can be.
@@ -52,14 +53,6 @@ pub(super) fn mesh_maker(word: &str) -> Option<Here> {
 /// The greatest size, and how often an icosphere is split at most.
 const MOST: i64 = 1000;
 const MOST_SPLIT: i64 = 8;
-
-/// The meshes of a test.
-#[derive(Debug, Default)]
-pub(super) struct Meshes {
-    all: Vec<TestMesh>,
-    /// Those that were given a name.
-    kept: Vec<(Ident, u16)>,
-}
 
 /// Resolves a test; `None` if the report has an error.
 pub(super) fn resolve_test(

@@ -5,17 +5,18 @@
 //! means that the report has the reason.
 
 use crate::diagnostic::Diagnostic;
-use crate::diagram::{Expr, ExprKind, Type, Unary};
+use crate::diagram::{Expr, ExprKind, Type};
 use crate::source::Span;
 use crate::syntax::tree;
 
 use super::declared::Declared;
 use super::depth::{left_side, shallow_expr};
 use super::names::Names;
-use super::op::Signature;
-use super::parameter::type_named;
 use super::report::Report;
 use super::scopes::{Binding, Local, Scopes};
+use super::signature::Signature;
+use super::type_name::type_named;
+use super::typed::{to_real, typed};
 use super::words::{a_type, subject};
 
 /// The place of an expression, which decides what it may see.
@@ -41,21 +42,6 @@ pub(super) struct Typing<'a> {
     /// True if the function that is called next may change the mesh; it stands as a whole value
     /// then.
     pub(super) may_change: bool,
-}
-
-/// A typed expression.
-pub(super) fn typed(ty: Type, kind: ExprKind, span: Span) -> Expr {
-    Expr { ty, kind, span }
-}
-
-/// An int as a real; anything else as it is.
-pub(super) fn to_real(expr: Expr) -> Expr {
-    if expr.ty != Type::Int {
-        return expr;
-    }
-    let span = expr.span;
-    let kind = ExprKind::Unary(Unary::ToReal, Box::new(expr));
-    typed(Type::Real, kind, span)
 }
 
 impl Typing<'_> {

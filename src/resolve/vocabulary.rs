@@ -5,7 +5,7 @@ use crate::diagram::Type;
 use super::builtin::{SHUFFLE, Wanted, function_names, overloads};
 use super::field::{Entry, entries_of};
 use super::lookup::CONSTANTS;
-use super::sequence::{WHOLE_MESH, fold_names, sequences_of};
+use super::sequence_names::{WHOLE_MESH, fold_names, sequences_of};
 use super::testing::CONSTRUCTORS;
 use super::words::a_type;
 

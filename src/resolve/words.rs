@@ -85,3 +85,8 @@ fn short(expr: &Expr, fields: usize) -> Option<String> {
         _ => None,
     }
 }
+
+/// The reason of a `require` that gives none.
+pub(super) fn not_held(op: &str) -> String {
+    format!("the require of `{op}` does not hold")
+}

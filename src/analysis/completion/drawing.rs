@@ -2,8 +2,8 @@
 
 use super::choice::{Choice, Completion};
 use super::words::{DRAWINGS, LISTS, keywords};
-use crate::analysis::action::statement_span;
 use crate::analysis::cursor_context::{Wanted, op_near, rule_near};
+use crate::analysis::edits::statement_span;
 use crate::analysis::element::{Fate, element_of};
 use crate::analysis::names::{SideName, Symbol, SymbolId, SymbolKind};
 use crate::analysis::side::{Sketch, subject};

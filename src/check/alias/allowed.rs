@@ -3,13 +3,14 @@
 use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
 use super::verdict::{Failed, laws};
+use crate::check::broken::Broken;
+use crate::check::change::Change;
 use crate::check::ends_agree::neighbours_are_twins;
-use crate::check::facts::{Change, Facts};
+use crate::check::facts::Facts;
 use crate::check::fold::add_obligation;
 use crate::check::guard::{Obligation, Statement, obligations};
 use crate::check::problem::{Problem, enumerate};
 use crate::check::properties::kept;
-use crate::check::proved::Broken;
 use crate::check::witness::{self, Outcome};
 use crate::diagnostic::Diagnostic;
 use crate::diagram::{Drawing, Level, NameId, Op, Rule};

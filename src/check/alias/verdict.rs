@@ -3,7 +3,8 @@
 use super::closure::{Contradiction, united};
 use super::quotient::Quotient;
 use crate::check::arrangement::Arc;
-use crate::check::proved::{Broken, statements};
+use crate::check::broken::Broken;
+use crate::check::statements::statements;
 use crate::check::vertices_are_orbits::{self, Rings};
 use crate::check::witness::{self, Counterexample, Outcome};
 use crate::diagram::{Drawing, Kind, NameId, Op, Rule};

@@ -18,4 +18,5 @@ mod value;
 
 pub use collection::{each, elements};
 pub use scope::{Scope, element_kind, width};
+pub(super) use value::halfedge_field;
 pub use value::{arguments, attribute, copy, function_number, lower, lower_into};

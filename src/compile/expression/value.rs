@@ -166,12 +166,6 @@ pub fn attribute(number: u32) -> u16 {
 fn follow(asm: &mut Assembler, place: u32, pointer: Pointer, element: Reg, to: Reg) {
     let both = [to, element];
     match pointer {
-        Pointer::Next => load(asm, place, HalfedgeField::Next, both),
-        Pointer::Prev => load(asm, place, HalfedgeField::Prev, both),
-        Pointer::Twin => load(asm, place, HalfedgeField::Twin, both),
-        Pointer::Vertex => load(asm, place, HalfedgeField::Vertex, both),
-        Pointer::Edge => load(asm, place, HalfedgeField::Edge, both),
-        Pointer::Face => load(asm, place, HalfedgeField::Face, both),
         Pointer::Target => {
             load(asm, place, HalfedgeField::Twin, both);
             load(asm, place, HalfedgeField::Vertex, [to, to]);
@@ -179,5 +173,18 @@ fn follow(asm: &mut Assembler, place: u32, pointer: Pointer, element: Reg, to: R
         Pointer::VertexHalfedge => first(asm, place, ElementField::Vertex, both),
         Pointer::EdgeHalfedge => first(asm, place, ElementField::Edge, both),
         Pointer::FaceHalfedge => first(asm, place, ElementField::Face, both),
+        pointer => load(asm, place, halfedge_field(pointer), both),
+    }
+}
+
+/// The field of a halfedge that a pointer is; the vertex, too, for those that are none.
+pub fn halfedge_field(pointer: Pointer) -> HalfedgeField {
+    match pointer {
+        Pointer::Next => HalfedgeField::Next,
+        Pointer::Prev => HalfedgeField::Prev,
+        Pointer::Twin => HalfedgeField::Twin,
+        Pointer::Edge => HalfedgeField::Edge,
+        Pointer::Face => HalfedgeField::Face,
+        _ => HalfedgeField::Vertex,
     }
 }

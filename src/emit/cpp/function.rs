@@ -3,13 +3,14 @@
 use std::collections::BTreeSet;
 
 use super::super::action::Action;
+use super::super::conventions::Conventions;
 use super::super::language::{Level, Spelled, spell};
 use super::super::lines::{Lines, comment};
 use super::super::names::invoked;
 use super::super::routine::{Helper, Routine, Statement};
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Attribute, Parameter, Term};
-use super::super::{NotEmitted, Selection, build};
+use super::super::{NotEmitted, Selection};
 use super::style::Style;
 use super::support;
 use super::types::types;
@@ -23,7 +24,7 @@ use crate::source::Span;
 /// [`NotEmitted`] for what has no place in such a function, and for a style that cannot compile
 /// with it.
 pub fn cpp(selection: &Selection<'_>, style: &Style) -> Result<String, NotEmitted> {
-    let conventions = build::Conventions {
+    let conventions = Conventions {
         prev: style.has_prev(),
         isolated_vertices: false,
         columns: false,

@@ -217,7 +217,7 @@ impl Style {
 
     /// `of.pointer`; `None` for a pointer that is no field.
     pub(in crate::emit) fn read(&self, of: &str, pointer: Pointer) -> Option<String> {
-        let pointer = self.pattern(field(pointer)?);
+        let pointer = self.pattern(pointer.word());
         (!pointer.is_empty()).then(|| fill(self.pattern("read"), of, pointer, ""))
     }
 
@@ -263,7 +263,7 @@ impl Style {
 
     /// `of.pointer = value`
     pub(in crate::emit) fn write(&self, of: &str, pointer: Pointer, value: &str) -> Option<String> {
-        let pointer = self.pattern(field(pointer)?);
+        let pointer = self.pattern(pointer.word());
         (!pointer.is_empty()).then(|| fill(self.pattern("write"), of, pointer, value))
     }
 
@@ -324,19 +324,6 @@ fn usual(pointer: &str) -> Pointer {
         "face" => Pointer::Face,
         _ => Pointer::VertexHalfedge,
     }
-}
-
-fn field(pointer: Pointer) -> Option<&'static str> {
-    Some(match pointer {
-        Pointer::Next => "next",
-        Pointer::Prev => "prev",
-        Pointer::Twin => "twin",
-        Pointer::Vertex => "vertex",
-        Pointer::Edge => "edge",
-        Pointer::Face => "face",
-        Pointer::VertexHalfedge | Pointer::EdgeHalfedge | Pointer::FaceHalfedge => "halfedge",
-        Pointer::Target => return None,
-    })
 }
 
 /// Fills a pattern in one go: what is filled in is not looked at again.

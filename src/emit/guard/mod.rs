@@ -10,13 +10,13 @@ mod corners;
 mod preview;
 mod result;
 
-use super::build::Conventions;
+use super::conventions::Conventions;
 use super::names::Names;
 use super::routine::{HalfedgeWalk, Statement};
 use super::term::{Function, Term};
 use crate::check::guard::{Obligation, Statement as Asked};
 use crate::diagram::{Binary, Builtin, Drawing, Loop, LoopKind, NameId, Type};
-use result::{FutureElement, Outcome};
+use result::{FutureElement, Outcome, Untold};
 
 /// The tests of a guard, in order.
 pub(super) fn tests(
@@ -37,9 +37,6 @@ pub(super) fn tests(
     }
     preview::tests(drawing, guard, names, conventions)
 }
-
-/// The failure of walks over pieces of the mesh as it is cannot tell of the result.
-struct Untold;
 
 fn by_walks(
     drawing: &Drawing,

@@ -5,7 +5,8 @@
 //! of phase 3 are noted on a preview of the mesh first, and each test looks at one orbit of what
 //! there would be, as the machine does.
 
-use super::super::build::{Conventions, allocation};
+use super::super::build::allocation;
+use super::super::conventions::Conventions;
 use super::super::names::Names;
 use super::super::reassign;
 use super::super::routine::Statement;

@@ -11,8 +11,10 @@ use super::super::names::Names;
 use super::super::routine::{HalfedgeWalk, Statement, Step};
 use super::super::term::{Function, Term};
 use super::super::walks::{along_path, along_spokes};
-use super::Untold;
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Spoke, Type};
+
+/// The failure of walks over pieces of the mesh as it is: they cannot tell of the result.
+pub(super) struct Untold;
 
 /// The result of an operation, as far as it can be told.
 pub(super) struct Outcome<'d> {

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use super::super::conventions::Conventions;
 use super::super::language::spell;
 use super::super::lines::{Lines, comment};
 use super::super::routine::{Routine, Statement};
 use super::super::steps::{Item, Items, items};
 use super::super::term::{Parameter, Term};
-use super::super::{NotEmitted, Selection, build};
+use super::super::{NotEmitted, Selection};
 use super::support;
 use crate::diagram::Type;
 
@@ -17,7 +18,7 @@ use crate::diagram::Type;
 /// # Errors
 /// [`NotEmitted`] for what has no place in such a function.
 pub fn rust(selection: &Selection<'_>) -> Result<String, NotEmitted> {
-    let conventions = build::Conventions {
+    let conventions = Conventions {
         prev: true,
         isolated_vertices: true,
         columns: true,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
 use super::super::action::{Action, Form, Held, Target};
-use super::super::build::Conventions;
+use super::super::conventions::Conventions;
 use super::super::expression::{Expressions, around, is_spelled, is_surely_finite};
 use super::super::names::Names;
 use super::super::routine;

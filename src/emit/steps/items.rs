@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use super::super::NotEmitted;
 use super::super::action::Whole;
-use super::super::build::{self, Conventions, columns};
+use super::super::build::{self, columns};
 use super::super::callee;
+use super::super::conventions::Conventions;
 use super::super::expression::{is_spelled, parameters};
 use super::super::names::{Names, invoked};
 use super::super::reserved::{plain, unreserved};

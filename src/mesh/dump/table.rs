@@ -5,8 +5,9 @@ use glam::DVec3;
 use super::DumpReason;
 use super::read::{Ids, read_kind, read_number};
 use crate::mesh::attribute::{AttributeType, Value};
-use crate::mesh::connectivity::{HalfedgeRecord, Mesh};
+use crate::mesh::connectivity::Mesh;
 use crate::mesh::id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
+use crate::mesh::records::HalfedgeRecord;
 
 /// The lines of one mesh: for each kind the elements by their ids.
 #[derive(Default)]

@@ -1,0 +1,81 @@
+//! The proof of one rule.
+
+use super::argument::{self, Argument};
+use super::broken::{Broken, stop_at};
+use super::facts::Facts;
+use super::guard::{Obligation, obligations};
+use super::matching::Step;
+use super::statements::statements;
+use super::vertices_are_orbits::Rings;
+use super::{alias, distinct_names, property_not_kept, reach, start, vertices_are_orbits};
+use crate::diagram::{Drawing, Level, Op, Property, Rule};
+
+/// The proof of one rule.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    pub(super) matching: Vec<Step>,
+    pub(super) guard: Vec<Obligation>,
+    pub(super) facts: Facts,
+    pub(super) rings: Rings,
+    /// The rule that the steps speak of, if it is not the one that was proved.
+    pub(super) unrolled: Option<Box<Rule>>,
+}
+
+impl Proof {
+    /// The rule that the matching and the guard speak of: the one that was proved, or if it
+    /// has families, the same unrolled. What is said there of members at index 0 is meant for
+    /// every index.
+    pub fn drawn<'a>(&'a self, rule: &'a Rule) -> &'a Rule {
+        self.unrolled.as_deref().unwrap_or(rule)
+    }
+
+    /// The steps by which the rule is matched.
+    pub fn matching(&self) -> &[Step] {
+        &self.matching
+    }
+
+    /// The obligations of the guard; some of it is left to test.
+    pub fn guard(&self) -> &[Obligation] {
+        &self.guard
+    }
+
+    /// The facts that the proof established.
+    pub fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    /// The proof, if it bears out all that the op claims to keep.
+    pub(super) fn bears_out(self, op: &Op, drawing: &Drawing) -> Result<Self, Broken> {
+        stop_at(property_not_kept::broken_claims(op, drawing, &self.facts))?;
+        Ok(self)
+    }
+
+    /// The argument in words, law by law. The rule is the one that was proved.
+    pub fn argument(&self, rule: &Rule) -> Vec<Argument> {
+        argument::argument(self.drawn(rule), &self.rings)
+    }
+}
+
+/// The laws in order. Each group reads what the one before has established, so the first
+/// group that fails is told, in full.
+pub(super) fn prove(op: &Op, rule: &Rule) -> Result<Proof, Broken> {
+    let drawing = Drawing::new(rule);
+    stop_at(start::test(op, &drawing))?;
+    statements(&drawing)?;
+    let rings = vertices_are_orbits::test(&drawing)?;
+    let aliased = alias::allowed(op, rule)?;
+    let matching = reach::matching(op, &drawing, &distinct_names::pairs(&drawing))?;
+    let guard = match rule.guard {
+        Some((level, _)) => aliased.obligations(obligations(&drawing, level), level),
+        None => Vec::new(),
+    };
+    let cases = rings.cases + aliased.cases();
+    let mut facts = Facts::of(&drawing, &matching, &guard, cases);
+    aliased.keeps_no_more(&mut facts);
+    if !facts.keeps.contains(&Property::Level(Level::Simple)) {
+        let asked = aliased.obligations(obligations(&drawing, Level::Simple), Level::Simple);
+        facts.untested = asked.iter().filter(|one| one.is_test()).count();
+    }
+    let proof = Proof { matching, guard, facts, rings, unrolled: None };
+    proof.bears_out(op, &drawing)
+}

@@ -1,0 +1,41 @@
+//! The laws that read the statements of a drawing, in order.
+
+use super::broken::{Broken, stop_at};
+use super::problem::Problem;
+use super::{
+    ends_agree, names_are_accounted_for, new_is_placed, next_is_permutation, nothing_dangles,
+    twin_is_involution,
+};
+use crate::diagram::Drawing;
+
+/// The laws that read the statements: all but law 7.
+pub(super) fn statements(drawing: &Drawing) -> Result<(), Broken> {
+    // A name written for another is missing in one place and too many in the other: both
+    // are told.
+    let mut problems = names_are_accounted_for::test(drawing);
+    problems = beside(problems, next_is_permutation::test(drawing), "next-twice");
+    problems = beside(problems, twin_is_involution::test(drawing), "twin-twice");
+    stop_at(problems)?;
+    let mut problems = nothing_dangles::test(drawing);
+    problems.extend(ends_agree::test(drawing));
+    problems.extend(new_is_placed::test(drawing));
+    stop_at(problems)
+}
+
+/// Two lists as one. What stands twice stands in one place for what is missing elsewhere, so that
+/// is told with the first that is missing.
+fn beside(mut missing: Vec<Problem>, others: Vec<Problem>, twice: &str) -> Vec<Problem> {
+    for other in others {
+        let is_open = |problem: &&mut Problem| problem.diagnostic.code == "missing-reassignment";
+        match missing.iter_mut().find(is_open).filter(|_| other.diagnostic.code == twice) {
+            Some(first) => {
+                first.diagnostic.notes.insert(0, other.diagnostic.message.clone());
+                for (label, text) in other.diagnostic.labels.iter().zip(["here again", "here"]) {
+                    first.diagnostic = first.diagnostic.clone().label(label.span, text);
+                }
+            }
+            None => missing.push(other),
+        }
+    }
+    missing
+}

@@ -1,0 +1,30 @@
+//! The results of phase 1 for the phases behind it.
+
+use super::registers::{Home, Registers};
+use crate::rewrite::Reg;
+
+/// The results of phase 1 for the others.
+pub(super) struct Collected {
+    pub registers: Registers,
+    /// For each path and fan that moves, its halfedges.
+    pub runs: Vec<Option<Run>>,
+    /// The values of the assignments, in order.
+    pub values: Vec<Home>,
+}
+
+/// The place of the halfedges of a path or fan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Run {
+    /// All of them; of a family those of every index, one after the other.
+    pub buffer: u16,
+    /// Of a family, where those of each index end.
+    pub ends: Option<u16>,
+}
+
+/// The kind of test for a claim about families.
+pub(super) enum Around {
+    /// A register says whether it holds.
+    Holds(Reg),
+    /// All slots of a buffer must differ.
+    Distinct(u16),
+}

@@ -1,0 +1,185 @@
+//! The columns of a mesh: attributes by name, and their values.
+
+use super::attribute::{Attribute, Column, ColumnConflict, ColumnData, ColumnId, Value};
+use super::connectivity::Mesh;
+use super::id::ElementKind;
+
+impl Mesh {
+    /// Adds a column with `default` in every slot. If one of that name and type is
+    /// there, it is returned as it stands.
+    pub fn add_column(
+        &mut self,
+        kind: ElementKind,
+        name: &str,
+        default: Value,
+    ) -> Result<ColumnId, ColumnConflict> {
+        if let Some(id) = self.find_column(kind, name) {
+            let has = self.columns[kind as usize].0[id.place as usize].attribute_type();
+            let wanted = default.attribute_type();
+            return match has == wanted {
+                true => Ok(id),
+                false => Err(ColumnConflict { kind, name: name.to_owned(), has, wanted }),
+            };
+        }
+        let mut data = default.column(self.capacity(kind));
+        // It grows with the tables.
+        data.reserve(self.reserved(kind));
+        let columns = &mut self.columns[kind as usize].0;
+        columns.push(Column { name: name.to_owned(), default, data });
+        let id = ColumnId { kind, place: columns.len() as u32 - 1 };
+        self.note_added(id);
+        Ok(id)
+    }
+
+    /// Says what new elements get from now on. False, and nothing changed, when the type is
+    /// not the column's.
+    #[must_use]
+    pub fn set_default(&mut self, id: ColumnId, default: Value) -> bool {
+        self.note_default(id);
+        let columns = &mut self.columns[id.kind as usize].0;
+        match columns.get_mut(id.place as usize) {
+            Some(column) if column.attribute_type() == default.attribute_type() => {
+                column.default = default;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Puts the default into every slot. No journal notes it: it is for scratch.
+    pub(crate) fn clear_column(&mut self, id: ColumnId) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data.fill(column.default);
+        }
+    }
+
+    /// Takes a column away. Ids of other columns of its kind mean nothing any more.
+    pub fn remove_column(&mut self, id: ColumnId) {
+        if let Some(column) = self.take_column(id) {
+            self.note_removed(id, column);
+        }
+    }
+
+    /// Takes a column away; nobody notes it.
+    pub(super) fn take_column(&mut self, id: ColumnId) -> Option<Column> {
+        let columns = &mut self.columns[id.kind as usize].0;
+        (columns.len() > id.place as usize).then(|| columns.remove(id.place as usize))
+    }
+
+    pub fn find_column(&self, kind: ElementKind, name: &str) -> Option<ColumnId> {
+        let place = self.columns[kind as usize].0.iter().position(|c| c.name == name)?;
+        Some(ColumnId { kind, place: place as u32 })
+    }
+
+    /// The columns of a kind, in the order they were added.
+    pub fn columns(&self, kind: ElementKind) -> impl Iterator<Item = (ColumnId, &Column)> {
+        let columns = self.columns[kind as usize].0.iter().enumerate();
+        columns.map(move |(place, column)| (ColumnId { kind, place: place as u32 }, column))
+    }
+
+    /// The columns of all kinds that go into files.
+    pub fn sayable_columns(&self) -> impl Iterator<Item = (ColumnId, &Column)> {
+        let all = ElementKind::ALL.into_iter();
+        let all = all.flat_map(|kind| self.columns(kind));
+        all.filter(|(_, column)| column.is_sayable())
+    }
+
+    /// `None` for the column of another mesh that this one does not have.
+    pub fn column(&self, id: ColumnId) -> Option<&Column> {
+        self.columns[id.kind as usize].0.get(id.place as usize)
+    }
+
+    /// The value of a living element.
+    pub fn value(&self, id: ColumnId, index: u32) -> Option<Value> {
+        if !self.is_alive(id.kind, index) {
+            return None;
+        }
+        self.column(id)?.data.get(index as usize)
+    }
+
+    /// Writes the value of a living element. False, and nothing written, when the
+    /// element does not live or the type is not the column's.
+    #[must_use]
+    pub fn set_value(&mut self, id: ColumnId, index: u32, value: Value) -> bool {
+        self.note_value(id, index);
+        self.is_alive(id.kind, index)
+            && match self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+                Some(column) => column.data.set(index as usize, value),
+                None => false,
+            }
+    }
+
+    /// The value in a slot, living or dead.
+    pub(super) fn value_at(&self, id: ColumnId, index: u32) -> Option<Value> {
+        self.column(id)?.data.get(index as usize)
+    }
+
+    /// Writes to a slot, living or dead; nothing if there is none, or of another type.
+    pub(super) fn put_value(&mut self, id: ColumnId, index: u32, value: Value) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data.set(index as usize, value);
+        }
+    }
+
+    /// Gives a column all its values, one for each slot; nothing if they are of another type or
+    /// number.
+    pub fn set_values(&mut self, id: ColumnId, data: ColumnData) {
+        let fits = |column: &Column| {
+            column.attribute_type() == data.attribute_type() && column.data.len() == data.len()
+        };
+        if self.column(id).is_some_and(fits) {
+            self.note_values(id);
+            self.put_values(id, data);
+        }
+    }
+
+    /// Puts the values of a column back.
+    pub(super) fn put_values(&mut self, id: ColumnId, data: ColumnData) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            column.data = data;
+        }
+    }
+
+    /// Exchanges all values of a column.
+    pub(super) fn swap_values(&mut self, id: ColumnId, data: &mut ColumnData) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            std::mem::swap(&mut column.data, data);
+        }
+    }
+
+    /// Exchanges the default of a column.
+    pub(super) fn swap_default(&mut self, id: ColumnId, default: &mut Value) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            std::mem::swap(&mut column.default, default);
+        }
+    }
+
+    /// Puts a column back where it was.
+    pub(super) fn put_column(&mut self, id: ColumnId, column: Column) {
+        let columns = &mut self.columns[id.kind as usize].0;
+        columns.insert(columns.len().min(id.place as usize), column);
+    }
+
+    /// All values of a column by slot, dead slots included; `None` when the type is
+    /// another.
+    #[inline]
+    pub fn values<T: Attribute>(&self, id: ColumnId) -> Option<&[T]> {
+        T::slice(&self.column(id)?.data)
+    }
+
+    /// As [`Column::data`], for who has called [`Mesh::note_value`]; `None` for the column of
+    /// another mesh.
+    #[doc(hidden)]
+    #[inline]
+    pub fn column_data_mut(&mut self, id: ColumnId) -> Option<&mut ColumnData> {
+        let columns = &mut self.columns[id.kind as usize].0;
+        Some(&mut columns.get_mut(id.place as usize)?.data)
+    }
+
+    #[inline]
+    pub fn values_mut<T: Attribute>(&mut self, id: ColumnId) -> Option<&mut [T]> {
+        self.note_values(id);
+        let column = self.columns[id.kind as usize].0.get_mut(id.place as usize)?;
+        T::slice_mut(&mut column.data)
+    }
+}

@@ -1,0 +1,150 @@
+//! The notes of a journal.
+
+use std::collections::HashSet;
+
+use glam::DVec3;
+
+use super::attribute::{Column, ColumnData, ColumnId, Value};
+use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
+use super::records::{FaceRecord, HalfedgeRecord};
+
+/// The beginning of a journal among the notes.
+#[derive(Debug)]
+#[must_use = "a journal that is open ends by `roll_back` or `keep`"]
+pub struct Bookmark(pub(super) usize);
+
+/// Something that is not what it was when a journal was opened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Written<'j> {
+    /// The pointers of a halfedge, which were these.
+    Pointers(HalfedgeId, &'j HalfedgeRecord),
+    /// The `halfedge` of a vertex, an edge or a face.
+    Halfedge(ElementKind, u32),
+    /// A position, or whether a face is a hole.
+    Value(ElementKind, u32),
+    /// The value of an attribute, which was this.
+    Attribute(ColumnId, u32, Value),
+    /// The life of a slot: if it has a living element, or which.
+    Life(ElementKind, u32),
+    /// There are more slots of a kind.
+    Grown(ElementKind),
+    /// An attribute as a whole.
+    Column,
+}
+
+/// A record as it was; put back, it is as it was instead.
+#[derive(Clone, Debug)]
+pub(super) enum Note {
+    Vertex(VertexId, HalfedgeId),
+    Halfedge(HalfedgeId, HalfedgeRecord),
+    Edge(EdgeId, HalfedgeId),
+    Face(FaceId, FaceRecord),
+    Position(VertexId, DVec3),
+    Bool(ColumnId, u32, bool),
+    Int(ColumnId, u32, i64),
+    Real(ColumnId, u32, f64),
+    /// A wider value, elsewhere: notes are many, and small.
+    Wide(ColumnId, u32, Box<Value>),
+    /// All values of a column.
+    Values(ColumnId, Box<ColumnData>),
+    /// The value of new elements in a column.
+    Default(ColumnId, Box<Value>),
+    /// A column has been added.
+    Added(ColumnId),
+    /// A column has been taken away.
+    Removed(ColumnId, Box<Column>),
+    /// A slot has been added at the end of its table, or taken away there.
+    Grown(ElementKind),
+    Shrunk(ElementKind),
+    /// A free slot has been taken, or freed; its record has been noted before.
+    Taken(ElementKind, u32),
+    Freed(ElementKind, u32),
+    /// An element has been erased, or brought back; its record has been noted before.
+    Erased(ElementKind, u32),
+    Revived(ElementKind, u32),
+    /// So many pending slots have been freed, or made pending again.
+    Recycled(ElementKind, u32),
+    Held(ElementKind, u32),
+}
+
+impl Note {
+    pub(super) fn value(column: ColumnId, index: u32, value: Value) -> Self {
+        match value {
+            Value::Bool(value) => Self::Bool(column, index, value),
+            Value::Int(value) => Self::Int(column, index, value),
+            Value::Real(value) => Self::Real(column, index, value),
+            wide => Self::Wide(column, index, Box::new(wide)),
+        }
+    }
+
+    /// The value of an attribute that it is of.
+    pub(super) fn as_value(&self) -> Option<(ColumnId, u32, Value)> {
+        Some(match self {
+            &Self::Bool(column, index, value) => (column, index, Value::Bool(value)),
+            &Self::Int(column, index, value) => (column, index, Value::Int(value)),
+            &Self::Real(column, index, value) => (column, index, Value::Real(value)),
+            Self::Wide(column, index, value) => (*column, *index, **value),
+            _ => return None,
+        })
+    }
+
+    /// True if the numbers of columns may mean others from then on.
+    pub(super) fn is_of_columns(&self) -> bool {
+        matches!(self, Self::Added(_) | Self::Removed(..))
+    }
+
+    /// The record that it is of, if it is of one that is written in place.
+    pub(super) fn place(&self) -> Option<(u8, u32, Option<ColumnId>)> {
+        Some(match self {
+            Self::Vertex(v, _) => (0, v.0, None),
+            Self::Halfedge(h, _) => (1, h.0, None),
+            Self::Edge(e, _) => (2, e.0, None),
+            Self::Face(f, _) => (3, f.0, None),
+            Self::Position(v, _) => (4, v.0, None),
+            _ => {
+                let (column, index, _) = self.as_value()?;
+                (5, index, Some(column))
+            }
+        })
+    }
+}
+
+/// The notes of all journals that are open.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Journal {
+    pub(super) notes: Vec<Note>,
+    pub(super) open: usize,
+    pub(super) recorder: Option<Box<Recorder>>,
+}
+
+/// What a history is recorded with.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Recorder {
+    /// Where the notes of each step end.
+    pub(super) ends: Vec<usize>,
+    /// The number of steps that were taken before.
+    pub(super) first: u64,
+    /// The most bytes of the notes.
+    pub(super) most: usize,
+    /// The records that the step has written.
+    pub(super) seen: HashSet<(u8, u32, Option<ColumnId>)>,
+}
+
+impl Journal {
+    /// The memory that the notes take, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        self.notes.capacity() * size_of::<Note>()
+    }
+
+    /// True if what is written is noted.
+    #[inline]
+    pub(super) fn is_open(&self) -> bool {
+        self.open > 0 || self.recorder.is_some()
+    }
+
+    /// True if what was written may yet be rolled back.
+    #[inline]
+    pub(super) fn may_roll_back(&self) -> bool {
+        self.open > 0
+    }
+}

@@ -1,0 +1,61 @@
+//! The rows of the tables of a mesh.
+//!
+//! A halfedge stores its five pointers and its twin side by side (one cache line holds two and a
+//! half halfedges); vertices, edges and faces each store one halfedge of theirs. Whether an
+//! element lives is written inside its own record, so asking costs no further memory access.
+
+use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
+
+/// The pointers of a halfedge. `vertex` is its origin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HalfedgeRecord {
+    pub next: HalfedgeId,
+    pub prev: HalfedgeId,
+    pub twin: HalfedgeId,
+    pub vertex: VertexId,
+    pub edge: EdgeId,
+    pub face: FaceId,
+}
+
+impl HalfedgeRecord {
+    pub(super) const UNSET: Self = Self {
+        next: HalfedgeId::NONE,
+        prev: HalfedgeId::NONE,
+        twin: HalfedgeId::NONE,
+        vertex: VertexId::NONE,
+        edge: EdgeId::NONE,
+        face: FaceId::NONE,
+    };
+
+    #[inline]
+    pub(super) fn lives(&self) -> bool {
+        self.next != HalfedgeId::DEAD
+    }
+
+    /// Its pointers, in the order in which they are declared.
+    #[inline]
+    pub(crate) fn pointers(&self) -> [u32; 6] {
+        let Self { next, prev, twin, vertex, edge, face } = self;
+        [next.0, prev.0, twin.0, vertex.0, edge.0, face.0]
+    }
+}
+
+/// A face as its table has it: one halfedge of its loop, and whether it is a hole.
+#[derive(Clone, Debug)]
+pub(super) struct FaceRecord {
+    pub(super) halfedge: HalfedgeId,
+    pub(super) hole: bool,
+}
+
+/// The dead slots of one kind.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Slots {
+    pub(super) free: Vec<u32>,
+    pub(super) pending: Vec<u32>,
+}
+
+impl Slots {
+    pub(super) fn unused(&self) -> usize {
+        self.free.len() + self.pending.len()
+    }
+}

@@ -1,0 +1,89 @@
+//! The declaration of an attribute but for its default.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagram::Type;
+use crate::source::Span;
+use crate::syntax::tree;
+
+use super::fields::is_taken;
+use super::report::Report;
+use super::type_name::type_named;
+use super::words::a_type;
+
+/// The declaration of an attribute but for its default.
+#[derive(Clone, Debug)]
+pub(super) struct Head {
+    pub(super) name: String,
+    pub(super) span: Span,
+    /// The type of the elements that have it.
+    pub(super) element: Type,
+    /// The type of its values.
+    pub(super) ty: Type,
+    /// True if only its file sees it.
+    pub(super) private: bool,
+    /// Its number among those of the whole program.
+    pub(super) number: u32,
+}
+
+impl Head {
+    /// True if another attribute of the same elements has the name.
+    pub(super) fn is_named_as(&self, other: &Self) -> bool {
+        self.element == other.element && self.name == other.name
+    }
+}
+
+/// Reads a declaration; `None` if a diagnostic says what is wrong.
+pub(super) fn head(
+    attr: &tree::Attr,
+    number: u32,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Head> {
+    let mut report = Report::default();
+    let (element, ty) = (type_named(&attr.kind, &mut report), type_named(&attr.ty, &mut report));
+    if let (Some(element), Some(value)) = (element, ty)
+        && !element.is_element()
+        && value.is_element()
+    {
+        let message =
+            format!("the kind of element stands first: `{} {}`", value.word(), element.word());
+        let both = attr.kind.span.to(attr.ty.span);
+        let ours = format!("{} {}", value.word(), element.word());
+        let error = Diagnostic::error("attribute-type", message, both);
+        diagnostics.push(error.fix(format!("write `{ours}`"), both, ours));
+        return None;
+    }
+    if let Some(element) = element {
+        if !element.is_element() {
+            let message = format!(
+                "an attribute belongs to vertices, halfedges, edges or faces, not to {}",
+                a_type(element)
+            );
+            report.add(Diagnostic::error("attribute-type", message, attr.kind.span));
+        } else if is_taken(element, &attr.name.text) {
+            let message = format!(
+                "{} has a field `{}` already; the attribute needs another name",
+                a_type(element),
+                attr.name.text
+            );
+            report.add(Diagnostic::error("duplicate-name", message, attr.name.span));
+        }
+    }
+    if let Some(ty) = ty.filter(|ty| ty.is_element() || *ty == Type::Text) {
+        let message = format!(
+            "an attribute holds a bool, a number, a vector or a matrix, not {}",
+            a_type(ty)
+        );
+        report.add(Diagnostic::error("attribute-type", message, attr.ty.span));
+    }
+    let failed = report.failed();
+    diagnostics.extend(report.into_diagnostics());
+    let (element, ty) = (element?, ty?);
+    (!failed).then(|| Head {
+        name: attr.name.text.clone(),
+        span: attr.name.span,
+        element,
+        ty,
+        private: attr.private,
+        number,
+    })
+}

@@ -1,0 +1,74 @@
+//! The table of the fields that elements and vectors have without any declaration.
+
+use crate::diagram::{Access, Pointer, Type};
+
+use super::sequence_names::sequences_of;
+
+/// The kind of a field.
+#[derive(Clone, Copy)]
+pub(super) enum Field {
+    Pointer(Pointer, Type),
+    Attribute(Access, Type),
+    Part(u8, Type),
+}
+
+/// The fields of a type that are values.
+pub(super) fn fields_of(ty: Type) -> &'static [(&'static str, Field)] {
+    use Field::{Attribute, Part, Pointer as To};
+    use Type::{Real, Vec3, Vec4};
+    match ty {
+        Type::Halfedge => &[
+            ("next", To(Pointer::Next, Type::Halfedge)),
+            ("prev", To(Pointer::Prev, Type::Halfedge)),
+            ("twin", To(Pointer::Twin, Type::Halfedge)),
+            ("vertex", To(Pointer::Vertex, Type::Vertex)),
+            ("target", To(Pointer::Target, Type::Vertex)),
+            ("edge", To(Pointer::Edge, Type::Edge)),
+            ("face", To(Pointer::Face, Type::Face)),
+        ],
+        Type::Vertex => &[
+            ("position", Attribute(Access::Position, Type::Vec3)),
+            ("halfedge", To(Pointer::VertexHalfedge, Type::Halfedge)),
+        ],
+        Type::Edge => &[("halfedge", To(Pointer::EdgeHalfedge, Type::Halfedge))],
+        Type::Face => &[("halfedge", To(Pointer::FaceHalfedge, Type::Halfedge))],
+        Type::Vec2 => &[("x", Part(0, Real)), ("y", Part(1, Real))],
+        Type::Vec3 => &[("x", Part(0, Real)), ("y", Part(1, Real)), ("z", Part(2, Real))],
+        Type::Vec4 => &[
+            ("x", Part(0, Real)),
+            ("y", Part(1, Real)),
+            ("z", Part(2, Real)),
+            ("w", Part(3, Real)),
+        ],
+        // The columns, as everywhere in graphics.
+        Type::Mat3 => &[("x", Part(0, Vec3)), ("y", Part(3, Vec3)), ("z", Part(6, Vec3))],
+        Type::Mat4 => &[
+            ("x", Part(0, Vec4)),
+            ("y", Part(4, Vec4)),
+            ("z", Part(8, Vec4)),
+            ("w", Part(12, Vec4)),
+        ],
+        Type::Bool | Type::Int | Type::Real | Type::Text => &[],
+    }
+}
+
+/// The attribute of this name that elements of type `ty` have, and the type of its values.
+pub(super) fn attribute(ty: Type, word: &str) -> Option<(Access, Type)> {
+    fields_of(ty).iter().find_map(|(known, field)| match field {
+        Field::Attribute(access, value) if *known == word => Some((*access, *value)),
+        _ => None,
+    })
+}
+
+/// The names of the attributes that elements of type `ty` have.
+pub(super) fn attributes_of(ty: Type) -> Vec<&'static str> {
+    let attribute = |(known, field): &(&'static str, Field)| {
+        matches!(field, Field::Attribute(..)).then_some(*known)
+    };
+    fields_of(ty).iter().filter_map(attribute).collect()
+}
+
+/// True if elements of type `ty` have a field of this name without any declaration.
+pub(super) fn is_taken(ty: Type, word: &str) -> bool {
+    fields_of(ty).iter().any(|(known, _)| *known == word) || sequences_of(ty).contains(&word)
+}

@@ -1,0 +1,142 @@
+//! Signatures: all that a call has to know of what it calls.
+
+use crate::diagram::{self, Expr, Param, Type};
+use crate::source::Span;
+
+use super::program;
+
+/// A parameter, as far as it is understood.
+#[derive(Clone, Debug)]
+pub(super) struct Parameter {
+    /// Its name.
+    pub(super) name: String,
+    /// The span of its name.
+    pub(super) span: Span,
+    /// Its type, if there is such a type.
+    pub(super) ty: Option<Type>,
+    /// True if a call may leave it out.
+    pub(super) optional: bool,
+    /// Its default, if it could be understood.
+    pub(super) default: Option<Expr>,
+}
+
+impl Parameter {
+    /// The parameter as others see it. One whose type is unknown counts as a real: its
+    /// item cannot be used, but calls of it should still be counted right.
+    pub(super) fn param(&self) -> Param {
+        Param {
+            name: self.name.clone(),
+            span: self.span,
+            ty: self.ty.unwrap_or(Type::Real),
+            default: self.default.clone(),
+        }
+    }
+}
+
+/// The signature of an op, for its calls.
+#[derive(Clone, Debug)]
+pub(super) struct Signature {
+    /// Its name.
+    pub(super) name: String,
+    /// Its parameters.
+    pub(super) params: Vec<Parameter>,
+    /// Its result.
+    pub(super) result: Returned,
+}
+
+impl Signature {
+    /// The op at this name: drawn, or without a diagram, which its steps will take the place of.
+    pub(super) fn op(&self, name: Span, diagram: Option<diagram::Op>) -> program::Op {
+        program::Op {
+            name: self.name.clone(),
+            span: name,
+            params: self.params.iter().map(Parameter::param).collect(),
+            result: self.result.element(),
+            diagram,
+            still: None,
+            steps: None,
+        }
+    }
+}
+
+/// The result of an op.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Returned {
+    /// Nothing.
+    Nothing,
+    /// An element.
+    Element(Type),
+    /// Something, but it could not be found out what.
+    Unknown,
+}
+
+impl Returned {
+    /// The type of the element.
+    pub(super) fn element(self) -> Option<Type> {
+        match self {
+            Returned::Element(ty) => Some(ty),
+            Returned::Nothing | Returned::Unknown => None,
+        }
+    }
+}
+
+/// The signature of a function, for its calls.
+#[derive(Clone, Debug)]
+pub(super) struct FunctionSignature {
+    /// Its name.
+    pub(super) name: String,
+    /// The span of its name.
+    pub(super) span: Span,
+    /// Its parameters.
+    pub(super) params: Vec<Parameter>,
+    /// The type of its value.
+    pub(super) result: Value,
+    /// Its effects besides.
+    pub(super) effects: Effects,
+}
+
+/// The type of what a function gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Value {
+    /// Nothing.
+    Nothing,
+    /// A value.
+    Of(Type),
+    /// Something; its body has yet to say what.
+    Open,
+    /// It could not be found out.
+    Unknown,
+}
+
+/// The effects of a function, each with a place that does it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Effects {
+    /// It calls an op, or sets attributes.
+    pub(super) changes: Option<Span>,
+    /// It prints.
+    pub(super) prints: Option<Span>,
+    /// It looks at the whole mesh.
+    pub(super) looks: Option<Span>,
+    /// It asks an op.
+    pub(super) asks: Option<Span>,
+    /// It takes numbers by chance.
+    pub(super) draws: Option<Span>,
+}
+
+impl Effects {
+    /// The effects of a script that is called here.
+    pub(super) fn all(here: Span) -> Self {
+        let here = Some(here);
+        Self { changes: here, prints: here, looks: here, asks: here, draws: here }
+    }
+
+    pub(super) fn take_in(&mut self, other: Effects) -> bool {
+        let before = *self;
+        self.changes = self.changes.or(other.changes);
+        self.prints = self.prints.or(other.prints);
+        self.looks = self.looks.or(other.looks);
+        self.asks = self.asks.or(other.asks);
+        self.draws = self.draws.or(other.draws);
+        *self != before
+    }
+}
