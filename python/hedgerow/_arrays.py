@@ -92,8 +92,9 @@ def numbers(elements):
     return _integers(array, "numbers of elements", ArgumentError)
 
 
-def attribute(values, slots, what):
-    """Values of an attribute: one row of them, and the name of their type."""
+def attribute(values, slots, ids, what):
+    """Values of an attribute, one for each place or for each living element: one row of them, with
+    zeros where none lives, and the name of their type."""
     try:
         array = np.asarray(values)
     except ValueError as why:
@@ -102,10 +103,18 @@ def attribute(values, slots, what):
         raise _wrong(f"{what} cannot have values of {array.dtype}: numbers and bools alone")
     shape = array.shape
     # One value for all of them, unless it is exactly one for each.
-    if shape in _TYPES and shape[:1] != (slots,):
+    if shape[:1] == (slots,):
+        pass
+    elif shape[:1] == (len(ids),):
+        array = np.zeros((slots, *shape[1:]), array.dtype)
+        array[ids] = values
+    elif shape in _TYPES:
         array = np.broadcast_to(array, (slots, *shape))
-    elif shape[:1] != (slots,):
-        raise _wrong(f"{what} has {slots} places (the number of the last and one more), not {shape[0]}")
+    else:
+        raise _wrong(
+            f"{what} is of {len(ids)} elements (or {slots} places: the greatest number and one more), "
+            f"not {shape[0]}"
+        )
     of_one = array.shape[1:]
     if of_one not in _TYPES:
         raise _wrong(f"{what} cannot have values of shape {of_one}")

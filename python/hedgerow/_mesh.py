@@ -112,7 +112,7 @@ class ElementTable:
         if not isinstance(name, str):
             raise TypeError("attributes go by their names")
         what = f"the {self._kind} attribute `{name}`"
-        array, word = _arrays.attribute(values, self.size, what)
+        array, word = _arrays.attribute(values, self.size, self.ids, what)
         known = self.attributes.get(name)
         if known == "real" and word in ("int", "bool"):
             array, word = array.astype(np.float64), "real"
@@ -186,6 +186,8 @@ class Mesh(MeshTables):
             vertices = np.zeros((0, 3))
         if isinstance(vertices, (str, os.PathLike)):
             raise TypeError("a mesh is made of arrays; `Mesh.load` reads files")
+        if faces is None:
+            raise TypeError("a mesh wants its faces: rows or lists of corners")
         coordinates = _arrays.coordinates(vertices)
         corners, ends = _arrays.polygons(faces)
         return super().__new__(cls, coordinates, corners, ends, _repair(repair))

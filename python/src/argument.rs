@@ -3,7 +3,7 @@
 use hedgerow::diagram::Type;
 use hedgerow::mesh::{Element, ElementKind};
 use hedgerow::{Argument, Arguments, Given};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyString, PyTuple};
 
@@ -94,13 +94,12 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
             if is_bool() || value.is_instance_of::<PyFloat>() {
                 return Err(wrong("a whole number"));
             }
-            let value: i64 =
-                value.extract().map_err(|error: PyErr| match error
-                    .is_instance_of::<pyo3::exceptions::PyOverflowError>(value.py())
-                {
+            let value: i64 = value.extract().map_err(|error: PyErr| {
+                match error.is_instance_of::<PyOverflowError>(value.py()) {
                     true => PyValueError::new_err(format!("`{name}` is too large")),
                     false => wrong("a whole number"),
-                })?;
+                }
+            })?;
             Ok(Argument::Int(value))
         }
         Type::Real => {
@@ -134,18 +133,22 @@ pub fn argument(value: &Bound<'_, PyAny>, ty: Type, name: &str) -> PyResult<Argu
 /// The number of an element.
 pub fn element(value: &Bound<'_, PyAny>, kind: ElementKind, name: &str) -> PyResult<Argument> {
     let is_other = value.is_instance_of::<PyBool>() || value.is_instance_of::<PyFloat>();
-    let number: Option<i64> = if is_other { None } else { value.extract().ok() };
-    let Some(number) = number else {
-        let a = if kind == ElementKind::Edge { "an" } else { "a" };
-        return Err(PyTypeError::new_err(format!("`{name}` wants the number of {a} {kind}")));
+    let number = match value.extract::<u32>() {
+        Ok(number) if !is_other => Some(number),
+        Err(error) if !is_other && error.is_instance_of::<PyOverflowError>(value.py()) => None,
+        _ => {
+            let a = if kind == ElementKind::Edge { "an" } else { "a" };
+            let message = format!("`{name}` wants the number of {a} {kind}");
+            return Err(PyTypeError::new_err(message));
+        }
     };
-    match u32::try_from(number) {
-        Ok(index) => Ok(Element { kind, index }.into()),
-        Err(_) => Err(super::error::saying(
+    match number {
+        Some(index) => Ok(Element { kind, index }.into()),
+        None => Err(super::error::saying(
             value.py(),
             super::error::Kind::Argument,
             "wrong-argument",
-            format!("`{name}` is no {kind} of the mesh: {number}"),
+            format!("`{name}` is no {kind} of the mesh: {value}"),
         )),
     }
 }

@@ -4,6 +4,7 @@ use hedgerow::mesh::Element;
 use hedgerow::{Argument, Outcome, Verdict};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
 
@@ -117,8 +118,14 @@ item! {Op, "op", options [], result |_op| Some("hedgerow.Applied | hedgerow.Refu
         if self.parameters.first_free(&values).is_none() {
             return state.session.can(&self.item, &values).map_err(raised)?.into_bound_py_any(py);
         }
-        let near = near.is_some_and(|near| !near.is_none());
-        if near && values.is_empty() {
+        let near = near.filter(|near| !near.is_none());
+        let is_outcome = |near: &Bound<'py, PyAny>| {
+            near.is_instance_of::<Applied>() || near.is_instance_of::<Refused>()
+        };
+        if near.is_some_and(|near| !is_outcome(near)) {
+            return Err(PyTypeError::new_err("`near` wants what an action gave: Applied or Refused"));
+        }
+        if near.is_some() && values.is_empty() {
             let mask = state.near(&self.item).map_err(raised)?;
             let mask = state.session.kept_mask(mask).map_err(raised)?;
             return Ok(PyArray1::from_slice(py, mask).into_any());

@@ -98,6 +98,7 @@ impl Program {
         self.program.texts()
     }
 
+    /// The name of its file, or the one that it was given.
     #[getter]
     fn name(&self) -> String {
         self.program.texts().swap_remove(0).0
@@ -109,16 +110,19 @@ impl Program {
         diagnostics(py, self.program.warnings(), self.program.sources())
     }
 
+    /// The names of its operations, in order.
     #[getter]
     fn ops(&self) -> Vec<String> {
         self.program.ops().map(|op| op.name().to_owned()).collect()
     }
 
+    /// The names of its scripts, in order.
     #[getter]
     fn scripts(&self) -> Vec<String> {
         self.program.scripts().map(|script| script.name().to_owned()).collect()
     }
 
+    /// The names of its functions, in order.
     #[getter]
     fn functions(&self) -> Vec<String> {
         self.program.functions().map(|function| function.name().to_owned()).collect()

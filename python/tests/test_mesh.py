@@ -106,6 +106,14 @@ def test_attributes_of_all_types(rng):
     assert (mesh["uv"] == mesh.vertices[:, :2]).all() and "uv" in mesh
     mesh["uv"] = [1, 2]
     assert (mesh["uv"] == [1, 2]).all()
+    # One for each living element will do, too: of faces, those that are no holes.
+    size = np.arange(1.0, 1 + len(mesh.elements("face")))
+    mesh.elements("face")["part"] = size
+    table = mesh.elements("face")
+    assert len(size) < table.size and (table["part"][table.ids] == size).all()
+    assert (table["part"][table.is_hole] == 0).all()
+    with pytest.raises(hedgerow.ArgumentError, match="is of 6 elements .or 7 places"):
+        table["part"] = np.arange(5)
     mesh["heat"] = 1.5
     mesh["heat"] = np.arange(mesh.vertex_count)
     assert mesh.elements("vertex").attributes["heat"] == "real"

@@ -138,10 +138,11 @@ pub(super) struct RunArguments {
     /// Seed of `random` and `shuffle`: the same seed, the same numbers
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
-    /// Also tell how each `drain` keeps its keys current
-    #[arg(short, long)]
+    /// Also tell how each `drain` keeps its keys current,
+    /// and how long native code took to compile
+    #[arg(short, long, verbatim_doc_comment)]
     pub verbose: bool,
-    /// What runs operations: native code where it pays if
+    /// What runs the script: native code where it pays if
     /// not given, with results that are the same bit for
     /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
@@ -175,7 +176,7 @@ pub(super) struct ApplyArguments {
     /// File for the result, in one of these formats
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// What runs operations: native code where it pays if
+    /// What runs the script: native code where it pays if
     /// not given, with results that are the same bit for
     /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]
@@ -428,7 +429,7 @@ pub(super) struct TestArguments {
     /// if not given, three quarters of what there is
     #[arg(long, value_name = "SIZE", value_parser = super::memory::read, verbatim_doc_comment)]
     pub memory: Option<usize>,
-    /// What runs operations: native code where it pays if
+    /// What runs the script: native code where it pays if
     /// not given, with results that are the same bit for
     /// bit
     #[arg(long, value_enum, verbatim_doc_comment)]

@@ -19,6 +19,8 @@ pub(super) struct Progress {
     /// True if the lines that the script prints go to standard error, since standard output is
     /// taken by data.
     lines_to_stderr: bool,
+    /// The time that native code has taken to compile.
+    pub compiling: Duration,
 }
 
 const PARTS: u64 = 1000;
@@ -38,7 +40,7 @@ impl Progress {
         }
         bar.set_message(script.to_string());
         bar.enable_steady_tick(Duration::from_millis(250));
-        Self { bar, lines_to_stderr }
+        Self { bar, lines_to_stderr, compiling: Duration::ZERO }
     }
 
     /// Takes the bar away.
@@ -60,6 +62,10 @@ impl Watch for Progress {
 
     fn tick(&mut self) -> ControlFlow<()> {
         interrupt::unless_asked()
+    }
+
+    fn compiled(&mut self, time: Duration) {
+        self.compiling = time;
     }
 
     fn print(&mut self, line: &str) {

@@ -98,7 +98,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         ops: report.ops.into_iter().map(Op::from).collect(),
         before,
         after: Counts::of(&obj.mesh),
-        seconds: Seconds { load, compile, run, save },
+        seconds: Seconds {
+            load,
+            compile,
+            run,
+            save,
+            native: arguments.verbose.then_some(progress.compiling.as_secs_f64()),
+        },
     };
     match arguments.format {
         Format::Json if poured => complain_json(&report),
@@ -173,6 +179,9 @@ struct Seconds {
     compile: f64,
     run: f64,
     save: f64,
+    /// Of the run, what it took to compile native code.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    native: Option<f64>,
 }
 
 impl From<OpReport> for Op {
@@ -193,9 +202,12 @@ impl Report {
         if !self.drains.is_empty() {
             parts.push(self.show_drains());
         }
-        let Seconds { load, compile, run, save } = self.seconds;
+        let Seconds { load, compile, run, save, native } = self.seconds;
+        let native = native.map_or_else(String::new, |native| {
+            format!(" (with {native:.3} to compile native code)")
+        });
         parts.push(format!(
-            "seconds: load {load:.3}, compile {compile:.3}, run {run:.3}, save {save:.3}"
+            "seconds: load {load:.3}, compile {compile:.3}, run {run:.3}{native}, save {save:.3}"
         ));
         parts.join("\n\n")
     }

@@ -48,7 +48,7 @@ impl Mesh {
     pub fn erase_vertex(&mut self, v: VertexId) {
         if self.vertex_alive(v) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Vertex);
+                self.note_erased(ElementKind::Vertex, v.0);
                 self.note_vertex(v);
             }
             self.vertices[v.index()] = HalfedgeId::DEAD;
@@ -60,7 +60,7 @@ impl Mesh {
     pub fn erase_halfedge(&mut self, h: HalfedgeId) {
         if self.halfedge_alive(h) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Halfedge);
+                self.note_erased(ElementKind::Halfedge, h.0);
                 self.note_halfedge(h);
             }
             self.halfedges[h.index()].next = HalfedgeId::DEAD;
@@ -71,7 +71,7 @@ impl Mesh {
     pub fn erase_edge(&mut self, e: EdgeId) {
         if self.edge_alive(e) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Edge);
+                self.note_erased(ElementKind::Edge, e.0);
                 self.note_edge(e);
             }
             self.edges[e.index()] = HalfedgeId::DEAD;
@@ -82,7 +82,7 @@ impl Mesh {
     pub fn erase_face(&mut self, f: FaceId) {
         if self.face_alive(f) {
             if self.journal.is_open() {
-                self.note_erased(ElementKind::Face);
+                self.note_erased(ElementKind::Face, f.0);
                 self.note_face(f);
             }
             self.set_hole(f, false);
@@ -94,8 +94,11 @@ impl Mesh {
     /// Frees the slots of everything erased so far. The caller knows that no one still
     /// holds an id of those. While a journal is open, one might, and nothing is freed.
     pub fn recycle(&mut self) {
-        if self.journal.is_open() {
+        if self.journal.may_roll_back() {
             return;
+        }
+        if self.journal.is_open() {
+            ElementKind::ALL.into_iter().for_each(|kind| self.note_recycled(kind));
         }
         for slots in &mut self.slots {
             slots.free.append(&mut slots.pending);

@@ -325,11 +325,6 @@ impl Columns {
         self.0.iter_mut().all(|column| column.data.reserve(more))
     }
 
-    /// Takes the column away that was added last.
-    pub(super) fn drop_last(&mut self) {
-        self.0.pop();
-    }
-
     pub(super) fn shrink(&mut self, len: usize) {
         for column in &mut self.0 {
             column.data.shrink(len);

@@ -26,9 +26,9 @@ impl Mesh {
         data.reserve(self.reserved(kind));
         let columns = &mut self.columns[kind as usize].0;
         columns.push(Column { name: name.to_owned(), default, data });
-        let place = columns.len() as u32 - 1;
-        self.note_added(kind);
-        Ok(ColumnId { kind, place })
+        let id = ColumnId { kind, place: columns.len() as u32 - 1 };
+        self.note_added(id);
+        Ok(id)
     }
 
     /// Says what new elements get from now on. False, and nothing changed, when the type is
@@ -55,11 +55,15 @@ impl Mesh {
 
     /// Takes a column away. Ids of other columns of its kind mean nothing any more.
     pub fn remove_column(&mut self, id: ColumnId) {
-        let columns = &mut self.columns[id.kind as usize].0;
-        if columns.len() > id.place as usize {
-            let column = columns.remove(id.place as usize);
+        if let Some(column) = self.take_column(id) {
             self.note_removed(id, column);
         }
+    }
+
+    /// Takes a column away; nobody notes it.
+    pub(super) fn take_column(&mut self, id: ColumnId) -> Option<Column> {
+        let columns = &mut self.columns[id.kind as usize].0;
+        (columns.len() > id.place as usize).then(|| columns.remove(id.place as usize))
     }
 
     pub fn find_column(&self, kind: ElementKind, name: &str) -> Option<ColumnId> {
@@ -136,10 +140,17 @@ impl Mesh {
         }
     }
 
-    /// Puts the default of a column back.
-    pub(super) fn put_default(&mut self, id: ColumnId, default: Value) {
+    /// Exchanges all values of a column.
+    pub(super) fn swap_values(&mut self, id: ColumnId, data: &mut ColumnData) {
         if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
-            column.default = default;
+            std::mem::swap(&mut column.data, data);
+        }
+    }
+
+    /// Exchanges the default of a column.
+    pub(super) fn swap_default(&mut self, id: ColumnId, default: &mut Value) {
+        if let Some(column) = self.columns[id.kind as usize].0.get_mut(id.place as usize) {
+            std::mem::swap(&mut column.default, default);
         }
     }
 

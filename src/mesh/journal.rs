@@ -10,13 +10,19 @@
 //! ```
 //!
 //! Journals nest: each ends what was begun last. No slot is freed while one is open, so that
-//! an id means one element throughout.
+//! an id means one element throughout. A [history](super::history) notes the same, and slots are
+//! freed as they are without.
+
+use std::mem::swap;
+
+use glam::DVec3;
 
 use super::attribute::{Column, ColumnId};
 use super::connectivity::Mesh;
 use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::level_near::Footprint;
 use super::notes::{Bookmark, Journal, Note, Written};
+use super::records::{FaceRecord, HalfedgeRecord, Slots};
 
 impl Mesh {
     /// From now on, until the mark is given back, what is written is noted.
@@ -38,8 +44,8 @@ impl Mesh {
     pub fn roll_back(&mut self, mark: Bookmark) {
         let Bookmark(start) = mark;
         while self.journal.notes.len() > start {
-            if let Some(note) = self.journal.notes.pop() {
-                self.put_back(note);
+            if let Some(mut note) = self.journal.notes.pop() {
+                self.put_back(&mut note);
             }
         }
         self.journal.open = self.journal.open.saturating_sub(1);
@@ -60,14 +66,7 @@ impl Mesh {
                 Note::Halfedge(h, _) => footprint.halfedges.push(*h),
                 Note::Edge(e, _) => footprint.edges.push(*e),
                 Note::Face(f, _) => footprint.faces.push(*f),
-                Note::Value(..)
-                | Note::Values(..)
-                | Note::Default(..)
-                | Note::Added(_)
-                | Note::Removed(..)
-                | Note::Grown(_)
-                | Note::Taken(..)
-                | Note::Erased(_) => {}
+                _ => {}
             }
         }
         footprint
@@ -109,7 +108,8 @@ impl Mesh {
                         tell(Written::Value(ElementKind::Vertex, v.0));
                     }
                 }
-                &Note::Value(column, index, was) => {
+                Note::Bool(..) | Note::Int(..) | Note::Real(..) | Note::Wide(..) => {
+                    let Some((column, index, was)) = note.as_value() else { continue };
                     let now = self.value_at(column, index);
                     if !now.is_some_and(|now| now.is_identical(was)) {
                         tell(Written::Attribute(column, index, was));
@@ -119,8 +119,14 @@ impl Mesh {
                     tell(Written::Column);
                 }
                 Note::Grown(kind) => tell(Written::Grown(*kind)),
-                // Their records have been noted before.
-                Note::Taken(..) | Note::Erased(_) => {}
+                // Their records have been noted before; the others stand in no open journal.
+                Note::Taken(..)
+                | Note::Erased(..)
+                | Note::Shrunk(_)
+                | Note::Freed(..)
+                | Note::Revived(..)
+                | Note::Recycled(..)
+                | Note::Held(..) => {}
             }
         }
     }
@@ -139,26 +145,73 @@ impl Mesh {
         }
     }
 
-    fn put_back(&mut self, note: Note) {
+    /// Puts a note back. It is then what there was, and put back again it undoes that.
+    pub(super) fn put_back(&mut self, note: &mut Note) {
         match note {
-            Note::Vertex(v, record) => self.vertices[v.index()] = record,
-            Note::Halfedge(h, record) => self.halfedges[h.index()] = record,
-            Note::Edge(e, record) => self.edges[e.index()] = record,
+            Note::Vertex(v, record) => swap(&mut self.vertices[v.index()], record),
+            Note::Halfedge(h, record) => swap(&mut self.halfedges[h.index()], record),
+            Note::Edge(e, record) => swap(&mut self.edges[e.index()], record),
             Note::Face(f, record) => {
-                let now = std::mem::replace(&mut self.faces[f.index()], record);
+                let now = &mut self.faces[f.index()];
                 self.holes -= usize::from(now.hole);
-                self.holes += usize::from(self.faces[f.index()].hole);
+                self.holes += usize::from(record.hole);
+                swap(now, record);
             }
-            Note::Position(v, position) => self.positions[v.index()] = position,
-            Note::Value(column, index, value) => self.put_value(column, index, value),
-            Note::Values(column, values) => self.put_values(column, *values),
-            Note::Default(column, value) => self.put_default(column, value),
-            Note::Added(kind) => self.columns[kind as usize].drop_last(),
-            Note::Removed(column, values) => self.put_column(column, *values),
-            Note::Grown(kind) => self.drop_last(kind),
-            Note::Taken(kind, slot) => self.slots[kind as usize].free.push(slot),
-            Note::Erased(kind) => {
+            Note::Position(v, position) => swap(&mut self.positions[v.index()], position),
+            Note::Bool(..) | Note::Int(..) | Note::Real(..) | Note::Wide(..) => {
+                if let Some((column, index, value)) = note.as_value()
+                    && let Some(now) = self.value_at(column, index)
+                {
+                    self.put_value(column, index, value);
+                    *note = Note::value(column, index, now);
+                }
+            }
+            Note::Values(column, values) => self.swap_values(*column, values),
+            Note::Default(column, value) => self.swap_default(*column, value),
+            Note::Added(id) => {
+                let id = *id;
+                if let Some(column) = self.take_column(id) {
+                    *note = Note::Removed(id, Box::new(column));
+                }
+            }
+            &mut Note::Removed(id, _) => {
+                if let Note::Removed(id, column) = std::mem::replace(note, Note::Added(id)) {
+                    self.put_column(id, *column);
+                }
+            }
+            &mut Note::Grown(kind) => {
+                self.drop_last(kind);
+                *note = Note::Shrunk(kind);
+            }
+            &mut Note::Shrunk(kind) => {
+                self.add_last(kind);
+                *note = Note::Grown(kind);
+            }
+            &mut Note::Taken(kind, slot) => {
+                self.slots[kind as usize].free.push(slot);
+                *note = Note::Freed(kind, slot);
+            }
+            &mut Note::Freed(kind, slot) => {
+                self.slots[kind as usize].free.pop();
+                *note = Note::Taken(kind, slot);
+            }
+            &mut Note::Erased(kind, slot) => {
                 self.slots[kind as usize].pending.pop();
+                *note = Note::Revived(kind, slot);
+            }
+            &mut Note::Revived(kind, slot) => {
+                self.slots[kind as usize].pending.push(slot);
+                *note = Note::Erased(kind, slot);
+            }
+            &mut Note::Recycled(kind, count) => {
+                let Slots { free, pending } = &mut self.slots[kind as usize];
+                pending.extend(free.drain(free.len().saturating_sub(count as usize)..));
+                *note = Note::Held(kind, count);
+            }
+            &mut Note::Held(kind, count) => {
+                let Slots { free, pending } = &mut self.slots[kind as usize];
+                free.append(pending);
+                *note = Note::Recycled(kind, count);
             }
         }
     }
@@ -180,11 +233,52 @@ impl Mesh {
         let len = self.capacity(kind);
         self.columns[kind as usize].shrink(len);
     }
+
+    /// Puts a slot at the end of a table, as a new element has it.
+    pub(super) fn add_last(&mut self, kind: ElementKind) {
+        match kind {
+            ElementKind::Vertex => {
+                self.vertices.push(HalfedgeId::NONE);
+                self.positions.push(DVec3::ZERO);
+            }
+            ElementKind::Halfedge => self.halfedges.push(HalfedgeRecord::UNSET),
+            ElementKind::Edge => self.edges.push(HalfedgeId::NONE),
+            ElementKind::Face => {
+                self.faces.push(FaceRecord { halfedge: HalfedgeId::NONE, hole: false });
+            }
+        }
+        let len = self.capacity(kind);
+        self.columns[kind as usize].grow(len);
+    }
 }
 
 /// The notes that writers make before they write. Each is to be called while a journal is open
 /// only.
 impl Mesh {
+    /// The record of an element is about to be written by somebody else than the mesh. To be called
+    /// at any time.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(crate) fn note_element(&mut self, kind: ElementKind, id: u32) {
+        if self.journal.is_open() {
+            match kind {
+                ElementKind::Vertex => self.note_vertex(VertexId(id)),
+                ElementKind::Halfedge => self.note_halfedge(HalfedgeId(id)),
+                ElementKind::Edge => self.note_edge(EdgeId(id)),
+                ElementKind::Face => self.note_face(FaceId(id)),
+            }
+        }
+    }
+
+    /// The same for a position.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(crate) fn note_place(&mut self, v: VertexId) {
+        if self.journal.is_open() {
+            self.note_position(v);
+        }
+    }
+
     #[cold]
     pub(super) fn note_vertex(&mut self, v: VertexId) {
         let record = self.vertices[v.index()];
@@ -221,7 +315,7 @@ impl Mesh {
         if self.journal.is_open()
             && let Some(value) = self.value_at(column, index)
         {
-            self.journal.notes.push(Note::Value(column, index, value));
+            self.journal.notes.push(Note::value(column, index, value));
         }
     }
 
@@ -240,14 +334,14 @@ impl Mesh {
         if self.journal.is_open()
             && let Some(default) = self.column(column).map(Column::default_value)
         {
-            self.journal.notes.push(Note::Default(column, default));
+            self.journal.notes.push(Note::Default(column, Box::new(default)));
         }
     }
 
     /// A column has been added.
-    pub(super) fn note_added(&mut self, kind: ElementKind) {
+    pub(super) fn note_added(&mut self, id: ColumnId) {
         if self.journal.is_open() {
-            self.journal.notes.push(Note::Added(kind));
+            self.journal.notes.push(Note::Added(id));
         }
     }
 
@@ -284,7 +378,15 @@ impl Mesh {
 
     /// An element is erased, its record noted.
     #[cold]
-    pub(super) fn note_erased(&mut self, kind: ElementKind) {
-        self.journal.notes.push(Note::Erased(kind));
+    pub(super) fn note_erased(&mut self, kind: ElementKind, slot: u32) {
+        self.journal.notes.push(Note::Erased(kind, slot));
+    }
+
+    /// All pending slots of a kind are freed.
+    pub(super) fn note_recycled(&mut self, kind: ElementKind) {
+        let count = self.slots[kind as usize].pending.len() as u32;
+        if count > 0 {
+            self.journal.notes.push(Note::Recycled(kind, count));
+        }
     }
 }

@@ -29,6 +29,7 @@ mod displaced;
 mod ears;
 mod equality;
 mod geometry;
+mod history;
 mod identical;
 mod invalid;
 mod kernel;
@@ -72,6 +73,7 @@ pub use file::{
     MshVersion, WantedAttribute, WrittenNumbers, expect_writable, read_mesh, read_mesh_from,
     replace_file, write_mesh, write_mesh_to,
 };
+pub use history::History;
 pub use id::{EdgeId, Element, ElementKind, FaceId, HalfedgeId, VertexId};
 pub use identical::{identical, identical_but_for_scratch};
 pub use invalid::Invalid;

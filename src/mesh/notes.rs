@@ -1,5 +1,7 @@
 //! The notes of a journal.
 
+use std::collections::HashSet;
+
 use glam::DVec3;
 
 use super::attribute::{Column, ColumnData, ColumnId, Value};
@@ -30,7 +32,7 @@ pub enum Written<'j> {
     Column,
 }
 
-/// A record as it was.
+/// A record as it was; put back, it is as it was instead.
 #[derive(Clone, Debug)]
 pub(super) enum Note {
     Vertex(VertexId, HalfedgeId),
@@ -38,21 +40,73 @@ pub(super) enum Note {
     Edge(EdgeId, HalfedgeId),
     Face(FaceId, FaceRecord),
     Position(VertexId, DVec3),
-    Value(ColumnId, u32, Value),
+    Bool(ColumnId, u32, bool),
+    Int(ColumnId, u32, i64),
+    Real(ColumnId, u32, f64),
+    /// A wider value, elsewhere: notes are many, and small.
+    Wide(ColumnId, u32, Box<Value>),
     /// All values of a column.
     Values(ColumnId, Box<ColumnData>),
     /// The value of new elements in a column.
-    Default(ColumnId, Value),
-    /// A column has been added, behind all others of its kind.
-    Added(ElementKind),
+    Default(ColumnId, Box<Value>),
+    /// A column has been added.
+    Added(ColumnId),
     /// A column has been taken away.
     Removed(ColumnId, Box<Column>),
-    /// A slot has been added at the end of its table.
+    /// A slot has been added at the end of its table, or taken away there.
     Grown(ElementKind),
-    /// A free slot has been taken; its record has been noted before.
+    Shrunk(ElementKind),
+    /// A free slot has been taken, or freed; its record has been noted before.
     Taken(ElementKind, u32),
-    /// An element has been erased; its record has been noted before.
-    Erased(ElementKind),
+    Freed(ElementKind, u32),
+    /// An element has been erased, or brought back; its record has been noted before.
+    Erased(ElementKind, u32),
+    Revived(ElementKind, u32),
+    /// So many pending slots have been freed, or made pending again.
+    Recycled(ElementKind, u32),
+    Held(ElementKind, u32),
+}
+
+impl Note {
+    pub(super) fn value(column: ColumnId, index: u32, value: Value) -> Self {
+        match value {
+            Value::Bool(value) => Self::Bool(column, index, value),
+            Value::Int(value) => Self::Int(column, index, value),
+            Value::Real(value) => Self::Real(column, index, value),
+            wide => Self::Wide(column, index, Box::new(wide)),
+        }
+    }
+
+    /// The value of an attribute that it is of.
+    pub(super) fn as_value(&self) -> Option<(ColumnId, u32, Value)> {
+        Some(match self {
+            &Self::Bool(column, index, value) => (column, index, Value::Bool(value)),
+            &Self::Int(column, index, value) => (column, index, Value::Int(value)),
+            &Self::Real(column, index, value) => (column, index, Value::Real(value)),
+            Self::Wide(column, index, value) => (*column, *index, **value),
+            _ => return None,
+        })
+    }
+
+    /// True if the numbers of columns may mean others from then on.
+    pub(super) fn is_of_columns(&self) -> bool {
+        matches!(self, Self::Added(_) | Self::Removed(..))
+    }
+
+    /// The record that it is of, if it is of one that is written in place.
+    pub(super) fn place(&self) -> Option<(u8, u32, Option<ColumnId>)> {
+        Some(match self {
+            Self::Vertex(v, _) => (0, v.0, None),
+            Self::Halfedge(h, _) => (1, h.0, None),
+            Self::Edge(e, _) => (2, e.0, None),
+            Self::Face(f, _) => (3, f.0, None),
+            Self::Position(v, _) => (4, v.0, None),
+            _ => {
+                let (column, index, _) = self.as_value()?;
+                (5, index, Some(column))
+            }
+        })
+    }
 }
 
 /// The notes of all journals that are open.
@@ -60,6 +114,20 @@ pub(super) enum Note {
 pub(super) struct Journal {
     pub(super) notes: Vec<Note>,
     pub(super) open: usize,
+    pub(super) recorder: Option<Box<Recorder>>,
+}
+
+/// What a history is recorded with.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Recorder {
+    /// Where the notes of each step end.
+    pub(super) ends: Vec<usize>,
+    /// The number of steps that were taken before.
+    pub(super) first: u64,
+    /// The most bytes of the notes.
+    pub(super) most: usize,
+    /// The records that the step has written.
+    pub(super) seen: HashSet<(u8, u32, Option<ColumnId>)>,
 }
 
 impl Journal {
@@ -68,8 +136,15 @@ impl Journal {
         self.notes.capacity() * size_of::<Note>()
     }
 
+    /// True if what is written is noted.
     #[inline]
     pub(super) fn is_open(&self) -> bool {
+        self.open > 0 || self.recorder.is_some()
+    }
+
+    /// True if what was written may yet be rolled back.
+    #[inline]
+    pub(super) fn may_roll_back(&self) -> bool {
         self.open > 0
     }
 }

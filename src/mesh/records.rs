@@ -31,6 +31,13 @@ impl HalfedgeRecord {
     pub(super) fn lives(&self) -> bool {
         self.next != HalfedgeId::DEAD
     }
+
+    /// Its pointers, in the order in which they are declared.
+    #[inline]
+    pub(crate) fn pointers(&self) -> [u32; 6] {
+        let Self { next, prev, twin, vertex, edge, face } = self;
+        [next.0, prev.0, twin.0, vertex.0, edge.0, face.0]
+    }
 }
 
 /// A face as its table has it: one halfedge of its loop, and whether it is a hole.

@@ -6,8 +6,8 @@
 //! cannot be answered is an error in words, and the mesh is as it was.
 //!
 //! The past is kept as copies of the mesh, as many as a limit of memory allows. A script is
-//! stepped through by running it again from where it began up to some application: runs are the
-//! same each time.
+//! stepped through, back and forth, along the [history](crate::mesh::History) of its run. What does
+//! not fit into memory is had by running it again up to there: runs are the same each time.
 
 mod ask;
 mod broken;

@@ -1,12 +1,19 @@
-//! Running scripts, whole or up to some application.
+//! Running scripts, and what became of it.
 
 use std::ops::ControlFlow;
 
+use serde_json::{Value, json};
+
+use crate::mesh::{History, Mesh};
 use crate::rewrite::Watch;
 use crate::run::{Argument, Report};
 use crate::session::{Error, Script, Session};
 
-use super::workbench::Host;
+use super::ask::Given;
+use super::workbench::{Answer, Host, Workbench};
+
+/// The most bytes that a history takes.
+pub(super) const MOST_HISTORY: usize = 384 << 20;
 
 /// The outcome of a run.
 #[derive(Debug)]
@@ -17,30 +24,127 @@ pub(super) struct Ran {
     pub applied: u64,
     /// The error, if it is not that the run was to stop there.
     pub error: Option<Error>,
+    /// The states that the mesh went through, an application from the next.
+    pub history: History,
 }
 
-/// Runs a script, up to so many applications.
+/// The applications of a run that are wanted: up to so many, with a history of the last of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    pub to: u64,
+    /// The most bytes of the history.
+    pub most: usize,
+}
+
+/// Runs a script.
 pub(super) fn run(
     session: &mut Session,
     script: &Script,
     arguments: Vec<(String, Argument)>,
-    most: u64,
+    wanted: Wanted,
     host: &mut dyn Host,
 ) -> Ran {
-    let mut looker = Looker { host, printed: Vec::new(), applied: 0, most };
-    if most == 0 {
-        return Ran { report: None, printed: Vec::new(), applied: 0, error: None };
-    }
-    let outcome = session.run_watched(script, arguments, &mut looker);
+    let mut looker = Looker { host, printed: Vec::new(), applied: 0, most: wanted.to };
+    let (outcome, history) = session.run_recorded(script, arguments, wanted.most, &mut looker);
     let Looker { printed, applied, .. } = looker;
     match outcome {
-        Ok(report) => Ran { report: Some(report), printed, applied, error: None },
+        Ok(report) => Ran { report: Some(report), printed, applied, error: None, history },
         Err(error) => {
-            let is_stop = applied == most && error.code() == "interrupted";
+            let is_stop = applied == wanted.to && error.code() == "interrupted";
             let report = error.report().cloned();
-            Ran { report, printed, applied, error: (!is_stop).then_some(error) }
+            Ran { report, printed, applied, error: (!is_stop).then_some(error), history }
         }
     }
+}
+
+/// The script that was run last, and the states that the mesh went through.
+#[derive(Debug)]
+pub(super) struct LastRun {
+    script: Script,
+    arguments: Vec<(String, Argument)>,
+    total: u64,
+    history: History,
+}
+
+impl Workbench {
+    /// Runs a script.
+    pub(super) fn run(&mut self, name: &str, given: &Given, host: &mut dyn Host) -> Answer {
+        let script = self.program.script(name).map_err(|error| error.message().to_owned())?;
+        let arguments = Self::arguments(&script.parameters(), given, None)?;
+        let before = self.session.mesh().clone();
+        // Numbers by chance are the same in each run.
+        self.set(before.clone());
+        self.past.keep(before);
+        let wanted = Wanted { to: u64::MAX, most: self.most_history };
+        let ran = run(&mut self.session, &script, arguments.clone(), wanted, host);
+        let answer = told(&ran);
+        let Ran { applied: total, history, .. } = ran;
+        self.last_run = Some(LastRun { script, arguments, total, history });
+        Ok(self.state(answer))
+    }
+
+    /// Shows the mesh after so many applications of the script that was run last.
+    pub(super) fn seek(&mut self, to: u64, host: &mut dyn Host) -> Answer {
+        let Some(mut last) = self.last_run.take() else {
+            return Err("no script has been run".to_owned());
+        };
+        let to = to.min(last.total);
+        let found = self.state_of(&mut last, to, host);
+        let json = json!({ "at": to, "total": last.total });
+        self.last_run = Some(last);
+        self.set(found?);
+        Ok(self.state(json))
+    }
+
+    /// The mesh after so many applications of a run. Where its history does not reach, the script
+    /// is run again, with a history of what lies around.
+    fn state_of(&self, last: &mut LastRun, to: u64, host: &mut dyn Host) -> Result<Mesh, String> {
+        let [start, end] = last.history.span();
+        let half = ((end - start) / 2).max(1);
+        let until = |to| if to < last.total { to } else { u64::MAX };
+        let around = Wanted { to: until(to.saturating_add(half)), most: self.most_history };
+        // A step that does not fit is shown alone.
+        let alone = Wanted { to: until(to), most: 0 };
+        for wanted in [None, Some(around), Some(alone)] {
+            if let Some(wanted) = wanted {
+                let before = self.past.last().ok_or("the mesh before the run is not kept")?;
+                if to == 0 {
+                    return Ok(before.clone());
+                }
+                let mut session = Session::new(&self.program, before.clone());
+                let arguments = last.arguments.clone();
+                let ran = run(&mut session, &last.script, arguments, wanted, host);
+                if let Some(error) = ran.error.filter(|_| ran.applied < to) {
+                    return Err(error.to_string());
+                }
+                last.history = ran.history;
+            }
+            if let Some(mesh) = last.history.go(to) {
+                let mut mesh = mesh.clone();
+                last.script.clear_scratch(&mut mesh);
+                return Ok(mesh);
+            }
+        }
+        Err("the script does not come to that application any more".to_owned())
+    }
+}
+
+/// The outcome of a run, as data.
+fn told(ran: &Ran) -> Value {
+    let ops = |report: &Report| {
+        let ops = report
+            .ops
+            .iter()
+            .map(|op| json!({ "op": op.name, "applied": op.applied, "refused": op.refused }));
+        ops.collect::<Vec<_>>()
+    };
+    json!({
+        "at": ran.applied,
+        "total": ran.applied,
+        "printed": ran.printed,
+        "ops": ran.report.as_ref().map(ops),
+        "failed": ran.error.as_ref().map(|error| error.to_string()),
+    })
 }
 
 /// The most lines of what is printed that are kept.

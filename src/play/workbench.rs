@@ -13,7 +13,7 @@ use super::element::shown;
 use super::layout::laid_out;
 use super::message::Message;
 use super::past::Past;
-use super::run::{Ran, run};
+use super::run::{LastRun, MOST_HISTORY};
 use super::view::{counts, view};
 use crate::analysis::{Counterexample, Reader};
 use crate::diagram::Rule;
@@ -23,8 +23,8 @@ use crate::library;
 use crate::mesh::{
     Element, ElementKind, FileFormat, Mesh, MeshFile, Repair, read_mesh_from, shape, write_mesh_to,
 };
-use crate::run::{Argument, Report};
-use crate::session::{Op, Outcome, Parameter, Program, Script, Session, Verdict};
+use crate::run::Argument;
+use crate::session::{Op, Outcome, Parameter, Program, Session, Verdict};
 
 /// The surroundings of a workbench: told how far a script is, they may stop it.
 pub trait Host {
@@ -52,20 +52,15 @@ pub struct Workbench {
     name: String,
     counterexamples: Vec<Counterexample>,
     /// The last one of this name that was sound.
-    program: Program,
-    session: Session,
-    past: Past,
+    pub(super) program: Program,
+    pub(super) session: Session,
+    pub(super) past: Past,
     /// True if somebody has chosen the mesh.
     is_chosen: bool,
     /// The script that was run last, if nothing was done since.
-    last_run: Option<LastRun>,
-}
-
-#[derive(Clone, Debug)]
-struct LastRun {
-    script: Script,
-    arguments: Vec<(String, Argument)>,
-    total: u64,
+    pub(super) last_run: Option<LastRun>,
+    /// The most bytes of its history.
+    pub(super) most_history: usize,
 }
 
 impl Default for Workbench {
@@ -79,6 +74,7 @@ impl Default for Workbench {
             past: Past::default(),
             is_chosen: false,
             last_run: None,
+            most_history: MOST_HISTORY,
         }
     }
 }
@@ -90,9 +86,15 @@ fn nothing() -> Program {
 }
 
 /// An answer, or in words why there is none.
-type Answer = Result<Message, String>;
+pub(super) type Answer = Result<Message, String>;
 
 impl Workbench {
+    /// Keeps to a limit of memory, in bytes, for the states that a script goes through: where they
+    /// are more, some are had by running it again.
+    pub fn limit_history(&mut self, bytes: usize) {
+        self.most_history = bytes;
+    }
+
     /// Answers a question.
     pub fn answer(&mut self, question: Message, host: &mut dyn Host) -> Message {
         let ask = match serde_json::from_value(question.json) {
@@ -146,7 +148,7 @@ impl Workbench {
     }
 
     /// An answer, with how the mesh is now.
-    fn state(&self, mut json: Value) -> Message {
+    pub(super) fn state(&self, mut json: Value) -> Message {
         json["counts"] = counts(self.session.mesh());
         json["past"] = json!(self.past.depth());
         Message::of(json)
@@ -161,7 +163,7 @@ impl Workbench {
         self.last_run = None;
     }
 
-    fn set(&mut self, mesh: Mesh) {
+    pub(super) fn set(&mut self, mesh: Mesh) {
         self.session = Session::new(&self.program, mesh);
     }
 
@@ -258,7 +260,7 @@ impl Workbench {
 
     /// The arguments of an operation: what is given, and an element for the first parameter that
     /// takes one.
-    fn arguments(
+    pub(super) fn arguments(
         parameters: &[Parameter<'_>],
         given: &Given,
         element: Option<Element>,
@@ -356,26 +358,6 @@ impl Workbench {
         }
     }
 
-    fn run(&mut self, name: &str, given: &Given, host: &mut dyn Host) -> Answer {
-        let script = self.program.script(name).map_err(|error| error.message().to_owned())?;
-        let arguments = Self::arguments(&script.parameters(), given, None)?;
-        self.past.keep(self.session.mesh().clone());
-        let ran = run(&mut self.session, &script, arguments.clone(), u64::MAX, host);
-        self.last_run = Some(LastRun { script, arguments, total: ran.applied });
-        Ok(self.state(told(&ran, ran.applied)))
-    }
-
-    fn seek(&mut self, to: u64, host: &mut dyn Host) -> Answer {
-        let (Some(last), Some(before)) = (self.last_run.clone(), self.past.last()) else {
-            return Err("no script has been run".to_owned());
-        };
-        let before = before.clone();
-        self.set(before);
-        let most = if to >= last.total { u64::MAX } else { to };
-        let ran = run(&mut self.session, &last.script, last.arguments, most, host);
-        Ok(self.state(told(&ran, last.total)))
-    }
-
     fn counterexamples(&self) -> Message {
         let mut bytes = Vec::new();
         let examples = self.counterexamples.iter().map(|example| {
@@ -402,24 +384,6 @@ impl Workbench {
         let examples: Vec<_> = examples.collect();
         Message { json: json!({ "examples": examples }), bytes }
     }
-}
-
-/// The outcome of a run, as data.
-fn told(ran: &Ran, total: u64) -> Value {
-    let ops = |report: &Report| {
-        let ops = report
-            .ops
-            .iter()
-            .map(|op| json!({ "op": op.name, "applied": op.applied, "refused": op.refused }));
-        ops.collect::<Vec<_>>()
-    };
-    json!({
-        "at": ran.applied,
-        "total": total,
-        "printed": ran.printed,
-        "ops": ran.report.as_ref().map(ops),
-        "failed": ran.error.as_ref().map(|error| error.to_string()),
-    })
 }
 
 fn lessons_as_data() -> Message {

@@ -274,8 +274,8 @@ impl Machine {
         let drains = match &mut asked.changes {
             Changes::Noted(drains) => drains,
             Changes::Walked { question, .. } => {
-                let call = Call { code: &question.code, ..Call::of(plan, &plans) };
-                return match self.run_native(mesh, call, Way::Dry, watch) {
+                let call = Call { code: &question.code, way: Way::Dry, ..Call::of(plan, &plans) };
+                return match self.run_native(mesh, call, watch) {
                     Some(outcome) => outcome,
                     None => self.execute::<false>(mesh, call, watch),
                 };

@@ -92,7 +92,8 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         let Some(steps) = &plan.steps else {
-            if let Some(outcome) = self.run_native(mesh, call, Way::Dry, watch) {
+            let dry = Call { way: Way::Dry, ..call };
+            if let Some(outcome) = self.run_native(mesh, dry, watch) {
                 return outcome;
             }
             self.is_dry = true;

@@ -1,5 +1,6 @@
 //! One run of a code: what it may use, and what became of it.
 
+use super::engine::Way;
 use super::{Code, Function, Phase, Plan, Refusal, Reg, Site, Steps, Trap};
 
 /// The end of a run that did not trap.
@@ -35,6 +36,8 @@ pub(super) struct Call<'c> {
     pub(super) steps: Option<&'c Steps>,
     /// The number of the function.
     pub(super) function: Option<u16>,
+    /// The kind of the code.
+    pub(super) way: Way,
     /// The place where its window begins, and its buffers.
     pub(super) base: usize,
     pub(super) buffers: usize,
@@ -44,16 +47,16 @@ pub(super) struct Call<'c> {
 impl<'c> Call<'c> {
     /// The code of a script.
     pub(super) fn top(code: &'c Code, plans: &'c [Option<Plan>]) -> Self {
-        Self::first(code, plans, &[], None)
+        Self::first((code, Way::Script), plans, &[], None)
     }
 
     /// An operation that nobody calls.
     pub(super) fn of(plan: &'c Plan, plans: &'c [Option<Plan>]) -> Self {
-        Self::first(&plan.code, plans, &plan.refusals, plan.steps.as_ref())
+        Self::first((&plan.code, Way::Whole), plans, &plan.refusals, plan.steps.as_ref())
     }
 
     fn first(
-        code: &'c Code,
+        (code, way): (&'c Code, Way),
         plans: &'c [Option<Plan>],
         refusals: &'c [Refusal],
         steps: Option<&'c Steps>,
@@ -67,6 +70,7 @@ impl<'c> Call<'c> {
             op: None,
             steps,
             function: None,
+            way,
             base: 0,
             buffers: 0,
             depth: 0,
@@ -85,6 +89,7 @@ impl<'c> Call<'c> {
             op: Some(op),
             steps: plan.steps.as_ref(),
             function: None,
+            way: Way::Whole,
             base: self.base + usize::from(self.code.registers),
             buffers: self.buffers + usize::from(self.code.buffers),
             depth: self.depth + 1,
@@ -96,8 +101,15 @@ impl<'c> Call<'c> {
     pub(super) fn enter(&mut self, number: u16, function: &'c Function) {
         self.base += usize::from(self.code.registers);
         self.buffers += usize::from(self.code.buffers);
+        self.become_function(number, function);
+    }
+
+    /// Becomes the call of a function, wherever its window is.
+    #[inline]
+    pub(super) fn become_function(&mut self, number: u16, function: &'c Function) {
         self.code = &function.code;
         self.function = Some(number);
+        self.way = Way::Function;
     }
 
     /// Of several refusals the one of the latest phase counts, of those the first.
@@ -115,6 +127,7 @@ impl<'c> Call<'c> {
 pub(super) struct Frame<'c> {
     code: &'c Code,
     function: Option<u16>,
+    way: Way,
     pub(super) base: usize,
     buffers: usize,
     /// The instruction behind the call.
@@ -128,15 +141,15 @@ pub(super) struct Frame<'c> {
 impl<'c> Frame<'c> {
     #[inline]
     pub(super) fn of(call: &Call<'c>, at: usize, to: Reg, holds: bool) -> Self {
-        let Call { code, function, base, buffers, .. } = *call;
-        Self { code, function, base, buffers, at, to, holds }
+        let Call { code, function, way, base, buffers, .. } = *call;
+        Self { code, function, way, base, buffers, at, to, holds }
     }
 
     /// Makes a call what it was.
     #[inline]
     pub(super) fn give_back(&self, call: &mut Call<'c>) {
-        let Self { code, function, base, buffers, .. } = *self;
-        *call = Call { code, function, base, buffers, ..*call };
+        let Self { code, function, way, base, buffers, .. } = *self;
+        *call = Call { code, function, way, base, buffers, ..*call };
     }
 }
 
@@ -144,9 +157,14 @@ impl Trap {
     /// The trap seen from all running functions, the innermost first.
     #[cold]
     pub(super) fn through_all(self, call: &Call<'_>, at: usize, returns: &[Frame<'_>]) -> Self {
-        let inner = self.through(call, at);
+        self.through(call, at).through_callers(call, returns)
+    }
+
+    /// The trap seen from all functions that have called the one that runs.
+    #[cold]
+    pub(super) fn through_callers(self, call: &Call<'_>, returns: &[Frame<'_>]) -> Self {
         let outer = returns.iter().rev();
-        outer.fold(inner, |trap, one| {
+        outer.fold(self, |trap, one| {
             let mut outer = *call;
             one.give_back(&mut outer);
             trap.through(&outer, one.at - 1)

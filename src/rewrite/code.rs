@@ -49,10 +49,13 @@ pub struct Code {
 impl Code {
     /// True if a drain may run in it.
     pub fn drains(&self) -> bool {
-        let opens = |inst: &Inst| matches!(inst, Inst::DrainOpen { .. });
         let functions = self.functions.iter().map(|function| &function.code);
-        let all = functions.chain([self]);
-        all.flat_map(|code| &code.insts).any(opens)
+        functions.chain([self]).any(Self::opens_drain)
+    }
+
+    /// True if it begins a drain itself.
+    pub(super) fn opens_drain(&self) -> bool {
+        self.insts.iter().any(|inst| matches!(inst, Inst::DrainOpen { .. }))
     }
 
     /// The code itself, and that of the functions that it calls, directly or through others.

@@ -15,14 +15,11 @@ use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::wide;
 use super::window::{Window, reserve};
-use super::{Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch};
+use super::{Engine, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as the same.
 const NEAR: f64 = 1e-9;
-
-/// The most slots that a write takes that is kept back.
-const HELD: usize = 18;
 
 /// The instruction that comes next, and the refusal that counts so far.
 #[derive(Clone, Copy, Debug, Default)]
@@ -108,6 +105,46 @@ impl Machine {
                 call.note(&mut noted, $refusal);
                 at = $otherwise.0 as usize;
             }};
+        }
+        // The function that runs is done: its caller goes on.
+        macro_rules! come_back {
+            () => {
+                let Some(back) = returns.pop() else {
+                    return Ok(Outcome::Applied { result: None });
+                };
+                let (base, from, width) = self.given;
+                self.pass(base, from, back.base + usize::from(back.to.0), width);
+                self.holding -= u32::from(back.holds);
+                back.give_back(&mut call);
+                (insts, at) = (call.code.insts.as_slice(), back.at);
+                match Window::at(&mut self.stack, call.base) {
+                    Some(window) => w = window,
+                    None => break Message::Malformed,
+                }
+            };
+        }
+        // Where a loop has run long enough, native code takes the rest of what runs.
+        macro_rules! go_on_native {
+            () => {
+                if !STEP && self.engine == Engine::Native && !self.is_dry && call.has_looped() {
+                    let place = Place { at, noted, steps: 0 };
+                    self.frames += returns.len();
+                    let done = self.go_on_native(mesh, call, place, watch);
+                    self.frames -= returns.len();
+                    match done {
+                        // It is the machine's all the same.
+                        None => match Window::at(&mut self.stack, call.base) {
+                            Some(window) => w = window,
+                            None => break Message::Malformed,
+                        },
+                        Some(Err(trap)) => return Err(trap.through_callers(&call, &returns)),
+                        Some(Ok(Outcome::Applied { .. })) if !returns.is_empty() => {
+                            come_back!();
+                        }
+                        Some(outcome) => return outcome,
+                    }
+                }
+            };
         }
         let message = loop {
             let Some(&inst) = insts.get(at) else {
@@ -228,7 +265,11 @@ impl Machine {
 
                 // Loads.
                 Load { field, to, halfedge } => {
-                    w.set_id(to, or_trap!(access::load(mesh, field, w.id(halfedge))))
+                    let id = w.id(halfedge);
+                    match access::pointer_of(mesh, field, id) {
+                        Some(pointer) => w.set_id(to, pointer),
+                        None => break gone(ElementKind::Halfedge, id).into(),
+                    }
                 }
                 LoadHalfedge { of, to, element } => {
                     w.set_id(to, or_trap!(access::load_halfedge(mesh, of, w.id(element))));
@@ -486,7 +527,7 @@ impl Machine {
                 HoldPosition { buffer, vertex, value } => {
                     let (v, position) =
                         or_trap!(access::place(mesh, w.id(vertex), w.vector(value)));
-                    make_room!(buffer, HELD);
+                    make_room!(buffer, memory::HELD);
                     attribute::hold_position(v, position, buffer!(buffer));
                 }
                 StoreAttribute { attribute, element, value } => {
@@ -496,7 +537,7 @@ impl Machine {
                 HoldAttribute { buffer, attribute, element, value } => {
                     let column = or_trap!(attribute::column(&self.columns, attribute));
                     let target = (attribute, w.id(element));
-                    make_room!(buffer, HELD);
+                    make_room!(buffer, memory::HELD);
                     or_trap!(attribute::hold(mesh, column, target, &w, value, buffer!(buffer)));
                 }
                 ReleaseHeld { buffer } => {
@@ -568,6 +609,21 @@ impl Machine {
                     if self.frames + returns.len() >= MOST_CALLS {
                         break Message::TooDeep;
                     }
+                    if !STEP && self.is_native_due(mesh, &call, (function, called)) {
+                        self.frames += returns.len();
+                        let done = self.call_function(mesh, &call, at - 1, watch);
+                        self.frames -= returns.len();
+                        match done {
+                            Ok(Outcome::Applied { .. }) => {}
+                            Ok(refused) => return Ok(refused),
+                            Err(trap) => return Err(trap.through_callers(&call, &returns)),
+                        }
+                        match Window::at(&mut self.stack, call.base) {
+                            Some(window) => w = window,
+                            None => break Message::Malformed,
+                        }
+                        continue;
+                    }
                     if self.progress.tick(watch).is_break() {
                         break Message::Interrupted;
                     }
@@ -584,18 +640,8 @@ impl Machine {
                     }
                 }
                 Give { from, width } => {
-                    let Some(back) = returns.pop() else {
-                        self.given = (call.base, from, width);
-                        return Ok(Outcome::Applied { result: None });
-                    };
-                    self.pass(call.base, from, back.base + usize::from(back.to.0), width);
-                    self.holding -= u32::from(back.holds);
-                    back.give_back(&mut call);
-                    (insts, at) = (call.code.insts.as_slice(), back.at);
-                    match Window::at(&mut self.stack, call.base) {
-                        Some(window) => w = window,
-                        None => break Message::Malformed,
-                    }
+                    self.given = (call.base, from, width);
+                    come_back!();
                 }
 
                 // Operations, progress and output.
@@ -649,11 +695,13 @@ impl Machine {
                     if self.progress.has_looked() && budget!().is_passed(mesh) {
                         break Message::NoMemory(self.memory);
                     }
+                    go_on_native!();
                 }
                 Tick => {
                     if self.progress.tick(watch).is_break() {
                         break Message::Interrupted;
                     }
+                    go_on_native!();
                 }
                 PrintText { text } => match call.texts.get(text as usize) {
                     Some(text) => self.line.push_str(text),

@@ -207,6 +207,20 @@ impl Drains {
         self.all.get_mut(self.quiet..).unwrap_or_default()
     }
 
+    /// By kind the fields whose writes they are to be told of.
+    #[cfg(feature = "native")]
+    pub(super) fn listens(&self) -> [Fields; 4] {
+        let mut all = [Fields::NONE; 4];
+        for drain in self.all.get(self.quiet..).unwrap_or_default() {
+            let read = match &drain.changes {
+                Changes::Noted(_) => [Fields::ALL; 4],
+                Changes::Walked { paths, .. } => paths.all_read(),
+            };
+            all.iter_mut().zip(read).for_each(|(all, read)| all.add(read));
+        }
+        all
+    }
+
     /// The number of open ones.
     pub(super) fn open_ones(&self) -> usize {
         self.all.len()

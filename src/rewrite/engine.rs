@@ -5,8 +5,10 @@
 pub enum Engine {
     /// The machine takes one instruction after the other, everywhere.
     Machine,
-    /// Native code for operations, from when one has run so often that it pays to compile it; the
-    /// machine until then, for scripts, within drains, and where native code is not available.
+    /// Native code for operations, functions and scripts, from when one has run so often, or its
+    /// loops have taken so many turns, that it pays to compile it: it goes on in the middle of the
+    /// loop. The machine until then, for drains whose keys are found by what they have read, and
+    /// where native code is not available.
     #[default]
     Native,
     /// Native code for all that runs, from the first run on.
@@ -15,7 +17,6 @@ pub enum Engine {
 
 /// The kind of code that runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(not(feature = "native"), expect(dead_code, reason = "only native code is told"))]
 pub(super) enum Way {
     /// A script, which leaves its registers in its window.
     Script,

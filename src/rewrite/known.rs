@@ -106,6 +106,13 @@ impl Machine {
         std::mem::replace(&mut self.known, inner)
     }
 
+    /// Whether the mesh is to be asked before an operation, or what it writes has to be known.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(super) fn watches_level(&self, plan: &Plan) -> bool {
+        self.known.now < plan.level || self.known.is_lowered_by(plan)
+    }
+
     /// Opens a journal for an operation that is about to be called, if what it writes has to be
     /// known.
     #[inline]

@@ -6,19 +6,21 @@
 //! which is the duty of whoever makes the code; a script that traps has done what it did
 //! so far.
 
+use std::time::Duration;
+
 use super::attempt::Said;
 use super::chance::Chance;
 use super::drain::Drains;
-use super::engine::Way;
 use super::key_paths::KeyPaths;
 use super::known::KnownLevel;
+use super::native::Scratch;
 use super::preview::Preview;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{
     Call, Code, Engine, Holder, Matched, Message, Outcome, Plan, Plans, Reg, Trap, Unwatched, Watch,
 };
-use crate::mesh::{AttributeType, ColumnId, ElementKind, Level, Mesh};
+use crate::mesh::{AttributeType, Bookmark, ColumnId, ElementKind, Level, Mesh};
 
 /// The greatest depth of nested calls.
 const DEPTH: usize = 16;
@@ -71,6 +73,11 @@ pub struct Machine {
     /// The kinds and types of the attributes on the mesh of this run, by number, for native code.
     #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
     pub(super) types: Vec<Option<(ElementKind, AttributeType)>>,
+    /// Lists for runs of native code, kept to be used again.
+    #[cfg_attr(not(feature = "native"), expect(dead_code, reason = "for native code"))]
+    pub(super) scratch: Vec<Scratch>,
+    /// The time that native code has taken to compile.
+    pub(super) compiling: Duration,
 }
 
 /// A name, the kind of the elements that it stands for, and their ids.
@@ -124,6 +131,8 @@ impl Machine {
             depth: 0,
             given: (0, Reg(0), 0),
             types: Vec::new(),
+            scratch: Vec::new(),
+            compiling: Duration::ZERO,
         }
     }
 
@@ -171,7 +180,13 @@ impl Machine {
         self.created.as_deref().unwrap_or_default()
     }
 
-    /// The window of the last run: what its registers hold.
+    /// The time that it has taken to compile native code so far.
+    pub fn compiling(&self) -> Duration {
+        self.compiling
+    }
+
+    /// The window of the last run: what its registers hold; of a script with loops, nothing to rely
+    /// on.
     pub fn window(&self) -> &[u64] {
         &self.stack
     }
@@ -225,7 +240,7 @@ impl Machine {
     ) -> Result<Outcome, Trap> {
         self.start(mesh, args);
         let plans = Plans::clone(&self.plans);
-        if let Some(outcome) = self.run_native(mesh, Call::top(code, &plans), Way::Script, watch) {
+        if let Some(outcome) = self.run_native(mesh, Call::top(code, &plans), watch) {
             return outcome;
         }
         match code.drains() {
@@ -338,20 +353,43 @@ impl Machine {
         let (plan, call) = self.begin_call(mesh, caller, [op, args])?;
         let mark = self.begin_op(mesh, plan);
         let outcome = self.carry_out::<OBSERVED>(mesh, plan, call, watch);
-        let applied = matches!(outcome, Ok(Outcome::Applied { .. }));
-        self.end_op(mesh, (op, plan), mark, applied);
-        let outcome = outcome?;
+        let Ok(outcome) = outcome else {
+            self.end_op(mesh, (op, plan), mark, false);
+            return outcome;
+        };
+        self.conclude(mesh, caller, op, mark, outcome, watch)?;
+        Ok(outcome)
+    }
+
+    /// Ends a call of an operation that has not trapped.
+    #[inline]
+    pub(super) fn conclude(
+        &mut self,
+        mesh: &mut Mesh,
+        caller: &Call<'_>,
+        op: u16,
+        mark: Option<Bookmark>,
+        outcome: Outcome,
+        watch: &mut dyn Watch,
+    ) -> Result<(), Trap> {
+        let applied = matches!(outcome, Outcome::Applied { .. });
+        if let Some(Some(plan)) = caller.plans.get(usize::from(op)) {
+            self.end_op(mesh, (op, plan), mark, applied);
+        }
         if let Outcome::Refused { reason } = outcome {
             self.last_reason = reason;
         }
         // What a step does may yet be undone.
         if caller.op.is_none() && caller.steps.is_none() {
             self.count(op, outcome);
-            if applied && watch.applied(op).is_break() {
-                return Err(Trap::new(Message::Interrupted));
+            if applied {
+                mesh.end_step();
+                if watch.applied(op).is_break() {
+                    return Err(Trap::new(Message::Interrupted));
+                }
             }
         }
-        Ok(outcome)
+        Ok(())
     }
 
     #[inline]

@@ -4,6 +4,9 @@ use super::drain::Drains;
 use super::{Machine, Message};
 use crate::mesh::{ElementKind, Mesh};
 
+/// The most slots that a write takes that is kept back.
+pub(super) const HELD: usize = 18;
+
 /// The memory of a run besides the mesh, and its limit.
 pub(super) struct Budget<'r> {
     pub(super) buffers: &'r [Vec<u64>],

@@ -70,22 +70,17 @@ impl Drains {
                 }
             }
             Inst::StoreHalfedge { of, element, value } => {
-                let element = w.id(element);
-                if load_halfedge(mesh, of, element) != Ok(w.id(value)) {
-                    self.write(mesh, of.kind(), element, Fields::FIRST);
-                }
+                self.first_set(mesh, of, w.id(element), w.id(value));
             }
             Inst::StoreHole { face, hole }
                 if mesh.get_is_hole(FaceId(w.id(face))) != Some(hole) =>
             {
                 self.turned(mesh, w.id(face));
             }
-            Inst::StorePosition { vertex, .. } => {
-                self.write(mesh, ElementKind::Vertex, w.id(vertex), Fields::POSITION);
-            }
+            Inst::StorePosition { vertex, .. } => self.position_set(mesh, w.id(vertex)),
             Inst::StoreAttribute { attribute, element, .. } => {
                 if let Ok(column) = attribute::column(scene.columns, attribute) {
-                    self.write(mesh, column.kind, w.id(element), Fields::attribute(attribute));
+                    self.attribute_set(mesh, (attribute, column.kind), w.id(element));
                 }
             }
             Inst::ReleaseHeld { buffer } => {
@@ -106,10 +101,38 @@ impl Drains {
     }
 
     /// A pointer of a halfedge is about to be set, perhaps to what it is.
-    fn pointer_set(&mut self, mesh: &Mesh, field: HalfedgeField, halfedge: u32, value: u32) {
+    pub(super) fn pointer_set(
+        &mut self,
+        mesh: &Mesh,
+        field: HalfedgeField,
+        halfedge: u32,
+        value: u32,
+    ) {
         if load(mesh, field, halfedge) != Ok(value) {
             self.write(mesh, ElementKind::Halfedge, halfedge, Fields::pointer(field));
         }
+    }
+
+    /// The halfedge of an element is about to be set, perhaps to what it is.
+    pub(super) fn first_set(&mut self, mesh: &Mesh, of: ElementField, element: u32, value: u32) {
+        if load_halfedge(mesh, of, element) != Ok(value) {
+            self.write(mesh, of.kind(), element, Fields::FIRST);
+        }
+    }
+
+    /// A position is about to be set.
+    pub(super) fn position_set(&mut self, mesh: &Mesh, vertex: u32) {
+        self.write(mesh, ElementKind::Vertex, vertex, Fields::POSITION);
+    }
+
+    /// An attribute, by its number, of an element is about to be set.
+    pub(super) fn attribute_set(
+        &mut self,
+        mesh: &Mesh,
+        (attribute, kind): (u16, ElementKind),
+        element: u32,
+    ) {
+        self.write(mesh, kind, element, Fields::attribute(attribute));
     }
 
     fn read_element(&mut self, mesh: &Mesh, kind: ElementKind, id: u32) {

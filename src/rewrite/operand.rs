@@ -2,7 +2,7 @@
 
 use crate::mesh::ElementKind;
 
-/// A pointer of a halfedge.
+/// A pointer of a halfedge, in the order of its record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HalfedgeField {
     Next,

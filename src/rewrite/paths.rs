@@ -87,6 +87,12 @@ impl Fields {
     pub(super) const ATTRIBUTES: Self = Self(!0 << Self::BEFORE_ATTRIBUTES);
     const BEFORE_ATTRIBUTES: u16 = 10;
 
+    /// A bit for each.
+    #[cfg(feature = "native")]
+    pub(super) fn bits(self) -> u32 {
+        self.0
+    }
+
     /// A pointer of a halfedge.
     pub(super) fn pointer(field: HalfedgeField) -> Self {
         Self(
@@ -263,6 +269,12 @@ impl Paths {
                 }
             }
         }
+    }
+
+    /// By kind all that is read.
+    #[cfg(feature = "native")]
+    pub(super) fn all_read(&self) -> [Fields; 4] {
+        self.read
     }
 
     /// True if any of the fields is read of any element of the kind.

@@ -135,8 +135,8 @@ impl Reads<'_> {
     ) -> Result<(Nodes, Nodes), Unbounded> {
         let set_before = state.foreseen(pointer(Prev));
         let mut starts = self.first_ahead(state, vertices, ElementField::Vertex)?;
+        // All twins that would be set are among them.
         unite(&mut starts, &self.load_ahead(state, &set_before, Twin)?);
-        unite(&mut starts, &state.foreseen(pointer(Twin)));
         let spokes = self.orbit(&starts, Walk::Star)?;
         let before = self.load_ahead(state, &spokes, Prev)?;
         self.load_ahead(state, &before, Vertex)?;

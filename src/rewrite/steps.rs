@@ -4,7 +4,6 @@
 //! the level that it was: a journal of the mesh knows what was written, so both cost no more
 //! than the steps did.
 
-use super::engine::Way;
 use super::{Call, Machine, Message, Outcome, Plan, Trap, Watch};
 use crate::mesh::{BelowLevel, Mesh, validate_level_near};
 
@@ -66,7 +65,7 @@ impl Machine {
         watch: &mut dyn Watch,
     ) -> Result<Outcome, Trap> {
         match &plan.steps {
-            None => match self.run_native(mesh, call, Way::Whole, watch) {
+            None => match self.run_native(mesh, call, watch) {
                 Some(outcome) => outcome,
                 None => self.execute::<OBSERVED>(mesh, call, watch),
             },
@@ -90,7 +89,7 @@ impl Machine {
         let (holding, drains) = (self.holding, self.drains.open_ones());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
-        let mut outcome = match self.run_native(mesh, call, Way::Whole, watch) {
+        let mut outcome = match self.run_native(mesh, call, watch) {
             Some(outcome) => outcome,
             None if OBSERVED || call.code.drains() => self.execute::<true>(mesh, call, watch),
             None => self.execute::<false>(mesh, call, watch),

@@ -1,6 +1,7 @@
 //! Watchers of a script while it runs.
 
 use std::ops::ControlFlow;
+use std::time::Duration;
 
 /// The number of turns of loops between two looks.
 pub(super) const TURNS_PER_LOOK: u32 = 256;
@@ -27,6 +28,9 @@ pub trait Watch {
         ControlFlow::Continue(())
     }
 
+    /// The run is over, and native code has taken so long to compile meanwhile.
+    fn compiled(&mut self, _time: Duration) {}
+
     /// A line, without its end.
     fn print(&mut self, _line: &str) {}
 }
@@ -39,9 +43,18 @@ impl Watch for Unwatched {}
 
 /// The progress of the running loops.
 #[derive(Debug, Default)]
+#[repr(C)]
 pub(super) struct Progress {
-    turns: u32,
-    loops: [(u64, Option<u64>); DEPTHS],
+    pub(super) turns: u32,
+    pub(super) loops: [Loop; DEPTHS],
+}
+
+/// How far a loop is: of so many turns, if that is no less than 0.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
+pub(super) struct Loop {
+    pub(super) done: i64,
+    pub(super) total: i64,
 }
 
 impl Progress {
@@ -54,19 +67,19 @@ impl Progress {
         total: i64,
     ) -> ControlFlow<()> {
         if let Some(place) = self.loops.get_mut(usize::from(depth)) {
-            *place = (done.max(0).unsigned_abs(), u64::try_from(total).ok());
+            *place = Loop { done, total };
         }
+        self.look_at_turn(watch, depth)
+    }
+
+    /// One turn of a loop of which it is known how far it is.
+    #[inline]
+    pub(super) fn look_at_turn(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
         self.turns = self.turns.wrapping_add(1);
         match self.turns.is_multiple_of(TURNS_PER_LOOK) {
             true => self.look(watch, depth),
             false => ControlFlow::Continue(()),
         }
-    }
-
-    /// Where the number of turns is counted.
-    #[cfg(feature = "native")]
-    pub(super) fn turns(&mut self) -> *mut u32 {
-        &raw mut self.turns
     }
 
     /// True if the last turn was one to look at.
@@ -86,8 +99,8 @@ impl Progress {
 
     #[cold]
     fn look(&mut self, watch: &mut dyn Watch, depth: u16) -> ControlFlow<()> {
-        for (depth, &(done, total)) in (0..=depth).zip(&self.loops) {
-            watch.turn(depth, done, total)?;
+        for (depth, &Loop { done, total }) in (0..=depth).zip(&self.loops) {
+            watch.turn(depth, done.max(0).unsigned_abs(), u64::try_from(total).ok())?;
         }
         ControlFlow::Continue(())
     }

@@ -71,6 +71,7 @@ pub(super) fn run_with(
     machine.use_columns(columns);
     machine.use_meshes(meshes);
     let outcome = machine.run(mesh, &code, &slots, watch);
+    watch.compiled(machine.compiling());
     prepared.columns.release(mesh);
     let report = report(prepared, machine.counts());
     match outcome {

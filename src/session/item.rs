@@ -154,6 +154,14 @@ impl Script {
         made.as_ref().map_err(|errors| Error::new(errors.clone(), &parts.sources))
     }
 
+    /// Puts its scratch attributes on a mesh back to their defaults.
+    #[cfg(feature = "play")]
+    pub(crate) fn clear_scratch(&self, mesh: &mut crate::mesh::Mesh) {
+        if let Ok(prepared) = self.prepared() {
+            prepared.columns().clear(mesh);
+        }
+    }
+
     /// Its name.
     pub fn name(&self) -> &str {
         &self.item().name

@@ -246,6 +246,21 @@ impl Session {
         self.go(prepared, watch)
     }
 
+    /// The same with a history of the last operations that it applies, as many as fit into so many
+    /// bytes.
+    #[cfg(feature = "play")]
+    pub(crate) fn run_recorded(
+        &mut self,
+        script: &Script,
+        arguments: impl Arguments,
+        most: usize,
+        watch: &mut dyn Watch,
+    ) -> (Result<Report, Error>, crate::mesh::History) {
+        self.mesh.record_history(most);
+        let outcome = self.run_watched(script, arguments, watch);
+        (outcome, self.mesh.take_history().unwrap_or_default())
+    }
+
     /// Runs what is prepared with the values that are given; its columns are there.
     pub(super) fn go(
         &mut self,

@@ -114,6 +114,7 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     let line =
         "std/simplify.hedge:140:3: changed keys of `drain` are found from what was written\n";
     assert!(told(&simplify).contains(line), "{}", told(&simplify));
+    assert!(told(&simplify).contains(" to compile native code)"), "{}", told(&simplify));
     bench.write(
         "own.hedge",
         "fn far(v: vertex) -> int { var n = 0  var h = v.halfedge  while n < 9 { n = n + 1  h = h.next.next.twin }  degree(h.vertex) }
@@ -124,6 +125,7 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     );
     let said = told(&["run", "own.hedge", "mesh.obj", "--verbose", "--format", "json"]);
     let said: serde_json::Value = serde_json::from_str(&said).unwrap();
+    assert!(said["seconds"]["native"].is_f64(), "{said}");
     let whys = ["the key follows pointers without bound", "the key reads all of the mesh"];
     for (at, why) in whys.into_iter().enumerate() {
         assert_eq!(said["drains"][at]["keys"], "found by what they have read", "{said}");

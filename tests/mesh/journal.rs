@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use hedgerow::analysis::Analysis;
 use hedgerow::mesh::{
     ElementKind, Level, Mesh, Value, highest_level, identical, shape, validate_level,
@@ -62,8 +62,10 @@ fn wander(mesh: &mut Mesh, plans: &[Plan], dice: &mut Dice) -> usize {
     let mut taken = 0;
     for _ in 0..1 + dice.below(6) {
         let plan = &plans[dice.below(plans.len())];
-        let at = element(mesh, plan, dice);
-        let outcome = machine.apply(mesh, plan, &[at]);
+        // One of them takes two elements.
+        let at =
+            [element(mesh, plan, dice), dice.below(mesh.capacity(ElementKind::Halfedge)) as u64];
+        let outcome = machine.apply(mesh, plan, &at);
         taken += usize::from(matches!(outcome, Ok(Outcome::Applied { .. })));
     }
     taken
@@ -143,4 +145,110 @@ fn a_level_is_lost_where_something_was_written() {
     }
     println!("kept {kept:?}, lost {lost:?}");
     assert!(kept[1] > 100 && lost[1] > 1_000 && kept[2] > 50 && lost[2] > 1_000);
+}
+
+/// Walks in so many steps, with what scripts do in between; each state.
+fn walk(mesh: &mut Mesh, plans: &[Plan], dice: &mut Dice, steps: usize) -> Vec<Mesh> {
+    let color = mesh.find_column(ElementKind::Vertex, "color").unwrap();
+    let mut states = Vec::new();
+    for step in 0..steps {
+        wander(mesh, plans, dice);
+        match dice.below(6) {
+            0 => mesh.recycle(),
+            1 => {
+                let mark = mesh.open_journal();
+                wander(mesh, plans, dice);
+                mesh.end_step(); // What may be rolled back is no step.
+                mesh.recycle();
+                mesh.roll_back(mark);
+            }
+            2 => {
+                let frame = Value::Mat3(DMat3::from_diagonal(DVec3::splat(step as f64)));
+                let column = mesh.add_column(ElementKind::Edge, "frame", frame).unwrap();
+                let _ = mesh.set_value(column, dice.below(4) as u32, frame);
+            }
+            3 => {
+                if let Some(column) = mesh.find_column(ElementKind::Edge, "frame") {
+                    mesh.remove_column(column);
+                }
+            }
+            4 => assert!(mesh.set_default(color, Value::Int(step as i64))),
+            _ => {}
+        }
+        let v = mesh.add_vertex();
+        mesh.set_position(v, DVec3::splat(step as f64));
+        assert!(mesh.set_value(color, v.0, Value::Int(8)));
+        if dice.below(2) == 0 {
+            mesh.erase_vertex(v);
+        }
+        mesh.end_step();
+        let mut state = mesh.clone();
+        state.take_history();
+        states.push(state);
+    }
+    states
+}
+
+#[test]
+fn a_history_goes_to_each_of_its_states_and_changes_nothing() {
+    let plans = steps();
+    let mut dice = Dice(8);
+    let (mut without, mut some) = ([0; 2], 0);
+    for original in meshes() {
+        for round in 0..12 {
+            let mut mesh = original.clone();
+            mesh.add_column(ElementKind::Vertex, "color", Value::Int(7)).unwrap();
+            wander(&mut mesh, &plans, &mut dice);
+            mesh.recycle();
+            wander(&mut mesh, &plans, &mut dice);
+            let start = mesh.clone();
+            let (seed, steps) = (dice.0, 1 + dice.below(30));
+            let plain = walk(&mut start.clone(), &plans, &mut Dice(seed), steps);
+            let most = [usize::MAX, 4_000, 0][round % 3];
+            mesh.record_history(most);
+            let recorded = walk(&mut mesh, &plans, &mut Dice(seed), steps);
+            let mut history = mesh.take_history().unwrap();
+            assert!(mesh.take_history().is_none());
+            for (recorded, plain) in recorded.iter().zip(&plain) {
+                assert_same(recorded, plain);
+            }
+            let states: Vec<&Mesh> = [&start].into_iter().chain(&plain).collect();
+            let [least, end] = history.span();
+            assert_eq!(end, steps as u64);
+            assert!(least == [0, least, end][round % 3]);
+            some += usize::from(least > 0 && least < end);
+            for _ in 0..20 {
+                let step = dice.below(states.len() + 2) as u64;
+                match history.go(step) {
+                    Some(mesh) => assert_same(mesh, states[step as usize]),
+                    None => {
+                        assert!(step < least || step > end);
+                        without[usize::from(step < least)] += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(without[0] > 50 && without[1] > 100 && some > 10, "{without:?}, {some}");
+}
+
+/// The same to whoever reads, and to whoever adds elements.
+fn assert_same(one: &Mesh, other: &Mesh) {
+    assert!(identical(one, other));
+    let [mut one, mut other] = [one, other].map(Mesh::clone);
+    for _ in 0..2 {
+        for kind in ElementKind::ALL {
+            assert_eq!(one.count(kind), other.count(kind));
+            assert_eq!(one.erased(kind), other.erased(kind));
+        }
+        for _ in 0..8 {
+            let born = |mesh: &mut Mesh| {
+                (mesh.add_vertex(), mesh.add_halfedge(), mesh.add_edge(), mesh.add_face())
+            };
+            assert_eq!(born(&mut one), born(&mut other));
+        }
+        assert!(identical(&one, &other));
+        one.recycle();
+        other.recycle();
+    }
 }

@@ -1,12 +1,14 @@
 //! The machine and native code beside each other: all operations of the library and of the
 //! examples, at every place of small meshes, and the tests that library files bring.
 
+use std::ops::ControlFlow;
+
 use hedgerow::analysis::{Analysis, Nowhere};
 use hedgerow::diagram::Type;
 use hedgerow::library;
 use hedgerow::mesh::{ElementKind, Mesh, identical, shape};
 use hedgerow::rewrite::{Engine, Unwatched, Watch};
-use hedgerow::run::{Application, Argument, Conditions, prepare, test};
+use hedgerow::run::{Application, Argument, Conditions, prepare, run, test};
 use hedgerow::source::Sources;
 use support::dice::Dice;
 use support::engines::run_on_both;
@@ -174,4 +176,117 @@ fn scripts_do_the_same_on_a_larger_mesh() {
         let report = report.expect("it comes to its end");
         assert!(report.ops.iter().map(|op| op.applied).sum::<u64>() > 2000, "{report:?}");
     }
+}
+
+/// Says stop at one of its looks.
+struct Stop {
+    looks: u32,
+}
+
+impl Stop {
+    fn look(&mut self) -> ControlFlow<()> {
+        self.looks -= 1;
+        match self.looks {
+            0 => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        }
+    }
+}
+
+impl Watch for Stop {
+    fn turn(&mut self, _: u16, _: u64, _: Option<u64>) -> ControlFlow<()> {
+        self.look()
+    }
+
+    fn tick(&mut self) -> ControlFlow<()> {
+        self.look()
+    }
+}
+
+/// Scripts that would take for ever, or nearly.
+const ENDLESS: [&str; 8] = [
+    "var n = 0\n while true { n = (n + 1) mod 7 }",
+    "repeat 1000000000000 { }",
+    "repeat 1000000000000 { for e in edges { flip(e) } }",
+    "repeat 1000000000000 { update v in vertices { v.position = 0.5 * v.position } }",
+    "print fibonacci(90)",
+    "print sum(sum(sum(sum(length(e) for e in edges) for f in edges) for g in edges) for h in edges)",
+    "drain v in vertices by v.mark while true { v.mark = v.mark + 1 }",
+    "repeat 1000000000000 { for v in vertices { raise(v) } }",
+];
+
+/// Each look comes after a bounded number of turns, on the machine, in native code, and where one
+/// goes over to the other.
+#[test]
+fn endless_scripts_are_stopped_on_all_engines() {
+    for body in ENDLESS {
+        let text = format!(
+            "use \"std/triangle.hedge\"
+            attr mark: vertex int = 0
+            fn fibonacci(n: int) -> int {{
+              if n < 2 {{ 1 }} else {{ fibonacci(n - 1) + fibonacci(n - 2) }}
+            }}
+            fn raise(v: vertex) {{ v.mark = degree(v) + v.mark }}
+            script main() {{ {body} }}"
+        );
+        let analysis = analyse("endless.hedge", &text);
+        assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+        let script = analysis.script("main").expect("it is there");
+        let mut prepared =
+            prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+        for engine in [Engine::Machine, Engine::Native, Engine::NativeAtOnce] {
+            prepared.use_engine(engine);
+            for looks in [1, 2, 40] {
+                let mut mesh = shape::icosphere(2);
+                let stopped = run(&prepared, &mut mesh, &[], &mut Stop { looks });
+                let failure = stopped.expect_err("it has no end");
+                assert_eq!(failure.diagnostic.code, "interrupted", "{body}");
+            }
+        }
+    }
+}
+
+/// A function that an operation in steps calls can end it: what it has written is undone.
+#[test]
+fn a_function_refuses_for_steps_on_both() {
+    let text = "use \"std/map.hedge\"
+        attr mark: vertex int = 0
+        fn press(e: edge, left: int) -> int {
+          let v = must contract(e)
+          v.mark = v.mark + 1
+          v.position = vec3(1, 2, 3)
+          if left > 0 { press(v.halfedge.edge, left - 1) } else { must straighten(v) 1 }
+        }
+        op shrink(e: edge, left: int) -> vertex {
+          guard surface
+          steps {
+            let n = press(e, left)
+            return e.halfedge.vertex
+          }
+        }
+        script main() {
+          for e in edges {
+            if let v = shrink(e, 0) { print \"applied\" }
+            if let v = shrink(e, 2) { print \"applied\" }
+          }
+          drain e in edges by length(e) while true { shrink(e, 1) }
+          print sum(v.mark for v in vertices), count(vertices)
+        }";
+    let analysis = analyse("refuses.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let mut undone = 0;
+    for original in meshes() {
+        let mut mesh = original.clone();
+        let (report, lines) = run_on_both(&prepared, &mut mesh, &[], Engine::NativeAtOnce);
+        // Where the steps are done, the edge is gone that they were asked for.
+        let Ok(report) = report else {
+            continue;
+        };
+        assert!(lines.last().is_some_and(|line| line.starts_with("0 ")), "{lines:?}");
+        assert!(mesh.vertices().eq(original.vertices()));
+        undone += report.ops[0].refused.iter().map(|(_, times)| times).sum::<u64>();
+    }
+    assert!(undone > 30, "{undone}");
 }

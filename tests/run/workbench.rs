@@ -150,6 +150,62 @@ fn a_script_runs_and_is_stepped_through() {
 }
 
 #[test]
+fn every_state_of_a_run_is_had_whether_its_history_fits_into_memory_or_not() {
+    let program = "use \"std/triangle.hedge\"\n\
+        attr age: edge int = 0\n\
+        script churn() {\n\
+          repeat 2 {\n\
+            for e in shuffle(edges) where length(e) > 0.3 { if split(e) { } else { flip(e) } }\n\
+            for e in edges { e.age = e.age + 1 if length(e) < 0.2 { collapse(e) } }\n\
+            for v in vertices { v.position = 1.01 * v.position }\n\
+          }\n\
+        }\n";
+    let program = json!({ "ask": "program", "name": "p.hedge", "text": program });
+    let view = json!({ "ask": "view", "attribute": "edge.age" });
+    let mut told: Vec<Vec<Message>> = Vec::new();
+    // All of it, some of it, and not even one step.
+    for bytes in [usize::MAX, 100_000, 0] {
+        let mut workbench = Workbench::default();
+        workbench.limit_history(bytes);
+        assert_eq!(ask(&mut workbench, program.clone())["sound"], true);
+        ask(&mut workbench, json!({ "ask": "shape", "name": "icosphere" }));
+        let run = json!({ "ask": "run", "script": "churn" });
+        // The second run goes on where the first ended.
+        ask(&mut workbench, run.clone());
+        let start = ask_with(&mut workbench, view.clone(), &[]);
+        let ran = ask(&mut workbench, run);
+        let total = ran["total"].as_u64().expect("it has applied some");
+        assert!(total > 300 && ran["failed"].is_null(), "{ran}");
+        let end = ask_with(&mut workbench, view.clone(), &[]);
+        let mut dice = Dice(3);
+        let mut at = total;
+        let mut seen = vec![start.clone(), end.clone()];
+        for step in 0..40 {
+            at = match step % 4 {
+                0 => dice.below(total as usize + 1) as u64,
+                1 => at.saturating_sub(1),
+                2 => (at + 2).min(total),
+                _ => [0, total][step / 4 % 2],
+            };
+            let answer = ask(&mut workbench, json!({ "ask": "seek", "to": at }));
+            assert_eq!((&answer["at"], &answer["total"]), (&json!(at), &json!(total)), "{answer}");
+            let now = ask_with(&mut workbench, view.clone(), &[]);
+            for (place, known) in [(0, &start), (total, &end)] {
+                assert!(at != place || now.bytes == known.bytes, "{at} of {total}");
+            }
+            seen.push(now);
+        }
+        told.push(seen);
+    }
+    for others in &told[1..] {
+        for (at, (one, other)) in told[0].iter().zip(others).enumerate() {
+            assert_eq!(one.json, other.json, "{at}");
+            assert_eq!(one.bytes, other.bytes, "{at}");
+        }
+    }
+}
+
+#[test]
 fn arrays_say_what_the_mesh_is() {
     let mut workbench = Workbench::default();
     for (name, triangles) in [("cube", 12), ("grid", 72), ("icosphere", 320)] {

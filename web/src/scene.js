@@ -2,20 +2,14 @@
 
 import * as THREE from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js'
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js'
-import { CSS2DObject, CSS2DRenderer } from 'three/examples/jsm/renderers/CSS2DRenderer.js'
-import { clustered, disc, typicalLength, viridis } from './shapes.js'
-
-/** The colours of the diagrams. */
-const FATES = { kept: '#334155', reassigned: '#2563eb', new: '#15803d', erased: '#dc2626' }
-const DARK_FATES = { kept: '#cbd5e1', reassigned: '#7cb0ff', new: '#5fd08a', erased: '#ff8a80' }
+import { CSS2DRenderer } from 'three/examples/jsm/renderers/CSS2DRenderer.js'
+import { drawNames, drawPointers } from './names.js'
+import { FAT, Pen } from './pen.js'
+import { pick } from './pick.js'
+import { clustered, typicalLength, viridis } from './shapes.js'
 
 /** Meshes with more triangles than this are not looked at under a moving pointer. */
 const QUICK = 60_000
-/** More marks than this are drawn thin. */
-const FAT = 30_000
 /** Edges that are shorter than this on the screen, in pixels, are not drawn: they would hide the faces. */
 const SHORTEST = 3
 /** A picture that takes longer than this while the mesh is turned, in milliseconds, is made coarser. */
@@ -75,7 +69,7 @@ export class Scene {
     this.controls.addEventListener('change', () => this.#wake())
     this.controls.addEventListener('start', () => this.#turn(true))
     this.controls.addEventListener('end', () => this.#turn(false))
-    this.disc = disc()
+    this.pen = new Pen(parent, this.renderer)
     this.base = new THREE.Group()
     this.marks = new THREE.Group()
     this.names = new THREE.Group()
@@ -206,15 +200,15 @@ export class Scene {
         opacity: Math.min(0.85, Math.max(0.12, 3000 / Math.sqrt(arrays.edges.length + 1) / 10)),
       })
     this.lines = isOnEdges && arrays.edgeIds.length <= FAT
-      ? this.#segments(coloured.attributes.position.array, 0xffffff, 3, false, coloured.attributes.color.array)
+      ? this.pen.segments(coloured.attributes.position.array, 0xffffff, 3, { colours: coloured.attributes.color.array })
       : new THREE.LineSegments(isOnEdges ? coloured : edges, lines)
     this.base.add(this.faces, this.lines)
     const border = []
     for (let at = 0; at < arrays.edgeIsBoundary.length; at++) {
       if (arrays.edgeIsBoundary[at]) border.push(at)
     }
-    if (border.length) this.base.add(this.#segments(this.#ends(border), 0xd9480f, 2.5))
-    if (arrays.loose.length) this.base.add(this.#points(arrays.loose, 0xd9480f, 7))
+    if (border.length) this.base.add(this.pen.segments(this.#ends(border), 0xd9480f, 2.5))
+    if (arrays.loose.length) this.base.add(this.pen.points(this.#placesOf(arrays.loose), 0xd9480f, 7))
     this.clearMarks()
     this.#wake()
   }
@@ -299,35 +293,14 @@ export class Scene {
     return ends
   }
 
-  #segments(ends, colour, width, onTop = false, colours = null) {
-    const material = {
-      color: colour, linewidth: width, depthTest: !onTop, transparent: onTop, vertexColors: !!colours,
-    }
-    if (ends.length / 6 > FAT) {
-      const geometry = new THREE.BufferGeometry()
-      geometry.setAttribute('position', new THREE.BufferAttribute(ends, 3))
-      return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }))
-    }
-    const geometry = new LineSegmentsGeometry().setPositions(ends)
-    if (colours) geometry.setColors(colours)
-    const lines = new LineSegments2(geometry, new LineMaterial(material))
-    lines.material.resolution.set(this.parent.clientWidth, this.parent.clientHeight)
-    lines.renderOrder = onTop ? 2 : 1
-    return lines
-  }
-
-  #points(vertices, colour, size) {
+  /** The places of vertices. */
+  #placesOf(vertices) {
     const { positions } = this.#mesh.arrays
     const places = new Float32Array(3 * vertices.length)
     vertices.forEach((vertex, at) => {
       places.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * at)
     })
-    const geometry = new THREE.BufferGeometry()
-    geometry.setAttribute('position', new THREE.BufferAttribute(places, 3))
-    return new THREE.Points(geometry, new THREE.PointsMaterial({
-      color: colour, size: size * this.renderer.getPixelRatio(), sizeAttenuation: false,
-      map: this.disc, alphaTest: 0.5,
-    }))
+    return places
   }
 
   clearMarks() {
@@ -353,11 +326,11 @@ export class Scene {
           : mask[arrays.halfedges[2 * at]] === 1 || mask[arrays.halfedges[2 * at + 1]] === 1
         if (here) places.push(at)
       })
-      if (places.length) this.marks.add(this.#segments(this.#ends(places), colour, 2.5))
+      if (places.length) this.marks.add(this.pen.segments(this.#ends(places), colour, 2.5))
     } else if (kind === 'vertex') {
       const vertices = []
       mask.forEach((verdict, id) => verdict === 1 && vertices.push(id))
-      if (vertices.length) this.marks.add(this.#points(Uint32Array.from(vertices), colour, 8))
+      if (vertices.length) this.marks.add(this.pen.points(this.#placesOf(vertices), colour, 8))
     } else if (kind === 'face') {
       const index = []
       arrays.faces.forEach((face, at) => {
@@ -376,92 +349,16 @@ export class Scene {
   /** Shows names at elements: `[name, { kind, at, line }, fate]` each. */
   showNames(names) {
     this.clearNames()
-    const fates = this.#isDark ? DARK_FATES : FATES
-    // On small faces lines and letters are smaller; names for which there is no room are left out.
-    const length = this.#edgeLength()
-    const size = Math.min(1, Math.max(0.45, length / 110))
-    for (const [name, element, fate] of names) {
-      const colour = fates[fate] ?? fates.kept
-      if (!element.line.length) continue
-      const flat = element.line.flat()
-      if (element.kind === 'halfedge') {
-        this.#arrow(element.line, element.at, colour, 3 * size)
-      } else if (element.kind === 'edge') {
-        this.names.add(this.#segments(Float32Array.from(flat), colour, 3.5 * size, true))
-      } else if (element.kind === 'vertex') {
-        const geometry = new THREE.BufferGeometry()
-        geometry.setAttribute('position', new THREE.Float32BufferAttribute(flat, 3))
-        const points = new THREE.Points(geometry, new THREE.PointsMaterial({
-          color: colour, size: 11 * size * this.renderer.getPixelRatio(), sizeAttenuation: false,
-          depthTest: false, map: this.disc, transparent: true,
-        }))
-        points.renderOrder = 3
-        this.names.add(points)
-      }
-      const room = { vertex: 0, face: 0, halfedge: 38, edge: 55 }[element.kind]
-      if (length < room) continue
-      this.#label(name, element.at, colour, `label-${element.kind}`, Math.max(11, 16 * size))
-    }
-    this.#wake()
+    const drawn = drawNames(this.pen, names, { isDark: this.#isDark, length: this.#edgeLength() })
+    drawn.forEach(part => this.names.add(part))
   }
 
   /** Shows pointers that are broken: `{ from, pointer, to }` each, with the places of both. */
   showPointers(pointers) {
-    const colour = (this.#isDark ? DARK_FATES : FATES).erased
-    const middle = this.#box.getCenter(new THREE.Vector3())
-    const size = this.#box.getSize(new THREE.Vector3()).length() || 1
-    pointers.forEach(({ from, pointer, to }, at) => {
-      const [a, b] = [from.at, to.at].map(place => new THREE.Vector3(...place))
-      for (const { line, at: place, kind } of [from, to]) {
-        if (kind === 'halfedge') this.#arrow(line, place, colour, 3.5)
-      }
-      // An arc away from the mesh, so that two of them do not lie on each other.
-      const out = a.clone().add(b).multiplyScalar(0.5).sub(middle)
-      const way = this.camera.position.clone().sub(middle).normalize()
-      const bend = out.normalize().addScaledVector(way, 1).multiplyScalar(size * (0.16 + 0.1 * at))
-      const top = a.clone().add(b).multiplyScalar(0.5).add(bend)
-      const points = new THREE.QuadraticBezierCurve3(a, top, b).getPoints(24)
-      const ends = points.slice(1).flatMap((point, at) => [...points[at].toArray(), ...point.toArray()])
-      this.names.add(this.#segments(Float32Array.from(ends), colour, 2, true))
-      const [before, last] = points.slice(-3)
-      const back = before.clone().sub(b)
-      const aside = back.clone().cross(way).normalize().multiplyScalar(size * 0.018)
-      const tip = b.clone().addScaledVector(back.normalize(), size * 0.05)
-      this.#triangle([b, tip.clone().add(aside), tip.sub(aside)], colour)
-      this.#label(pointer, points[12].toArray(), colour, 'label-pointer', 14)
-    })
+    const { camera } = this
+    const drawn = drawPointers(this.pen, pointers, { isDark: this.#isDark, box: this.#box, camera })
+    drawn.forEach(part => this.names.add(part))
     this.#wake()
-  }
-
-  #label(text, place, colour, kind, size) {
-    const label = document.createElement('span')
-    label.className = `label ${kind}`
-    label.textContent = text
-    Object.assign(label.style, { color: colour, fontSize: `${size}px` })
-    const object = new CSS2DObject(label)
-    object.position.fromArray(place)
-    this.names.add(object)
-  }
-
-  #triangle(corners, colour) {
-    const geometry = new THREE.BufferGeometry().setFromPoints(corners)
-    const triangle = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
-      color: colour, side: THREE.DoubleSide, depthTest: false, transparent: true,
-    }))
-    triangle.renderOrder = 2
-    this.names.add(triangle)
-  }
-
-  /** A halfedge as an arrow with half a head, on the side where its face lies. */
-  #arrow([from, to], inside, colour, width) {
-    const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)]
-    const way = b.clone().sub(a)
-    const aside = new THREE.Vector3(...inside).sub(a).sub(way.clone().multiplyScalar(0.5))
-    aside.addScaledVector(way, -aside.dot(way) / (way.lengthSq() || 1))
-    aside.normalize().multiplyScalar(way.length() * 0.06)
-    const back = b.clone().addScaledVector(way, -0.15)
-    this.names.add(this.#segments(Float32Array.from([...from, ...to]), colour, width, true))
-    this.#triangle([b, back.clone().add(aside), back], colour)
   }
 
   #listen(canvas) {
@@ -505,63 +402,13 @@ export class Scene {
   pick(event) {
     if (!this.#mesh) return null
     const box = this.renderer.domElement.getBoundingClientRect()
-    const pointer = new THREE.Vector2(
+    const point = new THREE.Vector2(
       ((event.clientX - box.left) / box.width) * 2 - 1,
       -((event.clientY - box.top) / box.height) * 2 + 1,
     )
-    const caster = new THREE.Raycaster()
-    caster.setFromCamera(pointer, this.camera)
-    const target = new THREE.Mesh(this.picked, this.faces.material)
-    const [hit] = caster.intersectObject(target)
-    if (!hit) return null
-    const { arrays } = this.#mesh
-    const face = arrays.faces[hit.faceIndex]
-    if (this.kind === 'face') return { kind: 'face', index: face }
-    const sides = this.#sidesOf(face)
-    const near = vertex => {
-      const at = new THREE.Vector3().fromArray(arrays.positions, 3 * vertex).project(this.camera)
-      return new THREE.Vector2(at.x * box.width, at.y * box.height).multiplyScalar(0.5)
-    }
-    const here = new THREE.Vector2(pointer.x * box.width, pointer.y * box.height).multiplyScalar(0.5)
-    if (this.kind === 'vertex') {
-      const corners = new Set(sides.flatMap(at => [arrays.edges[2 * at], arrays.edges[2 * at + 1]]))
-      const index = least([...corners], vertex => near(vertex).distanceTo(here))
-      return index === undefined ? null : { kind: 'vertex', index }
-    }
-    const distance = at => {
-      const [a, b] = [near(arrays.edges[2 * at]), near(arrays.edges[2 * at + 1])]
-      const way = b.clone().sub(a)
-      const along = Math.min(1, Math.max(0, here.clone().sub(a).dot(way) / (way.lengthSq() || 1)))
-      return a.addScaledVector(way, along).distanceTo(here)
-    }
-    const at = least(sides, distance)
-    if (at === undefined) return null
-    if (this.kind === 'edge') return { kind: 'edge', index: arrays.edgeIds[at] }
-    const side = arrays.edgeFaces[2 * at] === face ? 0 : 1
-    return { kind: 'halfedge', index: arrays.halfedges[2 * at + side] }
+    const view = { camera: this.camera, surface: this.picked, size: [box.width, box.height] }
+    return pick(this.#mesh, this.kind, point, view)
   }
-
-  /** The edges of a face, by their places among the edges. */
-  #sidesOf(face) {
-    const mesh = this.#mesh
-    if (!mesh.sides) {
-      mesh.sides = new Map()
-      mesh.arrays.edgeFaces.forEach((face, at) => {
-        if (!mesh.sides.has(face)) mesh.sides.set(face, [])
-        mesh.sides.get(face).push(at >> 1)
-      })
-    }
-    return mesh.sides.get(face) ?? []
-  }
-}
-
-function least(list, measure) {
-  let [found, shortest] = [undefined, Infinity]
-  for (const item of list) {
-    const size = measure(item)
-    if (size < shortest) [found, shortest] = [item, size]
-  }
-  return found
 }
 
 function clear(group) {

@@ -198,6 +198,29 @@ for (const [triangles, target] of [[100_000, '15 in software'], [1_000_000, '']]
   tell(`${triangles} triangles turned, processor time of a picture`, (1000 * time / pictures.length).toFixed(0), 'ms')
   const memory = await page.evaluate(() => performance.memory?.usedJSHeapSize ?? 0)
   tell(`${triangles} triangles, memory of the page's scripts`, (memory / 1e6).toFixed(0), 'MB')
+  if (triangles === 100_000) await measureSteps()
+}
+
+/** How long it takes to step back through a script, until the page shows it. */
+async function measureSteps() {
+  await page.locator('#run').click()
+  await page.waitForFunction(() => /remesh: /.test(document.getElementById('said').textContent), null, { timeout: 120_000 })
+  const times = await page.evaluate(async times => {
+    const told = document.getElementById('step-count')
+    const frame = () => new Promise(requestAnimationFrame)
+    const all = []
+    for (let at = 0; at < 2 * times; at++) {
+      const [started, before] = [performance.now(), told.textContent]
+      document.getElementById('step-back').click()
+      while (told.textContent === before) await new Promise(then => setTimeout(then))
+      await frame()
+      await frame()
+      all.push(performance.now() - started)
+      await new Promise(then => setTimeout(then, 500))
+    }
+    return all
+  }, TIMES)
+  tell('a step back through a script on it', Math.round(Math.min(...times)), 'ms', '50')
 }
 
 await browser.close()

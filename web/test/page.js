@@ -189,6 +189,16 @@ test('a script runs, is stepped through, and the bunny is remeshed', async () =>
   await page.locator('#step-on').click()
   await said('step-count', /^4 of/)
   await said('counts', /1843 vertices/)
+  await page.locator('#step-back').click()
+  await said('step-count', /^3 of/)
+  await said('counts', /1842 vertices/)
+  await step.focus()
+  await page.keyboard.press('End')
+  await said('counts', /1619 vertices, 4851 edges, 3234 faces/)
+  await page.keyboard.press('ArrowLeft')
+  await said('step-count', new RegExp(`^${total - 1} of`))
+  await page.keyboard.press('Home')
+  await said('counts', /1839 vertices, 5511 edges/)
   await page.locator('#undo').click()
   await said('counts', /1839 vertices/)
 })
@@ -229,10 +239,70 @@ test('files are dropped, repaired and saved', async () => {
   await said('said', /repaired: split off 1 vertex/)
   await page.locator('#file').setInputFiles(file('bad.obj', 'v 0 0 nonsense\n'))
   await said('said', /bad.obj/)
-  const [saved] = await Promise.all([
-    page.waitForEvent('download'), page.selectOption('#save', 'ply'),
-  ])
-  assert.match(saved.suggestedFilename(), /\.ply$/)
+})
+
+/** What is downloaded as this, and its name. */
+async function saved(what) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.selectOption('#save', what)])
+  return [readFileSync(await download.path(), 'utf8'), download.suggestedFilename()]
+}
+
+test('mesh, picture and program are downloaded', async () => {
+  await choose('shape', 'cube')
+  await said('counts', /8 vertices, 12 edges, 6 faces/)
+  await choose('program', 'example:flip.hedge')
+  await page.waitForSelector('#pane svg')
+  const [mesh, name] = await saved('obj')
+  assert.equal(name, 'cube.obj')
+  assert.deepEqual(['v ', 'f '].map(start => mesh.split('\n').filter(line => line.startsWith(start)).length), [8, 6])
+  const [ply] = await saved('ply')
+  assert.match(ply, /^ply[^]*element vertex 8[^]*element face 6/)
+  const [program, file] = await saved('hedge')
+  assert.match(file, /^flip\d*\.hedge$/)
+  assert.equal(program, readFileSync(join(here, '../../examples/flip.hedge'), 'utf8'))
+  const [picture] = await saved('svg')
+  assert.match(picture, /^<svg [^]*<\/svg>\s*$/)
+})
+
+test('a mesh is dropped; faces and vertices are clicked', async () => {
+  const own = await open('')
+  const at = (id, pattern) => own.waitForFunction(
+    ([id, source]) => new RegExp(source).test(document.getElementById(id).textContent), [id, pattern.source])
+  await own.evaluate(() => {
+    const data = new DataTransfer()
+    data.items.add(new File(['v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n'], 'flat.obj'))
+    document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
+  })
+  await at('said', /flat.obj is open/)
+  await at('counts', /4 vertices, 5 edges, 2 faces, 1 hole/)
+  await own.locator('.cm-content').click()
+  await own.keyboard.press('Control+a')
+  await own.keyboard.insertText('op drop(f: face) {\n  before { face f: v -h-> w =P=> v }\n  after { keep f v.position = 0.9 * v.position }\n}\n'
+    + 'op nudge(v: vertex) {\n  before { face f: v -h-> w =P=> v }\n  after { keep f v.position = 0.9 * v.position }\n}\n')
+  await own.waitForFunction(() => [...document.getElementById('op').options].some(({ value }) => value === 'nudge'))
+  for (const [op, kind] of [['drop', 'face'], ['nudge', 'vertex']]) {
+    await own.selectOption('#op', op)
+    await own.locator('#places').check()
+    await at('where', new RegExp(`applies at ${kind === 'face' ? 2 : 4} of`))
+    const box = await own.locator('#view').boundingBox()
+    await own.mouse.click(box.x + box.width / 2 + 12, box.y + box.height / 2 + 5)
+    await at('said', new RegExp(`${op} applied at ${kind} \\d`))
+    await picture(`clicked-${kind}`, own)
+  }
+  await own.context().close()
+})
+
+test('a script that does not end is stopped, and the mesh is there again', async () => {
+  const own = await open('')
+  await own.locator('.cm-content').click()
+  await own.keyboard.press('Control+a')
+  await own.keyboard.insertText('script forever() { var n = 0 while n >= 0 { n = 1 - n } }\n')
+  await own.waitForFunction(() => document.getElementById('script').value === 'forever')
+  await own.locator('#run').click()
+  await own.locator('#stop').click()
+  await own.waitForFunction(() => /stopped/.test(document.getElementById('said').textContent))
+  await own.waitForFunction(() => /162 vertices/.test(document.getElementById('counts').textContent))
+  await own.context().close()
 })
 
 test('programs use each other, and a name leads to the file that declares it', async () => {
@@ -293,6 +363,8 @@ test('attributes of all kinds of elements are shown in colour', async () => {
   await own.keyboard.press('Control+a')
   const kinds = ['vertex', 'halfedge', 'edge', 'face']
   const many = { vertex: 'vertices', halfedge: 'halfedges', edge: 'edges', face: 'faces' }
+  const sizes = { vertex: 162, halfedge: 960, edge: 480, face: 320 }
+  let counted = 0
   await own.keyboard.insertText(kinds.map(kind => `attr ${kind}_value: ${kind} real = 0\n`).join('')
     + `script paint() {\n  var n = 0.0\n${kinds.map(kind =>
       `  for x in ${many[kind]} { n = n + 1 x.${kind}_value = n }\n`).join('')}}\n`)
@@ -302,6 +374,12 @@ test('attributes of all kinds of elements are shown in colour', async () => {
     await own.selectOption('#attribute', `${kind}.${kind}_value`)
     await own.waitForFunction(name =>
       document.getElementById('legend').innerText.includes(name), `${kind}.${kind}_value`)
+    // They are numbered through, from one kind to the next.
+    const [least, most] = await Promise.all(
+      ['least', 'most'].map(async id => Number(await own.locator(`#${id}`).innerText())))
+    assert.equal(most - least + 1, sizes[kind])
+    assert.equal(least, counted + 1)
+    counted = most
     await picture(`colour-${kind}`, own)
   }
   await own.context().close()

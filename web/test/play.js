@@ -49,6 +49,11 @@ test('the files of a folder are listed, opened, used and saved', { skip, timeout
     assert.ok(await page.locator('#problems').isHidden())
     await page.locator('#run').click()
     await said('report', /lift\s+3674/)
+    // Back through the script, by the machine behind the page.
+    await page.locator('#step-back').click()
+    await said('step-count', /^3673 of 3674/)
+    await page.locator('#step').fill('0')
+    await said('step-count', /^0 of 3674/)
     await page.locator('.cm-content').click()
     await page.keyboard.press('Control+End')
     await page.keyboard.insertText('// mine\n')

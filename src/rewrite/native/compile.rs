@@ -11,28 +11,49 @@ use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{Linkage, Module, default_libcall_names};
 
 use super::Variant;
+use super::calls::gives;
 use super::context::Context;
 use super::operands::Surroundings;
 use super::translate::{Text, Translator};
 use crate::mesh::{AttributeType, ElementKind};
-use crate::rewrite::{Inst, key_paths};
+use crate::rewrite::engine::Way;
+use crate::rewrite::{Code, Function, Inst, key_paths};
+use std::sync::Arc;
 
 /// Code with more instructions or registers than this stays with the machine: to compile it would
 /// take longer than it runs.
 const MOST_INSTS: usize = 4000;
 const MOST_REGISTERS: u16 = 1000;
 
-/// The start of native code; its answer is one of those that [`super::translate`] lists.
-pub(super) type Entry = unsafe extern "C" fn(*mut Context) -> i64;
+/// The start of native code, which is told where to begin: 0 is its beginning, others are those of
+/// [`Compiled::entry_at`]. Its answer is one of those that [`super::translate`] lists.
+pub(super) type Entry = unsafe extern "C" fn(*mut Context, i64) -> i64;
 
 /// The native code of a code.
 pub(super) struct Compiled {
     pub(super) entry: Entry,
-    /// The types of the attributes that it was made for, by number.
-    types: Vec<(u16, Option<(ElementKind, AttributeType)>)>,
-    /// The number of slots of the arguments of each operation that it calls.
-    params: Vec<(u16, u16)>,
+    /// What it was made for.
+    pub(super) expected: Expected,
+    /// The attributes that it or a function that it calls uses.
+    pub(super) attributes: Vec<u16>,
+    /// True if native code may call it.
+    pub(super) is_callable: bool,
+    /// The instructions that it may begin at, in order.
+    entries: Vec<u32>,
+    /// The functions that it and those that it calls may enter, which live as long; nothing for a
+    /// function, which stands among them.
+    functions: Option<Arc<[Function]>>,
+    first_function: usize,
     memory: Memory,
+}
+
+/// What the operands of a code, and of the functions that it calls, depend on besides the code.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Expected {
+    /// The types of the attributes, by number.
+    types: Vec<(u16, Option<(ElementKind, AttributeType)>)>,
+    /// The number of slots of the arguments of each operation.
+    params: Vec<(u16, u16)>,
 }
 
 /// The memory that native code stands in: it is written, then made executable, and never both.
@@ -57,21 +78,22 @@ impl Compiled {
         if code.insts.len() > MOST_INSTS || code.registers > MOST_REGISTERS {
             return None;
         }
+        // It keeps the functions that it enters.
+        let functions = text.surroundings.functions.as_ptr();
+        if text.way != Way::Function && code.functions.as_ptr() != functions {
+            return None;
+        }
         // The machine notes what keys read that are not found by walking back.
         let drains = key_paths::drains(code, text.surroundings.functions);
         if drains.iter().any(|(_, why)| why.is_some()) {
             return None;
         }
-        let variant = match variant {
-            Variant::Plain if !drains.is_empty() => Variant::Careful,
-            variant => variant,
-        };
         let isa = isa()?;
         let conv = isa.default_call_conv();
         let mut module = JITModule::new(JITBuilder::with_isa(isa, default_libcall_names()));
         let mut context = module.make_context();
         context.func.signature.call_conv = conv;
-        context.func.signature.params.push(AbiParam::new(I64));
+        context.func.signature.params.extend([AbiParam::new(I64); 2]);
         context.func.signature.returns.push(AbiParam::new(I64));
         let mut builder = FunctionBuilderContext::new();
         let function = FunctionBuilder::new(&mut context.func, &mut builder);
@@ -81,46 +103,103 @@ impl Compiled {
         module.define_function(name, &mut context).ok()?;
         module.finalize_definitions().ok()?;
         let start = module.get_finalized_function(name);
-        // SAFETY: the function that has just been defined takes one pointer and gives one number
-        // of 64 bits, in the convention of `extern "C"` here.
+        // SAFETY: the function that has just been defined takes a pointer and a number and gives a
+        // number, of 64 bits each, in the convention of `extern "C"` here.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(start) };
-        let (types, params) = expectations(text);
-        Some(Self { entry, types, params, memory: Memory(Mutex::new(Some(module))) })
+        let expected = Expected::of(code, &text.surroundings);
+        let attributes = expected.types.iter().map(|(attribute, _)| *attribute).collect();
+        let functions = (text.way != Way::Function).then(|| Arc::clone(&code.functions));
+        Some(Self {
+            entry,
+            expected,
+            attributes,
+            is_callable: text.way == Way::Function && gives(code).is_some(),
+            entries: entries(code),
+            functions,
+            first_function: text.surroundings.functions.as_ptr().addr(),
+            memory: Memory(Mutex::new(Some(module))),
+        })
     }
 
-    /// Whether it was made for these attributes and operations.
+    /// Whether it was made for these attributes, operations and functions.
     #[inline]
     pub(super) fn fits(&self, surroundings: &Surroundings<'_>) -> bool {
-        let _ = &self.memory;
-        self.types.iter().all(|&(attribute, ty)| surroundings.column(attribute) == ty)
-            && self.params.iter().all(|&(op, width)| surroundings.params_of_op(op) == width)
+        let (_, _) = (&self.memory, &self.functions);
+        self.first_function == surroundings.functions.as_ptr().addr()
+            && self.expected.holds(surroundings)
+    }
+
+    /// The entry at an instruction.
+    pub(super) fn entry_at(&self, inst: usize) -> Option<i64> {
+        let found = self.entries.binary_search(&u32::try_from(inst).ok()?);
+        found.ok().map(|at| at as i64 + 1)
     }
 }
 
-/// The operands of these had other widths for other attributes and operations.
-#[expect(clippy::type_complexity, reason = "both go to fields of one struct")]
-fn expectations(
-    text: Text<'_>,
-) -> (Vec<(u16, Option<(ElementKind, AttributeType)>)>, Vec<(u16, u16)>) {
-    let (mut types, mut params) = (Vec::new(), Vec::new());
-    for inst in &text.code.insts {
-        match *inst {
-            Inst::LoadAttribute { attribute, .. }
-            | Inst::StoreAttribute { attribute, .. }
-            | Inst::HoldAttribute { attribute, .. } => {
-                types.push((attribute, text.surroundings.column(attribute)));
+/// The instructions behind the turns of loops, where native code may begin.
+pub(super) fn entries(code: &Code) -> Vec<u32> {
+    let insts = code.insts.iter().enumerate().take(code.insts.len().saturating_sub(1));
+    let turns = insts.filter(|(_, inst)| matches!(inst, Inst::Turn { .. } | Inst::Tick));
+    turns.map(|(at, _)| at as u32 + 1).collect()
+}
+
+/// The attributes that a code uses itself.
+fn attributes_in(code: &Code) -> impl Iterator<Item = u16> {
+    code.insts.iter().filter_map(|inst| match *inst {
+        Inst::LoadAttribute { attribute, .. }
+        | Inst::StoreAttribute { attribute, .. }
+        | Inst::HoldAttribute { attribute, .. } => Some(attribute),
+        _ => None,
+    })
+}
+
+impl Expected {
+    /// What is expected of what is there now.
+    pub(super) fn of(code: &Code, surroundings: &Surroundings<'_>) -> Self {
+        let mut expected = Self::default();
+        let mut seen = vec![false; surroundings.functions.len()];
+        let mut open = vec![code];
+        while let Some(code) = open.pop() {
+            let used = attributes_in(code);
+            expected.types.extend(used.map(|used| (used, surroundings.column(used))));
+            for inst in &code.insts {
+                match *inst {
+                    Inst::Apply { op, .. } | Inst::Try { op, .. } => {
+                        expected.params.push((op, surroundings.params_of_op(op)));
+                        // Native code of it finds its attributes there.
+                        let plan = surroundings.plans.get(usize::from(op));
+                        if let Some(Some(plan)) = plan
+                            && plan.steps.is_none()
+                        {
+                            let used = plan.code.with_called().into_iter().flat_map(attributes_in);
+                            let types = used.map(|used| (used, surroundings.column(used)));
+                            expected.types.extend(types);
+                        }
+                    }
+                    Inst::Call { function, .. } => {
+                        let function = usize::from(function);
+                        if let (Some(seen), Some(called)) =
+                            (seen.get_mut(function), surroundings.functions.get(function))
+                            && !std::mem::replace(seen, true)
+                        {
+                            open.push(&called.code);
+                        }
+                    }
+                    _ => {}
+                }
             }
-            Inst::Apply { op, .. } | Inst::Try { op, .. } => {
-                params.push((op, text.surroundings.params_of_op(op)));
-            }
-            _ => {}
         }
+        expected.types.sort_by_key(|(attribute, _)| *attribute);
+        expected.types.dedup();
+        expected.params.sort_unstable();
+        expected.params.dedup();
+        expected
     }
-    types.sort_by_key(|(attribute, _)| *attribute);
-    types.dedup();
-    params.sort_unstable();
-    params.dedup();
-    (types, params)
+
+    fn holds(&self, surroundings: &Surroundings<'_>) -> bool {
+        self.types.iter().all(|&(attribute, ty)| surroundings.column(attribute) == ty)
+            && self.params.iter().all(|&(op, width)| surroundings.params_of_op(op) == width)
+    }
 }
 
 /// This processor, found out once.

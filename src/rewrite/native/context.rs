@@ -1,51 +1,89 @@
-//! The memory that native code and the machine share during a call.
+//! The memory that native code and the machine share during a run of native code.
 
 use std::any::Any;
 use std::ffi::c_void;
 
+use super::translate::{APPLIED, REFUSED};
 use crate::mesh::Mesh;
 use crate::mesh::tables::Tables;
 use crate::rewrite::dispatch::Place;
-use crate::rewrite::{Call, Machine, Phase, Trap, Watch};
+use crate::rewrite::paths::Fields;
+use crate::rewrite::watch::Progress;
+use crate::rewrite::window::{SLOTS, reserve};
+use crate::rewrite::{Call, Inst, Machine, Outcome, Phase, Trap, Watch};
 
 /// The part that native code reads and writes itself.
 #[repr(C)]
 pub(super) struct Context {
     pub(super) tables: Tables,
     /// The columns of the attributes of the program, by number.
-    pub(super) columns: *const Values,
-    /// The number of turns of loops so far.
-    pub(super) turns: *mut u32,
-    /// The registers of the call.
+    pub(super) columns: *const Slice,
+    /// The progress of the running loops.
+    pub(super) progress: *mut Progress,
+    /// The registers of the code that runs: of what was entered, or of a function that native code
+    /// has called since.
     pub(super) window: *mut u64,
+    /// Where the stack of registers begins, and the last place in it where a window may.
+    pub(super) stack: *mut u64,
+    pub(super) last: *mut u64,
+    /// The buffers of the code that runs, by number, and those of what was entered.
+    pub(super) lists: *const Slice,
+    pub(super) first_list: *const Slice,
+    /// The number of the function that runs, plus 1; 0 if it is none.
+    pub(super) function: u64,
+    /// The same for the operation, if it is not what was entered.
+    op: u64,
+    /// How many functions native code may call one within the other without asking.
+    pub(super) left: u64,
+    /// The number of running calls that need that no id is given out again.
+    pub(super) holding: *mut u32,
+    /// By kind the fields whose writes somebody is told of, as bits of [`Fields`].
+    pub(super) listens: [u32; 4],
     /// The machine's [`Run`].
     pub(super) run: *mut c_void,
     /// The element that is returned; [`NOTHING`] if none is.
     pub(super) result: u64,
-    /// Where a function has put what it gives: the first register, and 16 bits further the width.
+    /// The number of slots that a function gives, which stand at the start of its window.
     pub(super) given: u32,
     /// The refusal that counts so far, as [`noted`] spells it.
     pub(super) noted: u32,
 }
 
-/// Where the values of a column are, and how many.
-#[derive(Clone, Copy)]
+/// Where the values of a column or the slots of a buffer are, and how many: addresses are numbers
+/// here, since the machine keeps such lists to use them again.
+#[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
-pub(super) struct Values {
-    pub(super) start: *mut u8,
+pub(crate) struct Slice {
+    pub(super) start: usize,
     pub(super) count: usize,
 }
 
 /// The result of an operation that returns nothing.
 pub(super) const NOTHING: u64 = u64::MAX;
 
+/// What a run needs besides, kept to be used again.
+#[derive(Debug, Default)]
+pub(crate) struct Scratch {
+    columns: Vec<Slice>,
+    /// Of the buffers of what was entered and of the functions that run.
+    lists: Vec<Slice>,
+}
+
 /// The part that only the machine knows.
 pub(super) struct Run<'r> {
     pub(super) machine: &'r mut Machine,
     pub(super) mesh: &'r mut Mesh,
+    /// What was entered.
     pub(super) call: Call<'r>,
     pub(super) watch: &'r mut dyn Watch,
-    pub(super) columns: Vec<Values>,
+    pub(super) scratch: Scratch,
+    /// The attributes that the code uses.
+    pub(super) attributes: &'r [u16],
+    /// What [`Context::left`] was at first.
+    pub(super) left: u64,
+    /// The machine's numbers of functions and of native code when it was entered.
+    pub(super) frames: usize,
+    pub(super) depth: usize,
     /// Why native code was left, if by a trap.
     pub(super) trap: Option<Trap>,
     /// The reason if it was left since an operation in steps refuses.
@@ -55,17 +93,96 @@ pub(super) struct Run<'r> {
 }
 
 impl Context {
-    /// The context of a call. `run` must outlive it.
-    pub(super) fn new(run: &mut Run<'_>) -> Self {
-        Self {
+    /// The context of a run, which must outlive it. The code may begin anywhere, so the buffers
+    /// are those that there are.
+    pub(super) fn new(run: &mut Run<'_>, noted: u32) -> Self {
+        let Call { base, function, .. } = run.call;
+        let mut context = Self {
             tables: run.mesh.tables(),
-            columns: run.values(),
-            turns: run.machine.progress.turns(),
-            window: run.window(),
+            columns: std::ptr::null(),
+            progress: &raw mut run.machine.progress,
+            window: std::ptr::null_mut(),
+            stack: std::ptr::null_mut(),
+            last: std::ptr::null_mut(),
+            lists: std::ptr::null(),
+            first_list: std::ptr::null(),
+            function: function.map_or(0, |number| u64::from(number) + 1),
+            op: 0,
+            left: run.left,
+            holding: &raw mut run.machine.holding,
+            listens: run.listens(),
             run: (&raw mut *run).cast(),
             result: NOTHING,
             given: 0,
-            noted: 0,
+            noted,
+        };
+        context.find_stack(run, base);
+        context.find_columns(run);
+        context.find_lists(run, (0, usize::from(run.call.code.buffers)));
+        context
+    }
+
+    /// The base of the window of the code that runs.
+    fn base(&self) -> usize {
+        (self.window.addr() - self.stack.addr()) / size_of::<u64>()
+    }
+
+    /// The place of its buffers among those of the run.
+    fn first_of_lists(&self) -> usize {
+        (self.lists.addr() - self.first_list.addr()) / size_of::<Slice>()
+    }
+
+    /// The call of the code that runs.
+    #[inline]
+    pub(super) fn call<'r>(&self, run: &Run<'r>) -> Call<'r> {
+        let mut call = run.call;
+        if let Some(op) = self.op.checked_sub(1)
+            && let Some(Some(plan)) = call.plans.get(op as usize)
+        {
+            call = Call { buffers: call.buffers, ..call.calling(op as u16, plan) };
+        }
+        let number = self.function.wrapping_sub(1);
+        if let Some(function) = call.functions.get(number as usize) {
+            call.become_function(number as u16, function);
+        }
+        call.base = self.base();
+        call.buffers += self.first_of_lists();
+        call
+    }
+
+    /// Becomes that of an operation which the code that runs calls; so many buffers are its own.
+    pub(super) fn begin_op(&mut self, run: &mut Run<'_>, call: &Call<'_>, op: u16, buffers: u16) {
+        self.find_stack(run, call.base);
+        self.lists = self.lists.wrapping_add(usize::from(buffers));
+        (self.function, self.op) = (0, u64::from(op) + 1);
+        (self.noted, self.result) = (0, NOTHING);
+        self.left -= 1;
+        // It counts its own functions.
+        run.frames = 0_usize.wrapping_sub((run.left - self.left) as usize);
+    }
+
+    /// Becomes that of the caller again, whose window has this base.
+    pub(super) fn end_op(&mut self, base: usize, lists: usize, function: u64) {
+        self.window = self.stack.wrapping_add(base);
+        self.lists = self.first_list.wrapping_byte_add(lists);
+        (self.function, self.op) = (function, 0);
+        (self.noted, self.result) = (0, NOTHING);
+        self.left += 1;
+    }
+
+    /// What an answer of native code means; none if it was left by a trap.
+    #[inline]
+    pub(super) fn outcome(&self, answer: i64) -> Option<Outcome> {
+        match answer {
+            APPLIED => {
+                let result = (self.result != NOTHING).then_some(self.result as u32);
+                Some(Outcome::Applied { result })
+            }
+            REFUSED => {
+                let reason = self.place(0).noted.map(|(_, reason)| reason);
+                Some(Outcome::Refused { reason })
+            }
+            _ => None,
         }
     }
 
@@ -73,10 +190,73 @@ impl Context {
     #[inline]
     pub(super) fn refresh(&mut self, run: &mut Run<'_>) {
         self.tables = run.mesh.tables();
-        self.columns = run.values();
-        self.window = run.window();
+        self.find_columns(run);
+        self.find_stack(run, self.base());
+        self.listens = run.listens();
     }
 
+    fn find_stack(&mut self, run: &mut Run<'_>, base: usize) {
+        let stack = &mut run.machine.stack;
+        // A window is never shorter than a register can name.
+        reserve(stack, base);
+        self.stack = stack.as_mut_ptr();
+        self.window = self.stack.wrapping_add(base);
+        self.last = self.stack.wrapping_add(stack.len() - SLOTS);
+    }
+
+    #[inline]
+    fn find_columns(&mut self, run: &mut Run<'_>) {
+        let Run { machine, mesh, scratch: Scratch { columns, .. }, attributes, .. } = run;
+        for &attribute in *attributes {
+            let at = usize::from(attribute);
+            if columns.len() <= at {
+                columns.resize(at + 1, Slice::default());
+            }
+            let column = machine.columns.get(at).copied().flatten();
+            columns[at] = column.map_or_else(Slice::default, |column| {
+                let (start, count) = mesh.values_in_memory(column);
+                Slice { start: start.expose_provenance(), count }
+            });
+        }
+        self.columns = columns.as_ptr();
+    }
+
+    /// Looks for buffers of the run, from one on, and so many.
+    #[inline]
+    fn find_lists(&mut self, run: &mut Run<'_>, (first, count): (usize, usize)) {
+        let Run { machine, call, scratch: Scratch { lists, .. }, .. } = run;
+        if lists.len() < first + count {
+            lists.resize(first + count, Slice::default());
+        }
+        let found = machine.buffers.iter().skip(call.buffers + first);
+        let known = &mut lists[first..first + count];
+        known.fill(Slice::default());
+        for (known, list) in known.iter_mut().zip(found) {
+            *known = Slice { start: list.as_ptr().expose_provenance(), count: list.len() };
+        }
+        self.first_list = lists.as_ptr();
+        self.lists = self.first_list.wrapping_add(first);
+    }
+
+    /// Looks anew for the buffers of the code that runs, after some may have been written.
+    #[inline]
+    pub(super) fn refresh_lists(&mut self, run: &mut Run<'_>, count: u16) {
+        if count > 0 {
+            self.find_lists(run, (self.first_of_lists(), usize::from(count)));
+        }
+    }
+
+    /// The same for one of them.
+    #[inline]
+    pub(super) fn refresh_list(&mut self, run: &mut Run<'_>, buffer: u16) {
+        let at = self.first_of_lists() + usize::from(buffer);
+        let list = run.machine.buffers.get(run.call.buffers + at);
+        if let (Some(known), Some(list)) = (run.scratch.lists.get_mut(at), list) {
+            *known = Slice { start: list.as_ptr().expose_provenance(), count: list.len() };
+        }
+    }
+
+    /// Where the machine is to go on.
     pub(super) fn place(&self, at: usize) -> Place {
         let noted = self.noted.checked_sub(1 << 16).map(|known| {
             let phase = match known >> 16 {
@@ -92,28 +272,27 @@ impl Context {
 }
 
 impl Run<'_> {
-    /// The columns, looked for anew.
+    /// By kind the fields whose writes somebody is told of.
     #[inline]
-    fn values(&mut self) -> *const Values {
-        let Self { machine, mesh, columns, .. } = self;
-        columns.clear();
-        if !machine.columns.is_empty() {
-            columns.extend(machine.columns.iter().map(|column| {
-                let (start, count) = match column {
-                    Some(column) => mesh.values_in_memory(*column),
-                    None => (std::ptr::null_mut(), 0),
-                };
-                Values { start, count }
-            }));
+    fn listens(&self) -> [u32; 4] {
+        match (self.mesh.is_journaled(), self.machine.drains.is_empty()) {
+            (true, _) => [Fields::ALL.bits(); 4],
+            (false, true) => [0; 4],
+            (false, false) => self.machine.drains.listens().map(Fields::bits),
         }
-        columns.as_ptr()
     }
 
-    /// The registers of the call: a window is never shorter than a register can name.
-    fn window(&mut self) -> *mut u64 {
-        let stack = &mut self.machine.stack;
-        crate::rewrite::window::reserve(stack, self.call.base);
-        stack[self.call.base..].as_mut_ptr()
+    /// Tells the machine how many functions run by now.
+    #[inline]
+    pub(super) fn count_frames(&mut self, context: &Context) {
+        let called = (self.left - context.left) as usize;
+        self.machine.frames = self.frames.wrapping_add(called);
+        self.machine.depth = self.depth + called;
+    }
+
+    /// An instruction of the code that runs.
+    pub(super) fn inst(&self, context: &Context, at: i64) -> Option<Inst> {
+        context.call(self).code.insts.get(at as usize).copied()
     }
 }
 

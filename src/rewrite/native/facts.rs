@@ -5,9 +5,10 @@
 //! in range. So native code tests each element once, and those that it comes to by pointers for
 //! their range only.
 
+use super::compile::entries;
 use super::operands::{Surroundings, Use};
 use crate::mesh::ElementKind;
-use crate::rewrite::{ElementField, HalfedgeField, Inst, Reg};
+use crate::rewrite::{Code, ElementField, HalfedgeField, Inst, Reg};
 
 /// What is known of the element in a register.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -164,9 +165,14 @@ fn kind(of: ElementField) -> ElementKind {
 pub(super) struct KnownAt(Vec<Option<Facts>>);
 
 impl KnownAt {
-    pub(super) fn of(insts: &[Inst], registers: usize, surroundings: &Surroundings) -> Self {
+    pub(super) fn of(code: &Code, registers: usize, surroundings: &Surroundings) -> Self {
+        let insts = &code.insts;
         let mut known = Self(vec![None; insts.len() + 1]);
-        let is_target = targets(insts);
+        let is_target = targets(code);
+        // Where it may begin, nothing is.
+        for entry in entries(code) {
+            known.0[entry as usize] = Some(Facts(vec![Fact::default(); registers]));
+        }
         // What is known only becomes less, so this ends.
         loop {
             let mut changed = false;
@@ -253,9 +259,13 @@ pub(super) fn ends(inst: &Inst) -> bool {
     )
 }
 
-/// By number whether an instruction, or the end of the code, is jumped to.
-pub(super) fn targets(insts: &[Inst]) -> Vec<bool> {
+/// By number whether an instruction, or the end of the code, is jumped to, or begun at.
+pub(super) fn targets(code: &Code) -> Vec<bool> {
+    let insts = &code.insts;
     let mut targets = vec![false; insts.len() + 1];
+    for entry in entries(code) {
+        targets[entry as usize] = true;
+    }
     for inst in insts {
         let mut jump = *inst;
         if let Some(to) = jump.target_mut() {
@@ -263,4 +273,22 @@ pub(super) fn targets(insts: &[Inst]) -> Vec<bool> {
         }
     }
     targets
+}
+
+/// By number whether the code may come to an instruction.
+pub(super) fn reached(code: &Code) -> Vec<bool> {
+    let mut reached = vec![false; code.insts.len()];
+    let mut open = vec![0];
+    while let Some(at) = open.pop() {
+        let Some(inst) = code.insts.get(at).filter(|_| !std::mem::replace(&mut reached[at], true))
+        else {
+            continue;
+        };
+        let mut jump = *inst;
+        open.extend(jump.target_mut().map(|to| to.0 as usize));
+        if !ends(inst) {
+            open.push(at + 1);
+        }
+    }
+    reached
 }

@@ -2,7 +2,7 @@
 
 use super::facts::{ends, targets};
 use super::operands::{Surroundings, Use};
-use crate::rewrite::{Inst, Reg};
+use crate::rewrite::{Code, Inst, Reg};
 
 /// A set of registers.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,8 @@ impl Set {
 /// The registers that are live where code begins or is jumped to.
 pub(super) struct Liveness<'a> {
     insts: &'a [Inst],
+    constants: usize,
+    registers: u16,
     surroundings: &'a Surroundings<'a>,
     nothing: Set,
     /// By instruction, if it is the first or jumped to.
@@ -43,19 +45,23 @@ pub(super) struct Liveness<'a> {
 }
 
 impl<'a> Liveness<'a> {
-    pub(super) fn of(
-        insts: &'a [Inst],
-        registers: usize,
-        surroundings: &'a Surroundings<'a>,
-    ) -> Self {
+    pub(super) fn of(code: &'a Code, registers: usize, surroundings: &'a Surroundings<'a>) -> Self {
+        let insts = code.insts.as_slice();
         let nothing = Set(vec![0; registers.div_ceil(64)]);
         let mut live: Vec<Option<Set>> = vec![None; insts.len() + 1];
-        for (at, is_target) in targets(insts).into_iter().enumerate() {
+        for (at, is_target) in targets(code).into_iter().enumerate() {
             if is_target || at == 0 {
                 live[at] = Some(nothing.clone());
             }
         }
-        let mut found = Self { insts, surroundings, nothing, live };
+        let mut found = Self {
+            insts,
+            constants: code.constants,
+            registers: code.registers,
+            surroundings,
+            nothing,
+            live,
+        };
         // What is live only becomes more, so this ends.
         while found.go_back(0, |_, _| {}) {}
         found
@@ -100,9 +106,24 @@ impl<'a> Liveness<'a> {
         changed
     }
 
-    /// The registers that are read from the beginning on before they are written.
-    pub(super) fn at_start(&self) -> Vec<Reg> {
-        self.live[0].as_ref().map_or_else(Vec::new, Set::registers)
+    /// The registers that are read from an instruction on, the first or one that is jumped to,
+    /// before they are written; but for constants.
+    pub(super) fn at(&self, inst: usize) -> Vec<Reg> {
+        let all = self.live[inst].as_ref().map_or_else(Vec::new, Set::registers);
+        self.without_constants(all)
+    }
+
+    /// All registers but for constants.
+    pub(super) fn all(&self) -> Vec<Reg> {
+        self.without_constants((0..self.registers).map(Reg).collect())
+    }
+
+    fn without_constants(&self, all: Vec<Reg>) -> Vec<Reg> {
+        let is_constant = |reg: &Reg| {
+            let mut constants = self.insts.iter().take(self.constants);
+            constants.any(|inst| matches!(inst, Inst::Const { to, .. } if to == reg))
+        };
+        all.into_iter().filter(|reg| !is_constant(reg)).collect()
     }
 
     /// The registers that are live behind an instruction.

@@ -6,19 +6,18 @@
 
 use std::mem::offset_of;
 
-use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
-use cranelift_codegen::ir::types::{F64, I8, I32, I64};
-use cranelift_codegen::ir::{
-    AbiParam, AliasRegion, AliasRegionData, Block, InstBuilder, MemFlagsData, SigRef, Signature,
-    StackSlotData, StackSlotKind, Type, Value,
-};
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
 use cranelift_codegen::isa::CallConv;
-use cranelift_frontend::{FunctionBuilder, Variable};
+use cranelift_frontend::{FunctionBuilder, Switch, Variable};
 
+use super::compile::entries;
 use super::context::{Context, noted};
-use super::facts::{Fact, KnownAt, Walk, ends, targets};
+use super::facts::{KnownAt, Walk, ends, targets};
 use super::liveness::Liveness;
-use super::operands::{Class, Operand, Surroundings, Use};
+use super::operands::Surroundings;
+use super::registers::reals;
 use super::{Variant, stubs};
 use crate::rewrite::engine::Way;
 use crate::rewrite::{Code, Inst, Label, Phase, Refusal, Reg};
@@ -34,6 +33,8 @@ pub(super) struct Text<'a> {
     pub(super) code: &'a Code,
     pub(super) refusals: &'a [Refusal],
     pub(super) way: Way,
+    /// The number of the function.
+    pub(super) function: Option<u16>,
     pub(super) surroundings: Surroundings<'a>,
 }
 
@@ -54,21 +55,25 @@ pub(super) enum Region {
     Hole,
     Position,
     Holes,
-    Turns,
+    Progress,
+    Holding,
     Columns,
     Values,
+    Lists,
+    Slots,
+    Entries,
 }
 
 pub(super) struct Translator<'a, 'f> {
     pub(super) b: FunctionBuilder<'f>,
     pub(super) text: Text<'a>,
-    variant: Variant,
-    conv: CallConv,
-    context: Value,
-    variables: Vec<Option<Variable>>,
-    is_real: Vec<bool>,
+    pub(super) variant: Variant,
+    pub(super) conv: CallConv,
+    pub(super) context: Value,
+    pub(super) variables: Vec<Option<Variable>>,
+    pub(super) is_real: Vec<bool>,
     blocks: Vec<Option<Block>>,
-    known: Walk,
+    pub(super) known: Walk,
     /// The instruction that is spelled.
     pub(super) at: usize,
     /// The number of those behind it that have been spelled with it.
@@ -78,7 +83,9 @@ pub(super) struct Translator<'a, 'f> {
     /// All such blocks, each with its instruction.
     faults: Vec<(Block, usize)>,
     /// Where native code is left by a trap.
-    leave: Block,
+    pub(super) leave: Block,
+    /// True if what the registers hold is left in the window.
+    keeps_window: bool,
     /// By drain, the registers that its paths may read.
     live_at_drains: Vec<(usize, Vec<Reg>)>,
 }
@@ -96,16 +103,17 @@ impl<'a, 'f> Translator<'a, 'f> {
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
         b.switch_to_block(entry);
-        let context = b.block_params(entry)[0];
-        let is_target = targets(insts);
+        let (context, start) = (b.block_params(entry)[0], b.block_params(entry)[1]);
+        let is_target = targets(text.code);
         let blocks = is_target.iter().map(|&is| is.then(|| b.create_block())).collect();
         let leave = b.create_block();
         b.set_cold_block(leave);
-        let mut liveness = Liveness::of(insts, registers, &text.surroundings);
+        let mut liveness = Liveness::of(text.code, registers, &text.surroundings);
         let drains = insts.iter().enumerate();
         let drains = drains.filter(|(_, inst)| matches!(inst, Inst::DrainStale { .. }));
         let drains: Vec<usize> = drains.map(|(at, _)| at).collect();
         let live_at_drains = drains.into_iter().map(|at| (at, liveness.behind(at))).collect();
+        let loops = insts.iter().any(|inst| matches!(inst, Inst::Turn { .. }));
         let mut this = Self {
             b,
             text,
@@ -121,17 +129,19 @@ impl<'a, 'f> Translator<'a, 'f> {
             fault: None,
             faults: Vec::new(),
             leave,
+            keeps_window: text.way == Way::Script && !loops,
             live_at_drains,
         };
-        // A script leaves what its registers hold in the window, changed or not.
-        let first = match text.way {
-            Way::Script => (0..text.code.registers).map(Reg).collect(),
-            _ => liveness.at_start(),
-        };
-        first.into_iter().for_each(|reg| this.reload(reg));
-        let known_at = KnownAt::of(insts, registers, &text.surroundings);
+        let known_at = KnownAt::of(text.code, registers, &text.surroundings);
+        // They hold wherever the code begins.
+        let constants = text.code.constants.min(insts.len());
+        for inst in &insts[..constants] {
+            this.value(inst);
+            this.known.pass(inst, &text.surroundings);
+        }
+        this.begin(start, &liveness);
         let mut reached = true;
-        for (at, inst) in insts.iter().enumerate() {
+        for (at, inst) in insts.iter().enumerate().skip(constants) {
             if let Some(block) = this.blocks[at] {
                 if reached {
                     this.b.ins().jump(block, &[]);
@@ -167,6 +177,40 @@ impl<'a, 'f> Translator<'a, 'f> {
         this.b
     }
 
+    /// Begins where it is told: at the beginning, or at the turn of a loop, with what the registers
+    /// hold in the window.
+    fn begin(&mut self, start: Value, liveness: &Liveness<'_>) {
+        // A script leaves what its registers hold in the window, changed or not.
+        let first = if self.keeps_window { liveness.all() } else { liveness.at(0) };
+        let entries = entries(self.text.code);
+        if !entries.is_empty() {
+            let (begin, elsewhere) = (self.b.create_block(), self.b.create_block());
+            self.b.set_cold_block(elsewhere);
+            self.b.ins().brif(start, elsewhere, &[], begin, &[]);
+            self.b.switch_to_block(elsewhere);
+            let mut switch = Switch::new();
+            let blocks: Vec<Block> = entries.iter().map(|_| self.b.create_block()).collect();
+            for (number, block) in (1..).zip(&blocks) {
+                self.b.set_cold_block(*block);
+                switch.set_entry(number, *block);
+            }
+            switch.emit(&mut self.b, start, begin);
+            for (at, block) in entries.into_iter().zip(blocks) {
+                self.b.switch_to_block(block);
+                liveness.at(at as usize).into_iter().for_each(|reg| self.reload(reg));
+                let to = self.block(Label(at));
+                self.b.ins().jump(to, &[]);
+            }
+            self.b.switch_to_block(begin);
+        }
+        if self.text.code.buffers > 0 {
+            let begun = self.call_stub(stubs::lists::begin as *const () as usize, &[]);
+            let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, begun, 0);
+            self.leave_if(failed);
+        }
+        first.into_iter().for_each(|reg| self.reload(reg));
+    }
+
     /// The blocks of what traps: the machine takes the instruction and says why.
     fn write_faults(&mut self) {
         for (block, at) in std::mem::take(&mut self.faults) {
@@ -188,18 +232,9 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// Spells an instruction; false if nothing follows it.
     fn inst(&mut self, inst: &Inst) -> bool {
-        if inst.is_observed_write() {
-            match self.variant {
-                Variant::Plain => {}
-                Variant::Careful => {
-                    self.steps();
-                    return true;
-                }
-                Variant::Dry => {
-                    self.end(None);
-                    return false;
-                }
-            }
+        if self.variant == Variant::Dry && inst.is_observed_write() {
+            self.end(None);
+            return false;
         }
         match *inst {
             Inst::Return { result } => {
@@ -208,22 +243,13 @@ impl<'a, 'f> Translator<'a, 'f> {
                 return false;
             }
             Inst::Give { from, width } => {
-                self.spill_operands(inst);
-                let place = offset_of!(Context, given) as i32;
-                let given = i64::from(from.0) | i64::from(width) << 16;
-                let given = self.b.ins().iconst(I32, given);
-                let flags = self.flags(Region::Context);
-                self.b.ins().store(flags, given, self.context, place);
+                self.give(from, width);
                 self.end(None);
             }
-            Inst::Call { .. } => {
-                self.spill_operands(inst);
-                let number = self.b.ins().iconst(I64, self.at as i64);
-                let done = self.call_stub(stubs::call as *const () as usize, &[number]);
-                let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);
-                self.leave_if(failed);
-                self.reload_written(inst);
+            Inst::Call { function, args, to, holds } => {
+                self.call_function(inst, function, [args, to], holds);
             }
+            Inst::Apply { args: _, op: _, applied, result } => self.apply(inst, applied, result),
             Inst::Refuse => {
                 let answer = self.b.ins().iconst(I64, REFUSED);
                 self.b.ins().return_(&[answer]);
@@ -266,8 +292,9 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.expect(condition, refusal, otherwise);
             }
             _ => {
-                if !self.value(inst) && !self.access(inst) {
-                    self.step(inst);
+                if !self.value(inst) && !self.access(inst) && !self.write(inst) && !self.list(inst)
+                {
+                    self.steps(inst);
                 }
             }
         }
@@ -280,7 +307,7 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.blocks[at].unwrap_or(self.leave)
     }
 
-    fn jump_if(&mut self, condition: Value, to: Label) {
+    pub(super) fn jump_if(&mut self, condition: Value, to: Label) {
         let (to, on) = (self.block(to), self.b.create_block());
         self.b.ins().brif(condition, to, &[], on, &[]);
         self.b.switch_to_block(on);
@@ -316,7 +343,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             let place = offset_of!(Context, result) as i32;
             self.b.ins().store(flags, element, self.context, place);
         }
-        if self.text.way == Way::Script {
+        if self.keeps_window {
             let used = (0..).zip(&self.variables).filter(|(_, variable)| variable.is_some());
             let used: Vec<Reg> = used.map(|(at, _)| Reg(at)).collect();
             used.into_iter().for_each(|reg| self.spill(reg));
@@ -344,11 +371,6 @@ impl<'a, 'f> Translator<'a, 'f> {
     /// Lets the machine take the instruction.
     pub(super) fn step(&mut self, inst: &Inst) {
         self.spill_operands(inst);
-        if let Inst::DrainStale { .. } = inst {
-            let all = self.live_at_drains.iter().find(|(at, _)| *at == self.at);
-            let all = all.map_or_else(Vec::new, |(_, all)| all.clone());
-            all.into_iter().for_each(|reg| self.spill(reg));
-        }
         let number = self.b.ins().iconst(I64, (self.at | 1 << 32) as i64);
         let on = self.call_stub(stubs::step as *const () as usize, &[number]);
         let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, on, 0);
@@ -365,10 +387,13 @@ impl<'a, 'f> Translator<'a, 'f> {
         }
     }
 
-    /// Lets the machine take this write and those that follow it at once.
-    fn steps(&mut self) {
+    /// The same, with those that follow it and are the machine's.
+    fn steps(&mut self, inst: &Inst) {
         let (first, code) = (self.at, self.text.code);
-        let end = self.end_of_run(Inst::is_observed_write);
+        let end = self.end_of_run(is_always_a_step);
+        if end < first + 2 || !is_always_a_step(inst) {
+            return self.step(inst);
+        }
         let all = &code.insts[first..end];
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | (end - first) << 32) as i64);
@@ -377,6 +402,13 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.leave_if(failed);
         all.iter().for_each(|inst| self.reload_written(inst));
         self.skip = end - first - 1;
+    }
+
+    /// The registers that the paths of a drain may read go to the window.
+    pub(super) fn spill_for_drain(&mut self) {
+        let all = self.live_at_drains.iter().find(|(at, _)| *at == self.at);
+        let all = all.map_or_else(Vec::new, |(_, all)| all.clone());
+        all.into_iter().for_each(|reg| self.spill(reg));
     }
 
     /// The end of the instructions of a sort from this one on, none of which but the first is
@@ -394,220 +426,33 @@ impl<'a, 'f> Translator<'a, 'f> {
         self.b.ins().brif(condition, leave, &[], on, &[]);
         self.b.switch_to_block(on);
     }
-
-    pub(super) fn spill_operands(&mut self, inst: &Inst) {
-        let mut read: Vec<Operand> = Vec::new();
-        self.text.surroundings.each_operand(inst, |operand| {
-            if operand.used != Use::Write {
-                read.push(operand);
-            }
-        });
-        read.into_iter().flat_map(Operand::registers).for_each(|reg| self.spill(reg));
-    }
-
-    pub(super) fn reload_written(&mut self, inst: &Inst) {
-        let mut written = Vec::new();
-        self.text.surroundings.each_operand(inst, |operand| {
-            if operand.used != Use::Read {
-                written.extend(operand.registers());
-            }
-        });
-        written.into_iter().for_each(|reg| self.reload(reg));
-    }
-
-    /// Writes a register to the window.
-    fn spill(&mut self, reg: Reg) {
-        let window = self.field(offset_of!(Context, window));
-        let flags = self.flags(Region::Window);
-        let variable = self.variable(reg);
-        let value = self.b.use_var(variable);
-        self.b.ins().store(flags, value, window, i32::from(reg.0) * 8);
-    }
-
-    /// Reads a register from the window.
-    fn reload(&mut self, reg: Reg) {
-        let window = self.field(offset_of!(Context, window));
-        let flags = self.flags(Region::Window);
-        let ty = if self.is_real(reg) { F64 } else { I64 };
-        let value = self.b.ins().load(ty, flags, window, i32::from(reg.0) * 8);
-        let variable = self.variable(reg);
-        self.b.def_var(variable, value);
-    }
 }
 
-/// Registers.
-impl Translator<'_, '_> {
-    fn is_real(&self, reg: Reg) -> bool {
-        self.is_real.get(usize::from(reg.0)) == Some(&true)
-    }
-
-    fn variable(&mut self, reg: Reg) -> Variable {
-        let at = usize::from(reg.0);
-        if self.variables.len() <= at {
-            self.variables.resize(at + 1, None);
-        }
-        match self.variables[at] {
-            Some(variable) => variable,
-            None => {
-                let ty = if self.is_real(reg) { F64 } else { I64 };
-                let variable = self.b.declare_var(ty);
-                *self.variables[at].insert(variable)
-            }
-        }
-    }
-
-    /// The bits of a register.
-    pub(super) fn whole(&mut self, reg: Reg) -> Value {
-        let variable = self.variable(reg);
-        let value = self.b.use_var(variable);
-        match self.is_real(reg) {
-            true => self.b.ins().bitcast(I64, MemFlagsData::new(), value),
-            false => value,
-        }
-    }
-
-    pub(super) fn real(&mut self, reg: Reg) -> Value {
-        let variable = self.variable(reg);
-        let value = self.b.use_var(variable);
-        match self.is_real(reg) {
-            true => value,
-            false => self.b.ins().bitcast(F64, MemFlagsData::new(), value),
-        }
-    }
-
-    pub(super) fn set_whole(&mut self, reg: Reg, value: Value) {
-        let value = match self.is_real(reg) {
-            true => self.b.ins().bitcast(F64, MemFlagsData::new(), value),
-            false => value,
-        };
-        let variable = self.variable(reg);
-        self.b.def_var(variable, value);
-    }
-
-    pub(super) fn set_real(&mut self, reg: Reg, value: Value) {
-        let value = match self.is_real(reg) {
-            true => value,
-            false => self.b.ins().bitcast(I64, MemFlagsData::new(), value),
-        };
-        let variable = self.variable(reg);
-        self.b.def_var(variable, value);
-    }
-
-    /// A bool, from what Cranelift compares.
-    pub(super) fn set_truth(&mut self, reg: Reg, value: Value) {
-        let value = self.b.ins().uextend(I64, value);
-        self.set_whole(reg, value);
-    }
-
-    pub(super) fn vector(&mut self, reg: Reg) -> [Value; 3] {
-        [0, 1, 2].map(|part| self.real(Reg(reg.0.wrapping_add(part))))
-    }
-
-    pub(super) fn set_vector(&mut self, reg: Reg, values: [Value; 3]) {
-        for (part, value) in (0..).zip(values) {
-            self.set_real(Reg(reg.0.wrapping_add(part)), value);
-        }
-    }
-
-    /// The number of an element.
-    pub(super) fn id(&mut self, reg: Reg) -> Value {
-        let bits = self.whole(reg);
-        match self.fact(reg).is_clean() {
-            true => bits,
-            false => self.b.ins().band_imm_u(bits, 0xffff_ffff),
-        }
-    }
-
-    /// What is known of the element in a register.
-    pub(super) fn fact(&self, reg: Reg) -> Fact {
-        self.known.facts.as_ref().map_or_else(Fact::default, |facts| facts.of(reg))
-    }
-
-    pub(super) fn compare(&mut self, how: IntCC, left: Reg, right: Reg) -> Value {
-        let (left, right) = (self.whole(left), self.whole(right));
-        self.b.ins().icmp(how, left, right)
-    }
-
-    /// Whether all components of a vector are finite.
-    pub(super) fn is_finite(&mut self, vector: Reg) -> Value {
-        let infinity = self.b.ins().f64const(f64::INFINITY);
-        let [x, y, z] = self.vector(vector).map(|part| {
-            let size = self.b.ins().fabs(part);
-            self.b.ins().fcmp(FloatCC::LessThan, size, infinity)
-        });
-        let xy = self.b.ins().band(x, y);
-        self.b.ins().band(xy, z)
-    }
-}
-
-/// Memory and calls.
-impl Translator<'_, '_> {
-    pub(super) fn flags(&mut self, region: Region) -> MemFlagsData {
-        let data = AliasRegionData { user_id: region as u32, description: "".into() };
-        let region: AliasRegion = self.b.func.dfg.alias_regions.insert(data);
-        MemFlagsData::trusted().with_alias_region(Some(region))
-    }
-
-    /// A field of the context.
-    pub(super) fn field(&mut self, offset: usize) -> Value {
-        let flags = self.flags(Region::Context);
-        self.b.ins().load(I64, flags, self.context, offset as i32)
-    }
-
-    pub(super) fn signature(&mut self, params: &[Type], returns: &[Type]) -> SigRef {
-        let mut signature = Signature::new(self.conv);
-        signature.params.extend(params.iter().map(|&ty| AbiParam::new(ty)));
-        signature.returns.extend(returns.iter().map(|&ty| AbiParam::new(ty)));
-        self.b.import_signature(signature)
-    }
-
-    pub(super) fn call(&mut self, stub: usize, signature: SigRef, args: &[Value]) -> Vec<Value> {
-        let stub = self.b.ins().iconst(I64, stub as i64);
-        let call = self.b.ins().call_indirect(signature, stub, args);
-        self.b.inst_results(call).to_vec()
-    }
-
-    /// Calls a stub of the context and of whole numbers, which answers with one.
-    pub(super) fn call_stub(&mut self, stub: usize, args: &[Value]) -> Value {
-        let params = vec![I64; args.len() + 1];
-        let signature = self.signature(&params, &[I64]);
-        let mut all = vec![self.context];
-        all.extend_from_slice(args);
-        self.call(stub, signature, &all)[0]
-    }
-
-    /// Calls a function of reals.
-    pub(super) fn call_real(&mut self, stub: usize, args: &[Value]) -> Value {
-        let params = vec![F64; args.len()];
-        let signature = self.signature(&params, &[F64]);
-        self.call(stub, signature, args)[0]
-    }
-
-    /// Three reals in the frame: their address.
-    pub(super) fn place_of_vector(&mut self) -> Value {
-        let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, 24, 3);
-        let slot = self.b.create_sized_stack_slot(slot);
-        self.b.ins().stack_addr(I64, slot, 0)
-    }
-
-    pub(super) fn byte(&mut self, flags: MemFlagsData, address: Value, offset: usize) -> Value {
-        let byte = self.b.ins().load(I8, flags, address, offset as i32);
-        self.b.ins().uextend(I64, byte)
-    }
-}
-
-/// By number whether a register holds nothing but reals.
-fn reals(insts: &[Inst], registers: usize, surroundings: &Surroundings) -> Vec<bool> {
-    let mut votes = vec![(false, false); registers];
-    for inst in insts {
-        surroundings.each_operand(inst, |operand| {
-            for reg in operand.registers() {
-                if let Some((real, whole)) = votes.get_mut(usize::from(reg.0)) {
-                    *real |= operand.class == Class::Real;
-                    *whole |= operand.class == Class::Whole;
-                }
-            }
-        });
-    }
-    votes.into_iter().map(|(real, whole)| real && !whole).collect()
+/// True for what the machine takes, whatever it is about, and what goes on with the following.
+fn is_always_a_step(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::PreviewClear
+            | Inst::PreviewNew { .. }
+            | Inst::PreviewStore { .. }
+            | Inst::PreviewStoreHalfedge { .. }
+            | Inst::PreviewStoreHole { .. }
+            | Inst::PreviewStoreAll { .. }
+            | Inst::PreviewStoreSpan { .. }
+            | Inst::Foresee { .. }
+            | Inst::ForeseeAlong { .. }
+            | Inst::StoreAll { .. }
+            | Inst::StoreSpan { .. }
+            | Inst::BufferAppend { .. }
+            | Inst::BufferDeal { .. }
+            | Inst::PrintText { .. }
+            | Inst::PrintTextOf { .. }
+            | Inst::PrintBool { .. }
+            | Inst::PrintInt { .. }
+            | Inst::PrintReal { .. }
+            | Inst::PrintVec { .. }
+            | Inst::PrintWide { .. }
+            | Inst::PrintElement { .. }
+            | Inst::PrintEnd
+    )
 }

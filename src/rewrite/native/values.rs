@@ -6,7 +6,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 
 use super::stubs;
 use super::translate::Translator;
-use crate::rewrite::wide::Lanes;
+use crate::rewrite::wide::{Lanes, Matrix};
 use crate::rewrite::{Inst, Math, Reg};
 
 impl Translator<'_, '_> {
@@ -182,11 +182,8 @@ impl Translator<'_, '_> {
                 self.set_real(to, value);
             }
             Inst::Cross { to, left, right } => {
-                let ([x, y, z], [u, v, w]) = (self.vector(left), self.vector(right));
-                let values = [(y, w, v, z), (z, u, w, x), (x, v, u, y)].map(|(a, b, c, d)| {
-                    let (first, second) = (self.b.ins().fmul(a, b), self.b.ins().fmul(c, d));
-                    self.b.ins().fsub(first, second)
-                });
+                let (left, right) = (self.vector(left), self.vector(right));
+                let values = self.cross(left, right);
                 self.set_vector(to, values);
             }
             Inst::LengthVec { to, from } => {
@@ -228,7 +225,39 @@ impl Translator<'_, '_> {
                             self.set_real(Reg(to.0.wrapping_add(part)), value);
                         }
                     }
-                    _ => return false,
+                    Lanes::Divide
+                        if apart(left, width)
+                            && !(to.0..to.0.saturating_add(width)).contains(&right.0) =>
+                    {
+                        let right = self.real(right);
+                        for part in 0..width {
+                            let from = self.real(Reg(left.0.wrapping_add(part)));
+                            let value = self.b.ins().fdiv(from, right);
+                            self.set_real(Reg(to.0.wrapping_add(part)), value);
+                        }
+                    }
+                    Lanes::Dot => {
+                        // A sum begins with what the sum of nothing is.
+                        let nothing: f64 = [0.0; 0].iter().sum();
+                        let mut sum = self.b.ins().f64const(nothing);
+                        let (left, right) = (self.reals(left, width), self.reals(right, width));
+                        for (left, right) in left.into_iter().zip(right) {
+                            let product = self.b.ins().fmul(left, right);
+                            sum = self.b.ins().fadd(sum, product);
+                        }
+                        self.set_real(to, sum);
+                    }
+                    _ => self.compute(inst),
+                }
+            }
+            Inst::Matrix { operation, size, to, left, right } => {
+                match self.matrix(operation, u16::from(size), left, right) {
+                    Some(values) => {
+                        for (part, value) in (0..).zip(values) {
+                            self.set_real(Reg(to.0.wrapping_add(part)), value);
+                        }
+                    }
+                    None => self.compute(inst),
                 }
             }
             _ => return false,
@@ -236,7 +265,85 @@ impl Translator<'_, '_> {
         true
     }
 
-    fn truth(&mut self, reg: Reg) -> Value {
+    fn reals(&mut self, from: Reg, count: u16) -> Vec<Value> {
+        (0..count).map(|part| self.real(Reg(from.0.wrapping_add(part)))).collect()
+    }
+
+    /// Computes with matrices as glam does, one operation after the other; none where that is long.
+    fn matrix(
+        &mut self,
+        operation: Matrix,
+        size: u16,
+        left: Reg,
+        right: Reg,
+    ) -> Option<Vec<Value>> {
+        // The machine takes every other size for 4.
+        if size != 3 && size != 4 {
+            return None;
+        }
+        let all = size * size;
+        let parts = usize::from(size);
+        Some(match operation {
+            Matrix::Diagonal => {
+                let (value, zero) = (self.real(left), self.b.ins().f64const(0.0));
+                (0..all).map(|at| if at % (size + 1) == 0 { value } else { zero }).collect()
+            }
+            Matrix::UpperLeft => {
+                let from = self.reals(left, (size + 1) * (size + 1));
+                (0..parts * parts).map(|at| from[at / parts * (parts + 1) + at % parts]).collect()
+            }
+            Matrix::Outer => {
+                let (column, row) = (self.reals(left, size), self.reals(right, size));
+                let each = row.iter().flat_map(|&factor| column.iter().map(move |&x| [x, factor]));
+                each.map(|[x, factor]| self.b.ins().fmul(x, factor)).collect()
+            }
+            Matrix::Transpose => {
+                let from = self.reals(left, all);
+                (0..parts * parts).map(|at| from[at % parts * parts + at / parts]).collect()
+            }
+            Matrix::Multiply | Matrix::Transform => {
+                let columns = if operation == Matrix::Multiply { size } else { 1 };
+                let (matrix, vectors) = (self.reals(left, all), self.reals(right, size * columns));
+                let mut values = Vec::new();
+                for vector in vectors.chunks(parts) {
+                    for row in 0..parts {
+                        let mut sum = self.b.ins().fmul(matrix[row], vector[0]);
+                        for (column, &factor) in vector.iter().enumerate().skip(1) {
+                            let product = self.b.ins().fmul(matrix[column * parts + row], factor);
+                            sum = self.b.ins().fadd(sum, product);
+                        }
+                        values.push(sum);
+                    }
+                }
+                values
+            }
+            Matrix::Determinant if size == 3 => {
+                let part = |at: u16| [0, 1, 2].map(|part| Reg(left.0.wrapping_add(at + part)));
+                let [x, y, z] = [0, 3, 6].map(|at| part(at).map(|reg| self.real(reg)));
+                let cross = self.cross(y, z);
+                vec![self.dot(x, cross)]
+            }
+            Matrix::Determinant | Matrix::Inverse | Matrix::Solve => return None,
+        })
+    }
+
+    fn cross(&mut self, [x, y, z]: [Value; 3], [u, v, w]: [Value; 3]) -> [Value; 3] {
+        [(y, w, v, z), (z, u, w, x), (x, v, u, y)].map(|(a, b, c, d)| {
+            let (first, second) = (self.b.ins().fmul(a, b), self.b.ins().fmul(c, d));
+            self.b.ins().fsub(first, second)
+        })
+    }
+
+    /// Computes with vectors and matrices in the window.
+    fn compute(&mut self, inst: &Inst) {
+        self.spill_operands(inst);
+        let number = self.b.ins().iconst(I64, self.at as i64);
+        let done = self.call_stub(stubs::compute as *const () as usize, &[number]);
+        self.leave_if_negative(done);
+        self.reload_written(inst);
+    }
+
+    pub(super) fn truth(&mut self, reg: Reg) -> Value {
         let bits = self.whole(reg);
         self.b.ins().icmp_imm_u(IntCC::NotEqual, bits, 0)
     }
@@ -281,7 +388,7 @@ impl Translator<'_, '_> {
         }
     }
 
-    fn dot(&mut self, left: [Value; 3], right: [Value; 3]) -> Value {
+    pub(super) fn dot(&mut self, left: [Value; 3], right: [Value; 3]) -> Value {
         let [x, y, z] = [0, 1, 2].map(|part| self.b.ins().fmul(left[part], right[part]));
         let xy = self.b.ins().fadd(x, y);
         self.b.ins().fadd(xy, z)

@@ -1,6 +1,7 @@
 //! The machine on code written by hand.
 
 mod arithmetic;
+mod asked;
 mod assembler;
 mod calls;
 mod chance;

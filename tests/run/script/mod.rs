@@ -64,7 +64,10 @@ fn run_alone(
     let own = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
     let texts: Vec<_> = arguments.iter().map(own).collect();
     let arguments = prepared.arguments(&texts).unwrap();
+    // Native code takes over in the midst of loops, or is there at once.
+    let (taken_over, _) = run_on_both(&prepared, &mut mesh.clone(), &arguments, Engine::Native);
     let (report, lines) = run_on_both(&prepared, mesh, &arguments, Engine::NativeAtOnce);
+    assert_eq!(taken_over, report);
     validate(mesh).unwrap();
     Ok((report?, lines))
 }

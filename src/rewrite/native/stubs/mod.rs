@@ -4,15 +4,22 @@
 //! anything is kept and goes on when native code has been left, and what the others do does not
 //! panic.
 
+pub(super) mod calls;
+pub(super) mod drains;
+pub(super) mod lists;
+pub(super) mod writes;
+
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::context::{Context, Run, noted};
 use crate::mesh::ElementKind;
-use crate::rewrite::access;
 use crate::rewrite::arithmetic::{direction, math};
+use crate::rewrite::memory::Budget;
+use crate::rewrite::native::context::{Context, Run, noted};
 use crate::rewrite::question::ask;
 use crate::rewrite::window::Window;
-use crate::rewrite::{Call, Fault, Inst, Math, Message, Outcome, Trap};
+use crate::rewrite::{
+    Call, Fault, Inst, Machine, Math, Message, Outcome, Question, Trap, access, wide,
+};
 
 /// The answer of a stub if native code is to be left: the trap stands in the run.
 pub(super) const LEAVE: i64 = -1;
@@ -22,7 +29,7 @@ pub(super) const LEAVE: i64 = -1;
 /// # Safety
 /// The context is one that the machine has made for native code that runs.
 #[inline]
-unsafe fn within(
+pub(super) unsafe fn within(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> i64 {
@@ -43,17 +50,16 @@ unsafe fn within(
     }
 }
 
-/// The same for what may do anything: it may panic, and what it has moved is looked for anew.
+/// The same for what may panic.
 ///
 /// # Safety
 /// As of [`within`].
-unsafe fn within_any(
+pub(super) unsafe fn within_guarded(
     context: *mut Context,
     act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
 ) -> i64 {
     let guarded = |context: &mut Context, run: &mut Run<'_>| {
         let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
-        context.refresh(run);
         acted.unwrap_or_else(|panic| {
             run.panic = Some(panic);
             Ok(LEAVE)
@@ -63,6 +69,27 @@ unsafe fn within_any(
     unsafe { within(context, guarded) }
 }
 
+/// The same for what may do anything: what it has moved is looked for anew.
+///
+/// # Safety
+/// As of [`within`].
+pub(super) unsafe fn within_any(
+    context: *mut Context,
+    act: impl FnOnce(&mut Context, &mut Run<'_>) -> Result<i64, Trap>,
+) -> i64 {
+    let any = |context: &mut Context, run: &mut Run<'_>| {
+        run.count_frames(context);
+        let acted = catch_unwind(AssertUnwindSafe(|| act(context, run)));
+        context.refresh(run);
+        acted.unwrap_or_else(|panic| {
+            run.panic = Some(panic);
+            Ok(LEAVE)
+        })
+    };
+    // SAFETY: as of `within`.
+    unsafe { within(context, any) }
+}
+
 /// Takes instructions on the machine, as many as the upper half of `span` says, from the one on
 /// that its lower half says; the place where the code goes on.
 ///
@@ -70,13 +97,17 @@ unsafe fn within_any(
 /// As of all stubs: native code calls it with its context.
 pub(super) unsafe extern "C" fn step(context: *mut Context, span: i64) -> i64 {
     let take = |context: &mut Context, run: &mut Run<'_>| {
+        let call = context.call(run);
         let mut place = context.place(span as u32 as usize);
         place.steps = (span >> 32) as usize;
-        let Run { machine, mesh, call, watch, .. } = run;
-        let outcome = match machine.drains.is_empty() && !opens_drain(call, place.at) {
-            true => machine.execute_from::<false, true>(mesh, *call, &mut place, *watch)?,
-            false => machine.execute_from::<true, true>(mesh, *call, &mut place, *watch)?,
+        // An operation counts its own.
+        run.machine.frames = 0;
+        let Run { machine, mesh, watch, .. } = run;
+        let outcome = match machine.drains.is_empty() && !opens_drain(&call, place.at) {
+            true => machine.execute_from::<false, true>(mesh, call, &mut place, *watch)?,
+            false => machine.execute_from::<true, true>(mesh, call, &mut place, *watch)?,
         };
+        context.refresh_lists(run, call.code.buffers);
         if let Outcome::Refused { reason } = outcome {
             run.refused = Some(reason);
             return Ok(LEAVE);
@@ -97,15 +128,45 @@ fn opens_drain(call: &Call<'_>, at: usize) -> bool {
 /// # Safety
 /// As of all stubs.
 pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
-    let tick = |_: &mut Context, run: &mut Run<'_>| {
-        let Run { machine, call, watch, .. } = run;
+    let tick = |context: &mut Context, run: &mut Run<'_>| {
+        let Run { machine, watch, .. } = run;
         match machine.progress.tick(*watch).is_break() {
-            true => Err(Trap::new(Message::Interrupted).through(call, inst as usize)),
+            true => Err(failed(context, run, inst, Message::Interrupted)),
             false => Ok(0),
         }
     };
     // SAFETY: as of all stubs.
-    unsafe { within(context, tick) }
+    unsafe { within_guarded(context, tick) }
+}
+
+/// The same at a turn of a loop that has told how far it is; looks at the memory, too.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn turn(context: *mut Context, inst: i64) -> i64 {
+    let turn = |context: &mut Context, run: &mut Run<'_>| {
+        let Some(Inst::Turn { depth, .. }) = run.inst(context, inst) else {
+            return Ok(LEAVE);
+        };
+        let Run { machine, mesh, watch, .. } = run;
+        if machine.progress.look_at_turn(*watch, depth).is_break() {
+            return Err(failed(context, run, inst, Message::Interrupted));
+        }
+        let Machine { buffers, drains, memory: limit, .. } = &**machine;
+        if (Budget { buffers, drains, limit: *limit }).is_passed(mesh) {
+            let message = Message::NoMemory(*limit);
+            return Err(failed(context, run, inst, message));
+        }
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_guarded(context, turn) }
+}
+
+/// The trap of an instruction of the code that runs.
+#[cold]
+pub(super) fn failed(context: &Context, run: &Run<'_>, inst: i64, message: Message) -> Trap {
+    Trap::new(message).through(&context.call(run), inst as usize)
 }
 
 /// Answers a question from registers in the window, into the window; [`LEAVE`] where the machine
@@ -114,32 +175,96 @@ pub(super) unsafe extern "C" fn tick(context: *mut Context, inst: i64) -> i64 {
 /// # Safety
 /// As of all stubs.
 pub(super) unsafe extern "C" fn answer(context: *mut Context, inst: i64) -> i64 {
-    let answer = |_: &mut Context, run: &mut Run<'_>| {
-        let Run { machine, mesh, call, .. } = run;
-        let window = Window::at(&mut machine.stack, call.base);
+    let answer = |context: &mut Context, run: &mut Run<'_>| {
+        let call = context.call(run);
+        let window = Window::at(&mut run.machine.stack, call.base);
         let (Some(Inst::Ask { question, to, elements: [first, second] }), Some(mut window)) =
             (call.code.insts.get(inst as usize), window)
         else {
             return Ok(LEAVE);
         };
-        let asked = ask(mesh, *question, &mut window, [*to, *first, *second]);
+        let asked = ask(run.mesh, *question, &mut window, [*to, *first, *second]);
         Ok(asked.map_or(LEAVE, |()| 0))
     };
     // SAFETY: as of all stubs.
-    unsafe { within(context, answer) }
+    unsafe { within_guarded(context, answer) }
 }
 
-/// Calls a function.
+/// Answers a question, by its number, with a whole number or a bool; [`LEAVE`] where the machine is
+/// to tell why it cannot.
 ///
 /// # Safety
 /// As of all stubs.
-pub(super) unsafe extern "C" fn call(context: *mut Context, inst: i64) -> i64 {
-    let call = |_: &mut Context, run: &mut Run<'_>| {
-        let Run { machine, mesh, call, watch, .. } = run;
-        machine.call_function(mesh, call, inst as usize, *watch).map(|()| 0)
+pub(super) unsafe extern "C" fn ask_whole(
+    context: *mut Context,
+    question: i64,
+    first: i64,
+    second: i64,
+) -> i64 {
+    let answer = |_: &mut Context, run: &mut Run<'_>| {
+        let mesh = &*run.mesh;
+        let vertex = |id: i64| access::vertex(mesh, id as u32);
+        let edge = || access::edge(mesh, first as u32);
+        const DEGREE: i64 = Question::Degree as i64;
+        const BOUNDARY_VERTEX: i64 = Question::BoundaryVertex as i64;
+        const ADJACENT: i64 = Question::Adjacent as i64;
+        const BOUNDARY_EDGE: i64 = Question::BoundaryEdge as i64;
+        const LINK_CONDITION: i64 = Question::LinkCondition as i64;
+        const STAR_SHAPED: i64 = Question::StarShaped as i64;
+        const FACE_SIZE: i64 = Question::FaceSize as i64;
+        let answer = match question {
+            DEGREE => vertex(first).map(|v| mesh.degree(v) as i64),
+            BOUNDARY_VERTEX => vertex(first).map(|v| mesh.is_boundary_vertex(v).into()),
+            ADJACENT => vertex(second).and_then(|w| Ok(mesh.adjacent(vertex(first)?, w).into())),
+            BOUNDARY_EDGE => edge().map(|e| mesh.is_boundary_edge(e).into()),
+            LINK_CONDITION => edge().map(|e| mesh.link_condition(e).into()),
+            STAR_SHAPED => edge().map(|e| mesh.kernel_centroid(e).is_some().into()),
+            FACE_SIZE => access::face(mesh, first as u32).map(|f| mesh.face_size(f) as i64),
+            _ => Ok(LEAVE),
+        };
+        Ok(answer.unwrap_or(LEAVE))
     };
     // SAFETY: as of all stubs.
-    unsafe { within_any(context, call) }
+    unsafe { within_guarded(context, answer) }
+}
+
+/// Computes with vectors and matrices, from registers in the window into the window.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn compute(context: *mut Context, inst: i64) -> i64 {
+    let compute = |context: &mut Context, run: &mut Run<'_>| {
+        let call = context.call(run);
+        let window = Window::at(&mut run.machine.stack, call.base);
+        let (Some(inst), Some(mut w)) = (call.code.insts.get(inst as usize), window) else {
+            return Ok(LEAVE);
+        };
+        match *inst {
+            Inst::Wide { operation, width, to, left, right } => {
+                wide::lanes(&mut w, operation, width, [to, left, right]);
+            }
+            Inst::Matrix { operation, size, to, left, right } => {
+                wide::matrix(&mut w, operation, size, [to, left, right]);
+            }
+            _ => return Ok(LEAVE),
+        }
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_guarded(context, compute) }
+}
+
+/// The number of living elements of a kind.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn count(context: *mut Context, kind: i64) -> i64 {
+    let count = |_: &mut Context, run: &mut Run<'_>| {
+        let kind = ElementKind::ALL.get(kind as usize);
+        Ok(kind.map_or(0, |&kind| run.mesh.count(kind) as i64))
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within(context, count) }
 }
 
 /// Takes an instruction on the machine that native code has found to trap.
@@ -164,15 +289,21 @@ pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
 pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) -> i64 {
     let take = |context: &mut Context, run: &mut Run<'_>| {
         let (first, end) = (span as u32 as usize, (span >> 32) as usize);
-        let Run { machine, mesh, call, .. } = run;
+        let call = context.call(run);
+        let Run { machine, mesh, .. } = run;
+        let is_told = !machine.drains.is_empty();
         for (at, inst) in call.code.insts.iter().enumerate().take(end).skip(first) {
-            let failed = |fault: Fault| Trap::new(fault.into()).through(call, at);
+            let failed = |fault: Fault| Trap::new(fault.into()).through(&call, at);
             let Some(mut window) = Window::at(&mut machine.stack, call.base) else {
                 return Err(failed(Fault::Malformed));
             };
             let (kind, to) = match *inst {
                 Inst::Erase { kind, element } => {
-                    access::erase(mesh, kind, window.id(element)).map_err(failed)?;
+                    let id = window.id(element);
+                    if is_told {
+                        machine.drains.erased(mesh, kind, id);
+                    }
+                    access::erase(mesh, kind, id).map_err(failed)?;
                     continue;
                 }
                 Inst::NewVertex { to } => (ElementKind::Vertex, to),
@@ -186,12 +317,15 @@ pub(super) unsafe extern "C" fn add_and_erase(context: *mut Context, span: i64) 
             if let Some(created) = &mut machine.created {
                 created.push((kind, id));
             }
+            if is_told {
+                machine.drains.born(mesh, kind, id);
+            }
         }
         context.refresh(run);
         Ok(0)
     };
     // SAFETY: as of all stubs.
-    unsafe { within(context, take) }
+    unsafe { within_guarded(context, take) }
 }
 
 /// 1 if so many elements fit, 16 bits for each kind.

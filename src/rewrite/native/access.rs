@@ -1,0 +1,204 @@
+//! The places of elements and their values in memory.
+//!
+//! An address is computed from a number only where that is below the number of records: tested
+//! here, or known to have been. So native code touches nothing but the tables, on any mesh.
+
+use std::mem::offset_of;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
+
+use super::context::{Context, Slice};
+use super::translate::{Region, Translator};
+use crate::mesh::tables::{DEAD, FACE_HALFEDGE, FACE_HOLE, FACE_SIZE, Tables};
+use crate::mesh::{AttributeType, ElementKind, HalfedgeRecord, glam};
+use crate::rewrite::{ElementField, Elements, HalfedgeField, Reg};
+
+pub(super) const TABLES: usize = offset_of!(Context, tables);
+
+/// Where a pointer of a halfedge lies, and where it leads.
+pub(super) fn pointer(field: HalfedgeField) -> (usize, Region, ElementKind) {
+    use ElementKind::{Edge, Face, Halfedge, Vertex};
+    match field {
+        HalfedgeField::Next => (offset_of!(HalfedgeRecord, next), Region::Next, Halfedge),
+        HalfedgeField::Prev => (offset_of!(HalfedgeRecord, prev), Region::Prev, Halfedge),
+        HalfedgeField::Twin => (offset_of!(HalfedgeRecord, twin), Region::Twin, Halfedge),
+        HalfedgeField::Vertex => (offset_of!(HalfedgeRecord, vertex), Region::Vertex, Vertex),
+        HalfedgeField::Edge => (offset_of!(HalfedgeRecord, edge), Region::Edge, Edge),
+        HalfedgeField::Face => (offset_of!(HalfedgeRecord, face), Region::Face, Face),
+    }
+}
+
+pub(super) fn kind(of: ElementField) -> ElementKind {
+    match of {
+        ElementField::Vertex => ElementKind::Vertex,
+        ElementField::Edge => ElementKind::Edge,
+        ElementField::Face => ElementKind::Face,
+    }
+}
+
+impl Translator<'_, '_> {
+    pub(super) fn is_in_range(&mut self, kind: ElementKind, id: Value) -> Value {
+        let (_, count, _) = table(kind);
+        let count = self.field(TABLES + count);
+        self.b.ins().icmp(IntCC::UnsignedLessThan, id, count)
+    }
+
+    /// Whether an element in range lives and, if it is a face, is of that sort.
+    pub(super) fn lives(&mut self, of: Elements, id: Value) -> Value {
+        let (start, _, size) = table(of.kind());
+        let start = self.field(TABLES + start);
+        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let record = self.b.ins().iadd(start, offset);
+        let lives = self.is_not_dead(of.kind(), record);
+        let hole = match of {
+            Elements::Faces => 0,
+            Elements::Holes => 1,
+            _ => return lives,
+        };
+        let flags = self.flags(Region::Hole);
+        let is_hole = self.byte(flags, record, FACE_HOLE);
+        let is_of_sort = self.b.ins().icmp_imm_u(IntCC::Equal, is_hole, hole);
+        self.b.ins().band(lives, is_of_sort)
+    }
+
+    pub(super) fn is_not_dead(&mut self, kind: ElementKind, record: Value) -> Value {
+        let (region, offset) = match kind {
+            ElementKind::Halfedge => (Region::Next, offset_of!(HalfedgeRecord, next)),
+            ElementKind::Vertex => first(ElementField::Vertex),
+            ElementKind::Edge => first(ElementField::Edge),
+            ElementKind::Face => first(ElementField::Face),
+        };
+        let flags = self.flags(region);
+        let mark = self.b.ins().load(I32, flags, record, offset as i32);
+        self.b.ins().icmp_imm_u(IntCC::NotEqual, mark, i64::from(DEAD))
+    }
+
+    /// The address of the value of a living element in a column; none if the kind of the column
+    /// is not known.
+    pub(super) fn value_place(
+        &mut self,
+        attribute: u16,
+        ty: AttributeType,
+        element: Reg,
+    ) -> Option<Value> {
+        let kind = self.text.surroundings.kind_of(attribute)?;
+        self.living(kind, element);
+        let id = self.id(element);
+        let columns = self.field(offset_of!(Context, columns));
+        let flags = self.flags(Region::Columns);
+        let place = i32::from(attribute) * size_of::<Slice>() as i32;
+        let count = place + offset_of!(Slice, count) as i32;
+        let count = self.b.ins().load(I64, flags, columns, count);
+        let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, count);
+        self.or_fault(is_in_range);
+        let start = place + offset_of!(Slice, start) as i32;
+        let start = self.b.ins().load(I64, flags, columns, start);
+        let offset = self.b.ins().imul_imm_s(id, size_of_value(ty) as i64);
+        Some(self.b.ins().iadd(start, offset))
+    }
+
+    /// The address of the record of a living element.
+    pub(super) fn living(&mut self, kind: ElementKind, reg: Reg) -> Value {
+        let fact = self.fact(reg);
+        let id = self.id(reg);
+        let (table, count, size) = table(kind);
+        if !fact.is_in_range(kind) {
+            let count = self.field(TABLES + count);
+            let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, count);
+            self.or_fault(is_in_range);
+        }
+        let table = self.field(TABLES + table);
+        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let record = self.b.ins().iadd(table, offset);
+        if !fact.lives(kind) {
+            let lives = self.is_not_dead(kind, record);
+            self.or_fault(lives);
+        }
+        record
+    }
+
+    /// The number of an element that a pointer may lead to: one that has a record, or none.
+    pub(super) fn target(&mut self, kind: ElementKind, reg: Reg) -> Value {
+        let id = self.id(reg);
+        if !self.fact(reg).is_in_range(kind) {
+            let is_in_range = self.is_in_range(kind, id);
+            let none = i64::from(u32::MAX);
+            let is_none = self.b.ins().icmp_imm_u(IntCC::Equal, id, none);
+            let leads = self.b.ins().bor(is_in_range, is_none);
+            self.or_fault(leads);
+        }
+        self.b.ins().ireduce(I32, id)
+    }
+
+    pub(super) fn number(&mut self, region: Region, record: Value, offset: usize) -> Value {
+        let flags = self.flags(region);
+        let value = self.b.ins().load(I32, flags, record, offset as i32);
+        self.b.ins().uextend(I64, value)
+    }
+
+    /// Where the position of a vertex lies that is in range.
+    pub(super) fn position(&mut self, vertex: Reg) -> Value {
+        let id = self.id(vertex);
+        self.position_of(id)
+    }
+
+    /// The address of the record of an element that a pointer of a living one leads to.
+    pub(super) fn record(&mut self, kind: ElementKind, id: Value) -> Value {
+        let is_in_range = self.is_in_range(kind, id);
+        self.or_fault(is_in_range);
+        let (table, _, size) = table(kind);
+        let table = self.field(TABLES + table);
+        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        self.b.ins().iadd(table, offset)
+    }
+
+    /// Where the position of a vertex lies that is in range.
+    pub(super) fn position_of(&mut self, id: Value) -> Value {
+        let table = self.field(TABLES + offset_of!(Tables, positions));
+        let offset = self.b.ins().imul_imm_s(id, size_of::<glam::DVec3>() as i64);
+        self.b.ins().iadd(table, offset)
+    }
+}
+
+/// Where the halfedge of an element lies.
+pub(super) fn first(of: ElementField) -> (Region, usize) {
+    match of {
+        ElementField::Vertex => (Region::OfVertex, 0),
+        ElementField::Edge => (Region::OfEdge, 0),
+        ElementField::Face => (Region::OfFace, FACE_HALFEDGE),
+    }
+}
+
+/// Where in [`Tables`] a table begins and its length stand, and the bytes of a record.
+pub(super) fn table(kind: ElementKind) -> (usize, usize, usize) {
+    match kind {
+        ElementKind::Halfedge => (
+            offset_of!(Tables, halfedges),
+            offset_of!(Tables, halfedge_count),
+            size_of::<HalfedgeRecord>(),
+        ),
+        ElementKind::Vertex => {
+            (offset_of!(Tables, vertices), offset_of!(Tables, vertex_count), size_of::<u32>())
+        }
+        ElementKind::Edge => {
+            (offset_of!(Tables, edges), offset_of!(Tables, edge_count), size_of::<u32>())
+        }
+        ElementKind::Face => (offset_of!(Tables, faces), offset_of!(Tables, face_count), FACE_SIZE),
+    }
+}
+
+/// The bytes of a value in a column.
+pub(super) fn size_of_value(ty: AttributeType) -> usize {
+    match ty {
+        AttributeType::Bool => size_of::<bool>(),
+        AttributeType::Int => size_of::<i64>(),
+        AttributeType::Real => size_of::<f64>(),
+        AttributeType::Vec2 => size_of::<glam::DVec2>(),
+        AttributeType::Vec3 => size_of::<glam::DVec3>(),
+        AttributeType::Vec4 => size_of::<glam::DVec4>(),
+        AttributeType::Mat3 => size_of::<glam::DMat3>(),
+        AttributeType::Mat4 => size_of::<glam::DMat4>(),
+    }
+}

@@ -1,0 +1,119 @@
+//! Instructions that read and fill buffers.
+//!
+//! Native code reads a buffer itself, at places below its length; stubs write to it.
+
+use std::mem::offset_of;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{InstBuilder, Value};
+
+use super::context::{Context, Slice};
+use super::stubs::lists;
+use super::translate::{Region, Translator};
+use crate::rewrite::{Inst, Walk};
+
+impl Translator<'_, '_> {
+    /// Spells an instruction about buffers; false if it is none, or one for the machine.
+    pub(super) fn list(&mut self, inst: &Inst) -> bool {
+        match *inst {
+            Inst::BufferClear { buffer }
+            | Inst::BufferPush { buffer, .. }
+            | Inst::BufferLength { buffer, .. }
+            | Inst::BufferGet { buffer, .. }
+            | Inst::BufferNext { buffer, .. }
+            | Inst::NextIndex { buffer, .. }
+            | Inst::Collect { buffer, .. }
+            | Inst::HoldPosition { buffer, .. }
+            | Inst::HoldAttribute { buffer, .. }
+                if buffer >= self.text.code.buffers =>
+            {
+                return false;
+            }
+            Inst::BufferClear { buffer } => {
+                let number = self.b.ins().iconst(I64, i64::from(buffer));
+                let done = self.call_stub(lists::clear as *const () as usize, &[number]);
+                self.leave_if_negative(done);
+            }
+            Inst::BufferPush { buffer, from } => {
+                let (number, bits) =
+                    (self.b.ins().iconst(I64, i64::from(buffer)), self.whole(from));
+                let done = self.call_stub(lists::push as *const () as usize, &[number, bits]);
+                self.or_fault_if_negative(done);
+            }
+            Inst::BufferLength { buffer, to } => {
+                let (_, count) = self.slots(buffer);
+                self.set_whole(to, count);
+            }
+            Inst::BufferGet { buffer, to, index } => {
+                let index = self.whole(index);
+                let (start, count) = self.slots(buffer);
+                let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, index, count);
+                self.or_fault(is_in_range);
+                let value = self.slot(start, index);
+                self.set_whole(to, value);
+            }
+            Inst::BufferNext { buffer, index, to, otherwise } => {
+                let place = self.whole(index);
+                let (start, count) = self.slots(buffer);
+                let is_over = self.b.ins().icmp(IntCC::UnsignedGreaterThanOrEqual, place, count);
+                self.jump_if(is_over, otherwise);
+                let value = self.slot(start, place);
+                self.set_whole(to, value);
+                let next = self.b.ins().iadd_imm_s(place, 1);
+                self.set_whole(index, next);
+            }
+            Inst::NextIndex { buffer, index, otherwise } => {
+                let next = self.whole(index);
+                let next = self.b.ins().iadd_imm_s(next, 1);
+                let (_, count) = self.slots(buffer);
+                let is_over = self.b.ins().icmp(IntCC::UnsignedGreaterThanOrEqual, next, count);
+                self.jump_if(is_over, otherwise);
+                self.set_whole(index, next);
+            }
+            Inst::Collect { walk, buffer, from, until, whole } => {
+                let [from, until] = [from, until].map(|reg| self.id(reg));
+                let on = self.b.create_block();
+                if !whole {
+                    let walks = self.b.create_block();
+                    let differ = self.b.ins().icmp(IntCC::NotEqual, from, until);
+                    self.b.ins().brif(differ, walks, &[], on, &[]);
+                    self.b.switch_to_block(walks);
+                }
+                let star = i64::from(walk == Walk::Star);
+                let which = self.b.ins().iconst(I64, i64::from(buffer) | star << 16);
+                let stub = lists::collect as *const () as usize;
+                let done = self.call_stub(stub, &[which, from, until]);
+                self.or_fault_if_negative(done);
+                self.b.ins().jump(on, &[]);
+                self.b.switch_to_block(on);
+            }
+            Inst::HoldPosition { .. } | Inst::HoldAttribute { .. } => {
+                self.spill_operands(inst);
+                let number = self.b.ins().iconst(I64, self.at as i64);
+                let done = self.call_stub(lists::hold as *const () as usize, &[number]);
+                self.or_fault_if_negative(done);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Where the slots of a buffer begin, and how many there are.
+    fn slots(&mut self, buffer: u16) -> (Value, Value) {
+        let lists = self.field(offset_of!(Context, lists));
+        let flags = self.flags(Region::Lists);
+        let place = usize::from(buffer) * size_of::<Slice>();
+        let start = (place + offset_of!(Slice, start)) as i32;
+        let count = (place + offset_of!(Slice, count)) as i32;
+        let start = self.b.ins().load(I64, flags, lists, start);
+        (start, self.b.ins().load(I64, flags, lists, count))
+    }
+
+    fn slot(&mut self, start: Value, index: Value) -> Value {
+        let offset = self.b.ins().ishl_imm_u(index, 3);
+        let place = self.b.ins().iadd(start, offset);
+        let flags = self.flags(Region::Slots);
+        self.b.ins().load(I64, flags, place, 0)
+    }
+}

@@ -1,0 +1,90 @@
+//! Memory, and calls of the functions of the machine.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{F64, I8, I64};
+use cranelift_codegen::ir::{
+    AbiParam, AliasRegion, AliasRegionData, InstBuilder, MemFlagsData, SigRef, Signature,
+    StackSlotData, StackSlotKind, Type, Value,
+};
+
+use super::translate::{Region, Translator};
+
+impl Translator<'_, '_> {
+    pub(super) fn flags(&mut self, region: Region) -> MemFlagsData {
+        let data = AliasRegionData { user_id: region as u32, description: "".into() };
+        let region: AliasRegion = self.b.func.dfg.alias_regions.insert(data);
+        MemFlagsData::trusted().with_alias_region(Some(region))
+    }
+
+    /// A field of the context.
+    pub(super) fn field(&mut self, offset: usize) -> Value {
+        let flags = self.flags(Region::Context);
+        self.b.ins().load(I64, flags, self.context, offset as i32)
+    }
+
+    pub(super) fn set_field(&mut self, offset: usize, value: Value) {
+        let flags = self.flags(Region::Context);
+        self.b.ins().store(flags, value, self.context, offset as i32);
+    }
+
+    /// Moves an address in the context.
+    pub(super) fn move_field(&mut self, offset: usize, by: i64) {
+        if by != 0 {
+            let value = self.field(offset);
+            let value = self.b.ins().iadd_imm_s(value, by);
+            self.set_field(offset, value);
+        }
+    }
+
+    pub(super) fn leave_if_negative(&mut self, answer: Value) {
+        let failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, answer, 0);
+        self.leave_if(failed);
+    }
+
+    /// Goes on unless a stub has answered that the machine is to tell why not.
+    pub(super) fn or_fault_if_negative(&mut self, answer: Value) {
+        let done = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, answer, 0);
+        self.or_fault(done);
+    }
+
+    pub(super) fn signature(&mut self, params: &[Type], returns: &[Type]) -> SigRef {
+        let mut signature = Signature::new(self.conv);
+        signature.params.extend(params.iter().map(|&ty| AbiParam::new(ty)));
+        signature.returns.extend(returns.iter().map(|&ty| AbiParam::new(ty)));
+        self.b.import_signature(signature)
+    }
+
+    pub(super) fn call(&mut self, stub: usize, signature: SigRef, args: &[Value]) -> Vec<Value> {
+        let stub = self.b.ins().iconst(I64, stub as i64);
+        let call = self.b.ins().call_indirect(signature, stub, args);
+        self.b.inst_results(call).to_vec()
+    }
+
+    /// Calls a stub of the context and of whole numbers, which answers with one.
+    pub(super) fn call_stub(&mut self, stub: usize, args: &[Value]) -> Value {
+        let params = vec![I64; args.len() + 1];
+        let signature = self.signature(&params, &[I64]);
+        let mut all = vec![self.context];
+        all.extend_from_slice(args);
+        self.call(stub, signature, &all)[0]
+    }
+
+    /// Calls a function of reals.
+    pub(super) fn call_real(&mut self, stub: usize, args: &[Value]) -> Value {
+        let params = vec![F64; args.len()];
+        let signature = self.signature(&params, &[F64]);
+        self.call(stub, signature, args)[0]
+    }
+
+    /// Three reals in the frame: their address.
+    pub(super) fn place_of_vector(&mut self) -> Value {
+        let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, 24, 3);
+        let slot = self.b.create_sized_stack_slot(slot);
+        self.b.ins().stack_addr(I64, slot, 0)
+    }
+
+    pub(super) fn byte(&mut self, flags: MemFlagsData, address: Value, offset: usize) -> Value {
+        let byte = self.b.ins().load(I8, flags, address, offset as i32);
+        self.b.ins().uextend(I64, byte)
+    }
+}

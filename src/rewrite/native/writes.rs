@@ -1,0 +1,240 @@
+//! Instructions that write to the mesh, count turns of loops, and keep the keys of drains.
+//!
+//! Who is told of a write is told before: a stub is called where a journal is open, or a drain runs
+//! whose keys depend on the field.
+
+use std::mem::offset_of;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{F64, I8, I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
+
+use super::Variant;
+use super::access::{TABLES, first, kind, pointer, size_of_value};
+use super::context::Context;
+use super::stubs::{self, drains};
+use super::translate::{Region, Translator};
+use crate::mesh::tables::{FACE_HOLE, Tables};
+use crate::mesh::{AttributeType, ElementKind};
+use crate::rewrite::paths::Fields;
+use crate::rewrite::watch::{DEPTHS, Loop, Progress, TURNS_PER_LOOK};
+use crate::rewrite::{Inst, Label, Reg, Room};
+
+impl Translator<'_, '_> {
+    /// Spells an instruction that writes; false if it is none, or one for the machine.
+    pub(super) fn write(&mut self, inst: &Inst) -> bool {
+        match *inst {
+            Inst::Store { field, halfedge, value } => {
+                let (offset, region, leads_to) = pointer(field);
+                let record = self.living(ElementKind::Halfedge, halfedge);
+                let value = self.target(leads_to, value);
+                let args = |this: &mut Self| {
+                    let number = this.b.ins().iconst(I64, field as i64);
+                    [number, this.id(halfedge), this.b.ins().uextend(I64, value)]
+                };
+                let stub = stubs::writes::pointer as *const () as usize;
+                self.tell(ElementKind::Halfedge, Fields::pointer(field), stub, args);
+                let flags = self.flags(region);
+                self.b.ins().store(flags, value, record, offset as i32);
+            }
+            Inst::StoreHalfedge { of, element, value } => {
+                let record = self.living(kind(of), element);
+                let value = self.target(ElementKind::Halfedge, value);
+                let args = |this: &mut Self| {
+                    let number = this.b.ins().iconst(I64, of as i64);
+                    [number, this.id(element), this.b.ins().uextend(I64, value)]
+                };
+                let stub = stubs::writes::first as *const () as usize;
+                self.tell(kind(of), Fields::FIRST, stub, args);
+                let (region, offset) = first(of);
+                let flags = self.flags(region);
+                self.b.ins().store(flags, value, record, offset as i32);
+            }
+            // The machine tells.
+            Inst::StoreHole { .. } if self.variant == Variant::Careful => return false,
+            Inst::StoreHole { face, hole } => {
+                let record = self.living(ElementKind::Face, face);
+                let flags = self.flags(Region::Hole);
+                let before = self.byte(flags, record, FACE_HOLE);
+                let now = self.b.ins().iconst(I8, i64::from(hole));
+                self.b.ins().store(flags, now, record, FACE_HOLE as i32);
+                let holes = self.field(TABLES + offset_of!(Tables, holes));
+                let flags = self.flags(Region::Holes);
+                let count = self.b.ins().load(I64, flags, holes, 0);
+                let others = self.b.ins().isub(count, before);
+                let count = self.b.ins().iadd_imm_s(others, i64::from(hole));
+                self.b.ins().store(flags, count, holes, 0);
+            }
+            Inst::StorePosition { vertex, value } => {
+                self.living(ElementKind::Vertex, vertex);
+                let finite = self.is_finite(value);
+                self.or_fault(finite);
+                let stub = stubs::writes::position as *const () as usize;
+                self.tell(ElementKind::Vertex, Fields::POSITION, stub, |this| [this.id(vertex)]);
+                let (place, flags) = (self.position(vertex), self.flags(Region::Position));
+                for (at, part) in (0..).zip(self.vector(value)) {
+                    self.b.ins().store(flags, part, place, at * 8);
+                }
+            }
+            Inst::StoreAttribute { attribute, element, value } => {
+                let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
+                    return false;
+                };
+                let Some(place) = self.value_place(attribute, ty, element) else {
+                    return false;
+                };
+                let args = |this: &mut Self| {
+                    let number = this.b.ins().iconst(I64, i64::from(attribute));
+                    [number, this.id(element)]
+                };
+                let stub = stubs::writes::value as *const () as usize;
+                self.tell(kind, Fields::attribute(attribute), stub, args);
+                let flags = self.flags(Region::Values);
+                if ty == AttributeType::Bool {
+                    let is_true = self.truth(value);
+                    self.b.ins().store(flags, is_true, place, 0);
+                    return true;
+                }
+                for part in 0..(size_of_value(ty) / 8) as u16 {
+                    let bits = self.whole(Reg(value.0.wrapping_add(part)));
+                    self.b.ins().store(flags, bits, place, i32::from(part) * 8);
+                }
+            }
+            Inst::NewVertex { .. }
+            | Inst::NewHalfedge { .. }
+            | Inst::NewEdge { .. }
+            | Inst::NewFace { .. }
+            | Inst::Erase { .. } => self.add_and_erase(),
+            Inst::ExpectRoom { room, .. } => {
+                let Room { vertices, halfedges, edges, faces } = room;
+                let counts = [vertices, halfedges, edges, faces].map(u64::from);
+                let room = counts[0] | counts[1] << 16 | counts[2] << 32 | counts[3] << 48;
+                let room = self.b.ins().iconst(I64, room as i64);
+                let fits = self.call_stub(stubs::has_room as *const () as usize, &[room]);
+                let (on, full) = (self.b.create_block(), self.b.create_block());
+                self.b.set_cold_block(full);
+                self.b.ins().brif(fits, on, &[], full, &[]);
+                self.b.switch_to_block(full);
+                self.step(inst);
+                self.b.ins().jump(on, &[]);
+                self.b.switch_to_block(on);
+            }
+            Inst::Tick => self.turn(stubs::tick as *const () as usize),
+            Inst::Turn { depth, done, total } => {
+                if usize::from(depth) < DEPTHS {
+                    let progress = self.field(offset_of!(Context, progress));
+                    let place =
+                        offset_of!(Progress, loops) + usize::from(depth) * size_of::<Loop>();
+                    let flags = self.flags(Region::Progress);
+                    for (reg, offset) in
+                        [(done, offset_of!(Loop, done)), (total, offset_of!(Loop, total))]
+                    {
+                        let value = self.whole(reg);
+                        self.b.ins().store(flags, value, progress, (place + offset) as i32);
+                    }
+                }
+                self.turn(stubs::turn as *const () as usize);
+            }
+            Inst::DrainStale { to, otherwise } => {
+                self.spill_for_drain();
+                let found = self.call_stub(drains::stale as *const () as usize, &[]);
+                self.element_or(found, to, otherwise);
+            }
+            Inst::DrainKey { key } => {
+                let (number, key) = (self.b.ins().iconst(I64, self.at as i64), self.real(key));
+                let signature = self.signature(&[I64, I64, F64], &[I64]);
+                let stub = drains::key as *const () as usize;
+                let done = self.call(stub, signature, &[self.context, number, key])[0];
+                self.leave_if_negative(done);
+            }
+            Inst::DrainLeast { to, otherwise } => {
+                let found = self.call_stub(drains::least as *const () as usize, &[]);
+                self.element_or(found, to, otherwise);
+            }
+            Inst::DrainTake => {
+                let done = self.call_stub(drains::take as *const () as usize, &[]);
+                self.leave_if_negative(done);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Sets a register to the element that a stub has answered; jumps if there is none.
+    fn element_or(&mut self, found: Value, to: Reg, otherwise: Label) {
+        let is_none = self.b.ins().icmp_imm_s(IntCC::Equal, found, drains::NONE);
+        self.jump_if(is_none, otherwise);
+        self.leave_if_negative(found);
+        self.set_whole(to, found);
+    }
+
+    /// Counts a turn; at one of many a stub looks.
+    fn turn(&mut self, stub: usize) {
+        let progress = self.field(offset_of!(Context, progress));
+        let (flags, turns) = (self.flags(Region::Progress), offset_of!(Progress, turns) as i32);
+        let before = self.b.ins().load(I32, flags, progress, turns);
+        let now = self.b.ins().iadd_imm_s(before, 1);
+        let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
+        let [look, pass, on] = [(); 3].map(|()| self.b.create_block());
+        self.b.set_cold_block(look);
+        self.b.ins().brif(rest, pass, &[], look, &[]);
+        self.b.switch_to_block(look);
+        let number = self.b.ins().iconst(I64, self.at as i64);
+        let done = self.call_stub(stub, &[number]);
+        self.leave_if_negative(done);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(pass);
+        self.b.ins().store(flags, now, progress, turns);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// Calls a stub where somebody is told of a write to fields of an element of some kind.
+    fn tell<const N: usize>(
+        &mut self,
+        kind: ElementKind,
+        fields: Fields,
+        stub: usize,
+        args: impl Fn(&mut Self) -> [Value; N],
+    ) {
+        if self.variant != Variant::Careful {
+            return;
+        }
+        let place = offset_of!(Context, listens) + kind as usize * size_of::<u32>();
+        let flags = self.flags(Region::Context);
+        let listens = self.b.ins().load(I32, flags, self.context, place as i32);
+        let is_told = self.b.ins().band_imm_u(listens, i64::from(fields.bits()));
+        let (tell, on) = (self.b.create_block(), self.b.create_block());
+        self.b.ins().brif(is_told, tell, &[], on, &[]);
+        self.b.switch_to_block(tell);
+        let args = args(self);
+        let done = self.call_stub(stub, &args);
+        self.leave_if_negative(done);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// Takes this instruction and those of its sort that follow it at once.
+    fn add_and_erase(&mut self) {
+        let (first, code) = (self.at, self.text.code);
+        let end = self.end_of_run(is_added_or_erased);
+        let all = &code.insts[first..end];
+        all.iter().for_each(|inst| self.spill_operands(inst));
+        let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
+        let done = self.call_stub(stubs::add_and_erase as *const () as usize, &[span]);
+        self.leave_if_negative(done);
+        all.iter().for_each(|inst| self.reload_written(inst));
+        self.skip = end - first - 1;
+    }
+}
+
+fn is_added_or_erased(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::NewVertex { .. }
+            | Inst::NewHalfedge { .. }
+            | Inst::NewEdge { .. }
+            | Inst::NewFace { .. }
+            | Inst::Erase { .. }
+    )
+}
