@@ -110,7 +110,7 @@
 //!
 //! All are on by default: `cli`, the command line; `lsp`, the language server; `play`, what is behind
 //! a page; `draw`, pictures.
-//! Who calls hedgerow from a program of their own wants none of them:
+//! A program that calls hedgerow needs none of them:
 //! `hedgerow = { version = "0.1", default-features = false }`.
 //!
 //! # Words

@@ -1,7 +1,7 @@
 //! The files that a program is made of: found by their `use`, each once.
 //!
 //! A path is looked for beside the file that uses it; what begins with `std/` is a file of the
-//! [library](crate::library). Who has the files is not known here: a [`Reader`] gives texts
+//! [library](crate::library). Where the files are is not known here: a [`Reader`] gives texts
 //! for names. No file uses itself, directly or through others.
 
 use std::collections::btree_map::Entry;

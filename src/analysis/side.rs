@@ -1,4 +1,4 @@
-//! One side of a rule as it is written: who follows whom, whose twin, whose spoke.
+//! One side of a rule as it is written: what follows what, twins, spokes.
 //!
 //! Read off the tree alone, families included, so that it can be shown while the rule is not
 //! finished. A `keep` in `after` stands for the statement of `before`.

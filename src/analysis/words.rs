@@ -217,9 +217,9 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("round", "the nearest int, of two the even one"),
     (
         "random",
-        "a number by chance: `random()` a real from 0 up to 1, `random(n)` an int from 0 up to n; `--seed` says which",
+        "a random number: `random()` a real from 0 up to 1, `random(n)` an int from 0 up to n; `--seed` says which",
     ),
-    ("shuffle", "visits a sequence in an order by chance: `for e in shuffle(edges) { flip(e) }`"),
+    ("shuffle", "visits a sequence in a random order: `for e in shuffle(edges) { flip(e) }`"),
     ("mean", "the mean of a value over a sequence: `mean(length(e) for e in edges)`"),
     ("sum", "the sum of a value over a sequence"),
     ("min", "the smaller of two, or the least over a sequence"),

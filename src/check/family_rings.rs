@@ -1,7 +1,7 @@
 //! Law 7 for rules with families, for cycles of every size.
 //!
 //! The ports of `after` form a graph over the cycle: a link leads from a port at one index to
-//! a port at another, so it carries an offset (a voltage). Going around a ring of spokes of
+//! a port at another, so it carries an offset (the voltage of a voltage graph). Going around a ring of spokes of
 //! the rule unrolled far enough, the offsets add up:
 //!
 //! * net 0: the ring closes at the index where it began. There is one such ring per index, so

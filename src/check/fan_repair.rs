@@ -1,4 +1,4 @@
-//! Spokes of erased vertices: the vertex statements of those who take them.
+//! Spokes of erased vertices: the vertex statements of the vertices that take them.
 //!
 //! The ring of spokes after follows from the loops and edges, whatever the vertices are
 //! called. So where an erased vertex has spokes left, the ring that they come into, and the
@@ -24,7 +24,7 @@ pub(super) struct Taken {
 }
 
 impl Taken {
-    /// Reads off who takes the spokes of an erased vertex; nothing if that is not certain.
+    /// Reads off which vertex takes the spokes of an erased one; nothing if that is not certain.
     pub fn of(rule: &Rule, erased: NameId) -> Option<Self> {
         let drawing = Drawing::new(rule);
         if rule.cycle.is_some() || !is_in_order(&drawing) {

@@ -2,7 +2,7 @@
 //!
 //! Each loop item that survives and each new halfedge stands exactly once in the loops of
 //! `after`. (That none is missing is law 2.) An outer halfedge may not enter a loop: its own
-//! `next` is not in the drawing, so whoever preceded and followed it would be left behind.
+//! `next` is not in the drawing, so what preceded and followed it would be left behind.
 
 use super::problem::Problem;
 use crate::diagnostic::Diagnostic;

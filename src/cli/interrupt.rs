@@ -25,7 +25,7 @@ pub(super) fn listen() {
     });
 }
 
-/// From now on whoever asks to stop ends the process; so does who asked before and was not heard.
+/// From now on a request to stop ends the process; so does an earlier one that was not heard.
 pub(super) fn end_at_once() {
     ENDS_AT_ONCE.store(true, Ordering::SeqCst);
     if ASKED.load(Ordering::SeqCst) {

@@ -1,7 +1,7 @@
 //! Typed expressions: what a `require` asks, an assignment sets, a script computes.
 //!
 //! An int stands where a real is wanted only through an explicit [`Unary::ToReal`], so
-//! that whoever lowers an expression never guesses.
+//! that lowering an expression never guesses.
 
 use super::NameId;
 use crate::source::Span;
@@ -373,7 +373,7 @@ pub enum Builtin {
     Ceil,
     /// real -> int: half to even.
     Round,
-    /// -> real: by chance, from 0 up to 1; int -> int: from 0 up to the int
+    /// -> real: random, from 0 up to 1; int -> int: from 0 up to the int
     Random,
     RandomInt,
     /// real -> matrix: the real on the diagonal, zero elsewhere.

@@ -35,7 +35,7 @@ pub(super) fn places_after(figure: &Figure, before: &[Option<DVec2>]) -> Vec<Opt
 /// The places with those that the operation moves, if it moves any. Paths that begin or end there
 /// have to be bent anew.
 fn moved(figure: &Figure, before: &[Option<DVec2>]) -> Option<Vec<Option<DVec2>>> {
-    // Parts stand side by side by chance: what lies between them is nowhere.
+    // Parts happen to stand side by side: what lies between them is nowhere.
     if parts(figure, &figure.before).len() > 1 {
         return None;
     }

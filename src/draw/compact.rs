@@ -1,4 +1,4 @@
-//! A picture as a small SVG, for those who limit the size of an image, as editors do.
+//! A picture as a small SVG, for viewers that limit the size of an image, as editors do.
 //!
 //! It shows the same as [`Picture::svg`], in about half of the letters: steps count fifths of a
 //! unit, colours stand once, in a style sheet, and nothing has a name. Viewers that read no

@@ -75,7 +75,7 @@ fn level_main(figure: &Figure, places: &mut [Option<DVec2>]) {
     };
     let is_inside = !ends.iter().any(|end| ring.contains(end));
     let times = |end: &usize| ring.iter().filter(|node| *node == end).count();
-    // An edge that the outside passes on both sides lies as by chance.
+    // An edge that the outside passes on both sides may lie anywhere.
     let is_between = ends.iter().all(|end| times(end) > 1);
     if (is_inside || is_between) && (to - from).length() > NEAR {
         let turn = DVec2::from_angle((to - from).angle_to(DVec2::X));

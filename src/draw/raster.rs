@@ -1,7 +1,7 @@
 //! Polygons in space as pixels: of what covers a pixel, the nearest is seen.
 //!
 //! Each pixel keeps how near what it shows is (E. Catmull, "A subdivision algorithm for computer
-//! display of curved surfaces", 1974, who calls that a z-buffer), so that faces hide each other
+//! display of curved surfaces", 1974, where it is called a z-buffer), so that faces hide each other
 //! whatever their order, also where they pass through each other. Four pixels become one in the
 //! end, which smooths lines.
 
@@ -44,7 +44,7 @@ impl Raster {
         self.side as f64
     }
 
-    /// Draws a polygon: places in pixels, z towards the one who looks.
+    /// Draws a polygon: places in pixels, z towards the viewer.
     pub fn polygon(&mut self, corners: &[DVec3], colour: &dyn Fn(&Sample) -> [u8; 3]) {
         let flat: Vec<_> = corners.iter().map(|corner| corner.truncate()).collect();
         let mut weights = vec![0.0; corners.len()];

@@ -149,7 +149,7 @@ impl Pen {
     }
 }
 
-/// The directions of a picture, and that towards the one who looks.
+/// The directions of a picture, and that towards the viewer.
 struct Eye {
     right: DVec3,
     down: DVec3,
@@ -174,7 +174,7 @@ impl Eye {
 struct Seen {
     face: FaceId,
     halfedges: Vec<HalfedgeId>,
-    /// To the right, down, and towards the one who looks.
+    /// To the right, down, and towards the viewer.
     corners: Vec<DVec3>,
     /// Its brightness, up to 1.
     bright: f64,

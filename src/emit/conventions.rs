@@ -3,7 +3,7 @@
 /// The conventions of the mesh of a language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Conventions<'c> {
-    /// True if halfedges store `prev`; if not, who wants it walks.
+    /// True if halfedges store `prev`; if not, it is found by a walk.
     pub prev: bool,
     /// True if there are vertices at which no halfedge starts.
     pub isolated_vertices: bool,

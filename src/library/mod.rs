@@ -6,7 +6,7 @@
 //!
 //! Beside them lie targets: files of styles, which say how C++ is spelled for a mesh class.
 //!
-//! Here are the names and the texts, nothing else; who uses one reads it as any other file.
+//! Here are the names and the texts, nothing else; a program that uses one reads it as any other file.
 
 mod shelf;
 

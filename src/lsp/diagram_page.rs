@@ -118,7 +118,7 @@ fn answer(mut stream: TcpStream, address: SocketAddr, current: &Mutex<Current>) 
     )
 }
 
-/// The content as it is now; for one who has seen it, only its number.
+/// The content as it is now; for a page that has it, only its number.
 fn shown(current: &Mutex<Current>, seen: Option<u64>) -> String {
     let current = current.lock().unwrap_or_else(PoisonError::into_inner);
     let shown = (seen != Some(current.count)).then_some(&current.shown);

@@ -167,7 +167,7 @@ impl Mesh {
         T::slice(&self.column(id)?.data)
     }
 
-    /// As [`Column::data`], for who has called [`Mesh::note_value`]; `None` for the column of
+    /// As [`Column::data`], after a call of [`Mesh::note_value`]; `None` for the column of
     /// another mesh.
     #[doc(hidden)]
     #[inline]

@@ -309,7 +309,7 @@ impl Mesh {
         self.journal.notes.push(Note::Position(v, position));
     }
 
-    /// To be called by whoever writes to a column as a whole, before, for each slot.
+    /// To be called before a column is written to as a whole, for each slot.
     #[inline]
     pub fn note_value(&mut self, column: ColumnId, index: u32) {
         if self.journal.is_open()

@@ -122,10 +122,31 @@ pub fn validate_level(mesh: &Mesh, level: Level) -> Result<(), BelowLevel> {
 }
 
 /// True if a mesh, which has to be valid, is of level surface, and each edge joins two vertices
-/// that no other joins.
+/// that no other joins: in one walk along each loop and one around each vertex. That edges have a
+/// face, and vertices, follows; so does that edges end elsewhere than they begin.
 pub(super) fn is_surface_of_single_edges(mesh: &Mesh) -> bool {
-    let tested = is_surface(mesh).and_then(|()| edges_have_two_ends(mesh));
-    tested.and_then(|()| edges_are_single(mesh)).is_ok()
+    let mut seen_by = vec![u32::MAX; mesh.capacity(ElementKind::Vertex)];
+    let meets_once = |face: FaceId| {
+        let mut sides = 0;
+        mesh.face_vertices(face).all(|vertex| {
+            sides += 1;
+            std::mem::replace(&mut seen_by[vertex.index()], face.0) != face.0
+        }) && sides >= 3
+    };
+    if !mesh.faces().all(meets_once) {
+        return false;
+    }
+    seen_by.fill(u32::MAX);
+    let mut vertices = mesh.vertices().filter(|&v| !mesh.vertex_halfedge(v).is_none());
+    vertices.all(|vertex| {
+        let (mut spokes, mut holes) = (0, 0);
+        mesh.spokes(vertex).all(|h| {
+            spokes += 1;
+            holes += u32::from(mesh.is_boundary_halfedge(h));
+            std::mem::replace(&mut seen_by[mesh.target(h).index()], vertex.0) != vertex.0
+        }) && spokes >= 2
+            && holes <= 1
+    })
 }
 
 /// The highest level of a mesh, or what makes it invalid.

@@ -156,7 +156,7 @@ const FUNCTIONS: &[(&str, &[Overload])] = &[
     ("random", &[f(&[], REAL, Builtin::Random), f(&[I], INT, Builtin::RandomInt)]),
 ];
 
-/// The function that puts a sequence into an order by chance.
+/// The function that puts a sequence into random order.
 pub(super) const SHUFFLE: &str = "shuffle";
 
 /// The types that are made of parts: `vec3(x, y, z)`.

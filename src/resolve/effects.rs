@@ -27,13 +27,13 @@ pub(super) struct TreeEffects {
     asked: Vec<Span>,
 }
 
-/// The deeds of all functions of a program, by number.
-pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffects> {
+/// The effects of all functions of a program, by number.
+pub(super) fn all_effects(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffects> {
     let mut all = Vec::new();
     for (unit, declared) in units.iter().zip(declared) {
         for item in &unit.tree.items {
             if let Item::Fn(function) = item {
-                all.push(own_deeds(&function.body, declared));
+                all.push(own_effects(&function.body, declared));
             }
         }
     }
@@ -41,29 +41,29 @@ pub(super) fn deeds(units: &[Unit], declared: &[Declared]) -> Vec<TreeEffects> {
     while changed {
         changed = false;
         for at in 0..all.len() {
-            let mut deeds = std::mem::take(&mut all[at]);
-            for called in deeds.calls.iter().filter_map(|&called| all.get(called)) {
-                changed |= deeds.effects.take_in(called.effects);
-                changed |= called.calls_ops && !deeds.calls_ops;
-                deeds.calls_ops |= called.calls_ops;
+            let mut found = std::mem::take(&mut all[at]);
+            for called in found.calls.iter().filter_map(|&called| all.get(called)) {
+                changed |= found.effects.take_in(called.effects);
+                changed |= called.calls_ops && !found.calls_ops;
+                found.calls_ops |= called.calls_ops;
             }
-            all[at] = deeds;
+            all[at] = found;
         }
     }
     all
 }
 
-fn own_deeds(body: &Block, declared: &Declared) -> TreeEffects {
-    let mut deeds = TreeEffects::default();
+fn own_effects(body: &Block, declared: &Declared) -> TreeEffects {
+    let mut found = TreeEffects::default();
     each_part(body, |part| match part {
-        Part::Expr(expr) => deeds.of_expr(expr, declared),
+        Part::Expr(expr) => found.of_expr(expr, declared),
         Part::Block(block) => {
             for action in &block.statements {
-                deeds.of_action(&action.kind, action.span);
+                found.of_action(&action.kind, action.span);
             }
         }
     });
-    deeds
+    found
 }
 
 impl TreeEffects {

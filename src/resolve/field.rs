@@ -14,7 +14,7 @@ use super::typed::typed;
 use super::typing::Typing;
 use super::words::{a_type, quoted};
 
-/// A field of a type, for those who list them.
+/// A field of a type, for lists of them.
 pub(super) struct Entry {
     pub(super) name: &'static str,
     pub(super) ty: Type,

@@ -43,7 +43,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
     let mut functions = Functions::of(units, declared);
     let mut program = Program { attributes, ..Program::default() };
     let mut signatures = Vec::new();
-    functions.resolve(&signatures, |deeds| !deeds.calls_ops);
+    functions.resolve(&signatures, |found| !found.calls_ops);
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {
             if let Item::Op(op) = item {
@@ -56,7 +56,7 @@ pub fn resolve_all(units: &[Unit]) -> Resolved {
             }
         }
     }
-    functions.resolve(&signatures, |deeds| deeds.calls_ops);
+    functions.resolve(&signatures, |found| found.calls_ops);
     let mut number = 0;
     for (unit, declared) in units.iter().zip(&functions.declared) {
         for item in &unit.tree.items {

@@ -187,7 +187,7 @@ impl Typing<'_> {
                 } else if let Some(place) = effects.asks {
                     error("misplaced-can", "asks an op").label(place, "here")
                 } else if let Some(place) = effects.draws {
-                    error("misplaced-random", "takes a number by chance").label(place, "here")
+                    error("misplaced-random", "takes a random number").label(place, "here")
                 } else {
                     return Some(());
                 }

@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{self, Item};
 
 use super::declared::Declared;
-use super::effects::{TreeEffects, deeds};
+use super::effects::{TreeEffects, all_effects};
 use super::program::Function;
 use super::report::Report;
 use super::routine::{resolve_function, script_signature, written_signature};
@@ -31,7 +31,7 @@ struct Pending<'t> {
     tree: &'t tree::Fn,
     /// The file, by its place.
     home: usize,
-    deeds: TreeEffects,
+    found: TreeEffects,
     signature: Rc<FunctionSignature>,
     report: Option<Report>,
     resolved: Option<Function>,
@@ -40,21 +40,21 @@ struct Pending<'t> {
 impl<'t> Functions<'t> {
     /// Reads the signatures, as far as they are written.
     pub(super) fn of(units: &[Unit<'t>], mut declared: Vec<Declared>) -> Self {
-        let mut deeds = deeds(units, &declared).into_iter();
+        let mut found = all_effects(units, &declared).into_iter();
         let mut items = Vec::new();
         for (home, unit) in units.iter().enumerate() {
             for item in &unit.tree.items {
                 let Item::Fn(tree) = item else {
                     continue;
                 };
-                let deeds = deeds.next().unwrap_or_default();
+                let found = found.next().unwrap_or_default();
                 let mut report = Report::default();
                 let signature =
-                    written_signature(tree, deeds.effects, &declared[home], &mut report);
+                    written_signature(tree, found.effects, &declared[home], &mut report);
                 items.push(Pending {
                     tree,
                     home,
-                    deeds,
+                    found,
                     signature: Rc::new(signature),
                     report: Some(report),
                     resolved: None,
@@ -77,7 +77,7 @@ impl<'t> Functions<'t> {
     /// know.
     pub(super) fn resolve(&mut self, ops: &[Signature], wanted: impl Fn(&TreeEffects) -> bool) {
         let mut left: Vec<usize> =
-            (0..self.items.len()).filter(|&at| wanted(&self.items[at].deeds)).collect();
+            (0..self.items.len()).filter(|&at| wanted(&self.items[at].found)).collect();
         while !left.is_empty() {
             let mut ready = left.clone();
             ready.retain(|&at| !self.waits(at));
@@ -101,7 +101,7 @@ impl<'t> Functions<'t> {
         let mut seen = vec![false; self.items.len()];
         let mut open = vec![at];
         while let Some(next) = open.pop() {
-            for &called in &self.items[next].deeds.calls {
+            for &called in &self.items[next].found.calls {
                 if called == at {
                     return true;
                 }
@@ -116,7 +116,7 @@ impl<'t> Functions<'t> {
 
     /// True if a function calls one whose value is not known yet.
     fn waits(&self, at: usize) -> bool {
-        let mut calls = self.items[at].deeds.calls.iter();
+        let mut calls = self.items[at].found.calls.iter();
         calls.any(|&called| self.items[called].signature.result == Value::Open)
     }
 

@@ -213,7 +213,7 @@ fn wants(op: BinaryOp) -> &'static str {
     }
 }
 
-/// The note for those who compute with a vertex and mean its position.
+/// The note where a vertex is computed with and its position is meant.
 fn place_note(error: Diagnostic, operands: &[(&tree::Expr, &Expr)]) -> Diagnostic {
     let vertex = operands.iter().find(|(_, value)| value.ty == Type::Vertex);
     match vertex.map(|(written, _)| &written.kind) {

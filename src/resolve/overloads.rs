@@ -80,8 +80,7 @@ impl Typing<'_> {
         }
         let known = overloads(word);
         if word == "random" && !matches!(self.place, Place::Script) {
-            let message =
-                "an op or a default does the same each time, so nothing is by chance here";
+            let message = "an op or a default does the same each time, so nothing is random here";
             let error = Diagnostic::error("misplaced-random", message, span);
             self.report.add(error.note("give the number to it as an argument"));
             return None;

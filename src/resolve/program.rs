@@ -183,7 +183,7 @@ pub enum StatementKind {
         collection: Collection,
         filter: Option<Expr>,
         body: Block,
-        /// True if they are visited in an order by chance.
+        /// True if they are visited in random order.
         shuffled: bool,
     },
     /// `update x in xs where c { … }`: a `Write` in its body is kept back to the end.

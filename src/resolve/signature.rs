@@ -119,7 +119,7 @@ pub(super) struct Effects {
     pub(super) looks: Option<Span>,
     /// It asks an op.
     pub(super) asks: Option<Span>,
-    /// It takes numbers by chance.
+    /// It takes random numbers.
     pub(super) draws: Option<Span>,
 }
 

@@ -41,7 +41,7 @@ pub(super) const CONSTRUCTORS: [(&str, &[i64]); 13] = [
     ("pillow", &[3]),
 ];
 
-/// The message to someone who calls a constructor of a mesh where none is made.
+/// The message about a constructor of a mesh that is called where none is made.
 pub(super) fn mesh_maker(word: &str) -> Option<Here> {
     let makes = word == "load" || CONSTRUCTORS.iter().any(|(known, _)| *known == word);
     makes.then_some(Here::Said(

@@ -1,4 +1,4 @@
-//! The words of the language that are no keywords, for whoever completes or explains them.
+//! The words of the language that are no keywords, for completion and explanations.
 
 use crate::diagram::Type;
 

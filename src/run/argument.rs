@@ -131,7 +131,7 @@ from! {
     FaceId: |value| Element::from(value).into();
 }
 
-/// An example of a value of a type, for whoever got it wrong.
+/// An example of a value of a type, for a message about a wrong one.
 pub(super) fn example(ty: Type) -> &'static str {
     match ty {
         Type::Bool => "`true` or `false`",

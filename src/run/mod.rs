@@ -12,7 +12,7 @@
 //! element is written twice, the last write stays. To leave an `update` early, by `break`
 //! or `return`, is to come to its end.
 //!
-//! A script that fails has done what it did so far: who runs it discards the mesh then.
+//! A script that fails has done what it did so far: the caller discards the mesh then.
 
 mod call;
 mod columns;

@@ -29,7 +29,7 @@ pub struct Prepared {
     pub(super) code: Code,
     pub(super) functions: Functions,
     pub(super) columns: Columns,
-    /// The seed of the numbers that it gets by chance.
+    /// The seed of its random numbers.
     pub(super) seed: u64,
     /// The places in the source where the code can trap, by number.
     pub(super) places: Vec<Span>,
@@ -224,7 +224,7 @@ impl Prepared {
         &self.columns
     }
 
-    /// The same with a seed for the numbers that it gets by chance; without it, that is 0. The same
+    /// The same with a seed for its random numbers; without it, that is 0. The same
     /// seed gives the same numbers on every machine.
     pub fn with_seed(self, seed: u64) -> Self {
         Self { seed, ..self }

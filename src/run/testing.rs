@@ -18,7 +18,7 @@ pub type Load<'l> = dyn FnMut(&str, Span) -> Result<MeshFile, String> + 'l;
 /// The conditions of a test.
 #[derive(Clone, Copy, Debug)]
 pub struct Conditions {
-    /// The seed of what it gets by chance.
+    /// The seed of its random numbers.
     pub seed: u64,
     /// The most memory that it may take, in bytes.
     pub memory: usize,

@@ -140,7 +140,7 @@ impl Session {
         self.runs_by = engine;
     }
 
-    /// Says from which seed the numbers come that scripts and functions get by chance from now on.
+    /// Sets the seed of the random numbers of scripts and functions from now on.
     /// Without it, they come from 0, and go on from call to call.
     pub fn seed(&mut self, seed: u64) {
         self.engine.machine.seed(seed);

@@ -8,7 +8,7 @@ use crate::mesh::ElementKind;
 use crate::rewrite::{Message, Trap, Unwatched, Watch};
 use crate::run::{self, Argument};
 
-/// The number of elements between two looks at who looks on.
+/// The number of elements between two calls of the watcher.
 const IDS_PER_LOOK: u32 = 1024;
 
 /// The values of a function at all elements of a kind, by their numbers. Where there is no element,

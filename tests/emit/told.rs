@@ -42,7 +42,7 @@ fn what_only_a_run_can_do_is_said() {
         ("if chosen() == 1 { g(v) }", "a random number", "random(3)"),
         (
             "for w in shuffle(v.neighbors) { g(w) }",
-            "an order by chance",
+            "a random order",
             "for w in shuffle(v.neighbors) { g(w) }",
         ),
         ("s()", "the call of a script", "s()"),

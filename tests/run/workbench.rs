@@ -308,7 +308,7 @@ fn whatever_is_asked_there_is_an_answer() {
     }
 }
 
-/// JSON by chance, most of it almost a question.
+/// Random JSON, most of it almost a question.
 fn value(dice: &mut Dice, words: &[&str], depth: usize) -> Value {
     let word = |dice: &mut Dice| words[dice.below(words.len())];
     match dice.below(if depth == 0 { 2 } else { 9 }) {

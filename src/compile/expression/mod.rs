@@ -2,7 +2,7 @@
 //!
 //! The registers of names and variables are the [`Scope`]'s business, so that the same lowering
 //! serves the diagrams of operations and scripts. An expression writes nothing but registers and
-//! buffers of its own: whoever lowers it can still refuse, or trap, with the mesh as it was.
+//! buffers of its own: the code around it can still refuse, or trap, with the mesh as it was.
 //!
 //! It is assumed that types are right: an ill-typed expression gives code that computes
 //! nonsense, though nothing worse.

@@ -92,7 +92,7 @@ pub(super) struct Printer {
     pub applied: &'static str,
     /// True if a function gives its value only if nothing refuses.
     pub gives_option: bool,
-    /// True if the attributes have been asked for by whoever calls.
+    /// True if the attributes have been asked for by the caller.
     pub is_asked: bool,
     /// The preview that pointers are noted on instead.
     pub preview: Option<String>,

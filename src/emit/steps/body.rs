@@ -10,7 +10,7 @@ use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
-use super::effects::{AllDeeds, each, values};
+use super::effects::{AllEffects, each, values};
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::resolve::{Block, Body, Program, Statement, StatementKind};
 use crate::source::{Sources, Span};
@@ -31,7 +31,7 @@ pub(super) enum Ending {
 pub(super) struct Surroundings<'s> {
     pub program: &'s Program,
     pub sources: &'s Sources,
-    pub deeds: &'s AllDeeds,
+    pub effects: &'s AllEffects,
     /// The names of the operations in code.
     pub op_names: &'s [String],
     pub conventions: Conventions<'s>,
@@ -168,7 +168,7 @@ impl<'s> Writer<'s> {
                 Action::While { condition: self.term(condition)?, body: self.block(body)? }
             }
             StatementKind::For { shuffled: true, .. } => {
-                return Err(NotEmitted::new("an order by chance", span));
+                return Err(NotEmitted::new("a random order", span));
             }
             StatementKind::For { variable, collection, filter, body, .. } => {
                 self.visit((*variable, collection), filter.as_ref(), body, span)?
@@ -219,9 +219,9 @@ impl<'s> Writer<'s> {
                 return Err(NotEmitted::new("the call of a script", span));
             }
             StatementKind::Call { function, args, .. } => {
-                let deeds = self.known.deeds.function(*function);
+                let effects = self.known.effects.function(*function);
                 // What changes nothing has been called for nothing.
-                if !deeds.is_some_and(|deeds| deeds.changes || deeds.refuses) {
+                if !effects.is_some_and(|effects| effects.changes || effects.refuses) {
                     return Ok(());
                 }
                 let call = self.function(*function, args, out)?;
@@ -389,7 +389,7 @@ impl<'s> Writer<'s> {
             .ok_or_else(|| NotEmitted::new(super::super::expression::unsaid(collection), span))?;
         let element = self.term(element)?;
         let outer = self.names.mark();
-        let may_go = self.known.deeds.erases(body, collection.element());
+        let may_go = self.known.effects.erases(body, collection.element());
         let action = Action::For {
             variable: self.bind(variable),
             around,

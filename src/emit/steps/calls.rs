@@ -12,8 +12,8 @@ impl Writer<'_> {
     pub(super) fn deed<'e>(&self, value: &'e Expr) -> Option<(u32, &'e [Expr])> {
         match &value.kind {
             ExprKind::Invoke(function, args) => {
-                let deeds = self.known.deeds.function(*function)?;
-                (deeds.changes || deeds.refuses).then_some((*function, args))
+                let effects = self.known.effects.function(*function)?;
+                (effects.changes || effects.refuses).then_some((*function, args))
             }
             _ => None,
         }
@@ -81,11 +81,11 @@ impl Writer<'_> {
         self.functions.insert(function);
         let called = &self.known.program.functions[function as usize];
         let wanted = called.params.iter().map(|param| param.name.as_str());
-        let deeds = self.known.deeds.function(function);
+        let effects = self.known.effects.function(function);
         Ok(Call {
             name: self.known.function_names[function as usize].clone(),
             args: self.arguments(args, wanted, out)?,
-            of: match deeds.is_some_and(|deeds| deeds.refuses) {
+            of: match effects.is_some_and(|effects| effects.refuses) {
                 true => Called::Refusing,
                 false => Called::Sure,
             },

@@ -24,14 +24,14 @@ pub(super) struct Effects {
     pub functions: BTreeSet<u32>,
 }
 
-/// The deeds of all operations and functions of a program.
+/// The effects of all operations and functions of a program.
 #[derive(Debug, Default)]
-pub(super) struct AllDeeds {
+pub(super) struct AllEffects {
     pub ops: Vec<Effects>,
     pub functions: Vec<Effects>,
 }
 
-impl AllDeeds {
+impl AllEffects {
     /// Finds out what everything does.
     pub fn of(selection: &Selection<'_>) -> Self {
         let program = selection.program;
@@ -40,10 +40,10 @@ impl AllDeeds {
         for op in 0..count {
             all.ops.push(match selection.steps(op) {
                 Some(steps) => {
-                    let mut deeds = Effects::of_block(&steps.body.block);
+                    let mut effects = Effects::of_block(&steps.body.block);
                     let asked = steps.requires.iter().map(|require| &require.condition);
-                    asked.for_each(|condition| deeds.see(condition));
-                    deeds
+                    asked.for_each(|condition| effects.see(condition));
+                    effects
                 }
                 None => selection.drawn(op).map_or_else(Effects::default, |proved| {
                     let rules = proved.op().rules.iter();
@@ -72,44 +72,44 @@ impl AllDeeds {
         let mut changed = false;
         for at in 0..self.ops.len() + self.functions.len() {
             let functions = at.checked_sub(self.ops.len());
-            let mut deeds = match functions {
+            let mut effects = match functions {
                 Some(at) => self.functions[at].clone(),
                 None => self.ops[at].clone(),
             };
-            for &op in &deeds.ops.clone() {
+            for &op in &effects.ops.clone() {
                 if let Some(called) = self.ops.get(op) {
-                    deeds.changes = true;
-                    deeds.erases.extend(&called.erases);
+                    effects.changes = true;
+                    effects.erases.extend(&called.erases);
                 }
             }
-            for &function in &deeds.functions.clone() {
+            for &function in &effects.functions.clone() {
                 if let Some(called) = self.functions.get(function as usize) {
-                    deeds.changes |= called.changes;
-                    deeds.refuses |= called.refuses;
-                    deeds.erases.extend(&called.erases);
-                    deeds.attributes.extend(&called.attributes);
+                    effects.changes |= called.changes;
+                    effects.refuses |= called.refuses;
+                    effects.erases.extend(&called.erases);
+                    effects.attributes.extend(&called.attributes);
                 }
             }
             let known = match functions {
                 Some(at) => &mut self.functions[at],
                 None => &mut self.ops[at],
             };
-            changed |= *known != deeds;
-            *known = deeds;
+            changed |= *known != effects;
+            *known = effects;
         }
         changed
     }
 
-    /// The deeds of a function.
+    /// The effects of a function.
     pub fn function(&self, number: u32) -> Option<&Effects> {
         self.functions.get(number as usize)
     }
 
     /// True if statements may erase elements of a type.
     pub fn erases(&self, block: &Block, ty: Type) -> bool {
-        let deeds = Effects::of_block(block);
-        let ops = deeds.ops.iter().filter_map(|&op| self.ops.get(op));
-        let functions = deeds.functions.iter();
+        let effects = Effects::of_block(block);
+        let ops = effects.ops.iter().filter_map(|&op| self.ops.get(op));
+        let functions = effects.functions.iter();
         let functions = functions.filter_map(|&function| self.function(function));
         ops.chain(functions).any(|called| called.erases.contains(ty.word()))
     }
@@ -118,9 +118,9 @@ impl AllDeeds {
 impl Effects {
     /// The effects of statements by themselves.
     fn of_block(block: &Block) -> Self {
-        let mut deeds = Self::default();
-        each(block, &mut |statement| deeds.note(statement));
-        deeds
+        let mut effects = Self::default();
+        each(block, &mut |statement| effects.note(statement));
+        effects
     }
 
     fn note(&mut self, statement: &Statement) {

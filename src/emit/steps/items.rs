@@ -15,7 +15,7 @@ use super::super::selection::Selection;
 use super::super::term::Parameter;
 use super::super::value::callees;
 use super::body::{Ending, Surroundings, Writer};
-use super::effects::AllDeeds;
+use super::effects::AllEffects;
 use super::keep::kept;
 use crate::diagram::{Callee, Param};
 use crate::resolve::Body;
@@ -46,12 +46,12 @@ pub(in crate::emit) fn items(
     selection: &Selection<'_>,
     conventions: Conventions<'_>,
 ) -> Result<Items, NotEmitted> {
-    let deeds = AllDeeds::of(selection);
+    let effects = AllEffects::of(selection);
     let callees = callees(selection.program);
-    let (op_names, function_names) = called(selection, deeds.ops.len(), conventions.kept);
-    let values = deeds.functions.iter().zip(&selection.program.functions);
-    let values = values.zip(&function_names).map(|((deeds, function), name)| {
-        let computes = !deeds.changes && !deeds.refuses && function.result.is_some();
+    let (op_names, function_names) = called(selection, effects.ops.len(), conventions.kept);
+    let values = effects.functions.iter().zip(&selection.program.functions);
+    let values = values.zip(&function_names).map(|((effects, function), name)| {
+        let computes = !effects.changes && !effects.refuses && function.result.is_some();
         computes.then(|| name.clone())
     });
     let mut builder = Builder {
@@ -60,7 +60,7 @@ pub(in crate::emit) fn items(
         values: values.collect(),
         op_names,
         function_names,
-        deeds,
+        effects,
         callees,
         begun: BTreeSet::new(),
         done: BTreeSet::new(),
@@ -112,7 +112,7 @@ enum Need {
 struct Builder<'s> {
     selection: &'s Selection<'s>,
     conventions: Conventions<'s>,
-    deeds: AllDeeds,
+    effects: AllEffects,
     callees: Vec<Option<Callee>>,
     /// The functions that compute a value, by number.
     values: Vec<Option<String>>,
@@ -179,8 +179,8 @@ impl Builder<'_> {
             return Err(NotEmitted::new(what, span));
         };
         let looks = |function| {
-            let deeds = self.deeds.function(function);
-            deeds.map_or_else(BTreeSet::new, |deeds| deeds.attributes.clone())
+            let effects = self.effects.function(function);
+            effects.map_or_else(BTreeSet::new, |effects| effects.attributes.clone())
         };
         let (mut routine, calls) = build::routine(proved, &self.values, self.conventions, &looks)?;
         routine.name = self.op_names[op].clone();
@@ -192,7 +192,7 @@ impl Builder<'_> {
         Surroundings {
             program: self.selection.program,
             sources: self.selection.sources,
-            deeds: &self.deeds,
+            effects: &self.effects,
             op_names: &self.op_names,
             function_names: &self.function_names,
             conventions: self.conventions,
@@ -240,13 +240,13 @@ impl Builder<'_> {
         let needs = needs(writer.ops, writer.functions, names.take_calls());
         if self.conventions.columns {
             let seen = needs.iter().filter_map(|need| match need {
-                Need::Function(number) => self.deeds.function(*number),
+                Need::Function(number) => self.effects.function(*number),
                 Need::Op(_) => None,
             });
-            let seen = seen.flat_map(|deeds| deeds.attributes.iter().copied());
+            let seen = seen.flat_map(|effects| effects.attributes.iter().copied());
             asks.splice(0..0, columns(&names, seen.collect()));
         }
-        let erases = |param: &Parameter| self.deeds.ops[op].erases.contains(param.ty.word());
+        let erases = |param: &Parameter| self.effects.ops[op].erases.contains(param.ty.word());
         let outlives = |param: &&Parameter| param.ty.is_element() && !erases(param);
         let whole = Whole {
             name: self.op_names[op].clone(),
@@ -264,10 +264,10 @@ impl Builder<'_> {
 
     fn function(&self, number: u32) -> Result<(Item, Vec<Need>), NotEmitted> {
         let function = &self.selection.program.functions[number as usize];
-        let deeds = &self.deeds.functions[number as usize];
+        let effects = &self.effects.functions[number as usize];
         if let Some(callee) = &self.callees[number as usize]
-            && !deeds.changes
-            && deeds.attributes.is_empty()
+            && !effects.changes
+            && effects.attributes.is_empty()
         {
             let callee = (callee, self.function_names[number as usize].as_str());
             let (helper, calls) = callee::helper(callee, &self.values, self.conventions.kept)?;
@@ -301,8 +301,8 @@ impl Builder<'_> {
             docs: function.docs.clone(),
             params,
             result: function.result,
-            changes: deeds.changes,
-            refuses: deeds.refuses,
+            changes: effects.changes,
+            refuses: effects.refuses,
             body: written,
         };
         Ok((Item::Function(helper), needs))

@@ -20,7 +20,7 @@
 //! name P halfedge 3 4
 //! ```
 //!
-//! An element that has no line does not live, whoever points at it. Numbers are printed with the
+//! An element that has no line does not live, whatever points at it. Numbers are printed with the
 //! fewest digits that read back as the same number, so a table makes the round trip exactly;
 //! scratch columns, whose names no program can say, are left out.
 

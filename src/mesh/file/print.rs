@@ -62,7 +62,7 @@ impl<'o> Printer<'o> {
         }
     }
 
-    /// Ends a line, and hands on what has been gathered if it is much.
+    /// Ends a line, and writes what has been gathered if it is much.
     #[inline]
     pub(super) fn end_line(&mut self) -> io::Result<()> {
         self.bytes(b"\n");

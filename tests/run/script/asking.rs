@@ -1,4 +1,4 @@
-//! `can` and `why`, numbers by chance, scripts that call scripts, and levels asked anew.
+//! `can` and `why`, random numbers, scripts that call scripts, and levels asked anew.
 
 use super::*;
 use hedgerow::mesh::{identical, shape};

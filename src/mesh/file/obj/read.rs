@@ -312,7 +312,7 @@ fn malformed(text: &[u8]) -> Fault {
     format!("`{}` is not a corner of a face", shown(&text[..end]))
 }
 
-/// Adds a value, and before it the usual one for all who have had none.
+/// Adds a value, and before it the usual one for all vertices that have had none.
 fn pad(table: &mut Vec<f64>, before: usize, usual: f64, value: f64) {
     table.resize(before, usual);
     table.push(value);
