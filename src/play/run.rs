@@ -72,7 +72,7 @@ impl Workbench {
         let script = self.program.script(name).map_err(|error| error.message().to_owned())?;
         let arguments = Self::arguments(&script.parameters(), given, None)?;
         let before = self.session.mesh().clone();
-        // Numbers by chance are the same in each run.
+        // Random numbers are the same in each run.
         self.set(before.clone());
         self.past.keep(before);
         let wanted = Wanted { to: u64::MAX, most: self.most_history };

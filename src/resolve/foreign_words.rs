@@ -39,7 +39,7 @@ const AROUND: Here =
     Said("around an element there are `v.halfedges`, `v.neighbors`, `f.vertices` …");
 const PICKED: Here = Said(
     "an element is found by a loop that ends with `break`, `for e in edges where … { … }`, or by \
-     `argmin(length(e) for e in edges)`; by chance in `shuffle(edges)`",
+     `argmin(length(e) for e in edges)`; in random order in `shuffle(edges)`",
 );
 const CHANGED: Here =
     Said("a script changes a mesh by calling operations: `split(e)`, `dissolve_edge(e)`");

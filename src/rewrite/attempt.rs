@@ -101,13 +101,13 @@ impl Machine {
             self.is_dry = false;
             return outcome;
         };
-        let (chance, quiet) = (self.chance.clone(), self.drains.hush());
+        let (random, quiet) = (self.random.clone(), self.drains.hush());
         let created = self.created.as_ref().map_or(0, Vec::len);
         let mark = mesh.open_journal();
         let outcome = self.take::<true>(mesh, (plan, steps), call, &mut Silent(watch));
         mesh.roll_back(mark);
         self.drains.unhush(quiet);
-        self.chance = chance;
+        self.random = random;
         if let Some(all) = &mut self.created {
             all.truncate(created);
         }
@@ -124,10 +124,10 @@ impl Machine {
         refusal.map_or("the diagram does not match here", |refusal| &refusal.reason)
     }
 
-    /// A number below a bound, by chance.
+    /// A random number below a bound.
     pub(super) fn chosen_below(&mut self, bound: i64) -> Result<i64, Message> {
         match u64::try_from(bound) {
-            Ok(bound) if bound > 0 => Ok(self.chance.below(bound) as i64),
+            Ok(bound) if bound > 0 => Ok(self.random.below(bound) as i64),
             _ => Err(Message::NothingToChoose),
         }
     }

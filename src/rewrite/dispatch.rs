@@ -6,14 +6,14 @@
 
 use super::access::{self, gone};
 use super::arithmetic::{direction, divide, fits, math, mix, modulo, round};
-use super::around;
 use super::attribute;
 use super::call::{Frame, MOST_CALLS};
+use super::families;
 use super::memory::{self, Budget};
 use super::observe::Scene;
 use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
-use super::wide;
+use super::vectors;
 use super::window::{Window, reserve};
 use super::{Engine, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
@@ -239,15 +239,15 @@ impl Machine {
                 }
                 LengthVec { to, from } => w.set_real(to, w.vector(from).length()),
                 Normalize { to, from } => w.set_vector(to, direction(w.vector(from))),
-                CopyWide { to, from, width } => wide::copy(&mut w, to, from, width),
+                CopyWide { to, from, width } => vectors::copy(&mut w, to, from, width),
                 Wide { operation, width, to, left, right } => {
-                    wide::lanes(&mut w, operation, width, [to, left, right])
+                    vectors::lanes(&mut w, operation, width, [to, left, right])
                 }
                 Matrix { operation, size, to, left, right } => {
-                    wide::matrix(&mut w, operation, size, [to, left, right])
+                    vectors::matrix(&mut w, operation, size, [to, left, right])
                 }
 
-                Random { to } => w.set_real(to, self.chance.real()),
+                Random { to } => w.set_real(to, self.random.real()),
                 RandomInt { to, below } => {
                     let bound = w.int(below);
                     let chosen = or_trap!(self.chosen_below(bound));
@@ -259,7 +259,7 @@ impl Machine {
                 }
                 BufferShuffle { buffer } => {
                     let mut slots = std::mem::take(buffer!(buffer));
-                    self.chance.shuffle(&mut slots);
+                    self.random.shuffle(&mut slots);
                     *buffer!(buffer) = slots;
                 }
 
@@ -390,7 +390,7 @@ impl Machine {
                 }
                 Member { buffer, index, shift, to } => {
                     let members = buffer!(buffer);
-                    let place = or_trap!(around::place(members.len(), w.int(index), shift));
+                    let place = or_trap!(families::place(members.len(), w.int(index), shift));
                     w.set_bits(to, members[place]);
                 }
                 BufferGetWide { buffer, index, width, to } => {
@@ -414,11 +414,11 @@ impl Machine {
                 }
                 BufferDeal { from, to, place, period, turn } => {
                     let slots = std::mem::take(buffer!(from));
-                    around::deal(&slots, [place, period], turn, buffer!(to));
+                    families::deal(&slots, [place, period], turn, buffer!(to));
                     *buffer!(from) = slots;
                 }
                 ExpectAllDistinct { buffer, refusal, otherwise } => {
-                    if !around::are_distinct(buffer!(buffer)) {
+                    if !families::are_distinct(buffer!(buffer)) {
                         refuse!(refusal, otherwise);
                     }
                 }
@@ -430,7 +430,7 @@ impl Machine {
                     }
                 }
                 MeetsAll { walk, to, buffer } => {
-                    let met = or_trap!(around::meets_all(mesh, walk, buffer!(buffer)));
+                    let met = or_trap!(families::meets_all(mesh, walk, buffer!(buffer)));
                     w.set_truth(to, met);
                 }
                 PreviewClear => self.preview.clear(),
@@ -549,13 +549,13 @@ impl Machine {
                 }
                 StoreSpan { field, span, index, value } => {
                     let ends = std::mem::take(buffer!(span.ends));
-                    let part = around::part(buffer!(span.buffer), &ends, w.int(index), span);
+                    let part = families::part(buffer!(span.buffer), &ends, w.int(index), span);
                     or_trap!(access::store_all(mesh, field, or_trap!(part), w.id(value)));
                     *buffer!(span.ends) = ends;
                 }
                 PreviewStoreSpan { field, span, index, value } => {
                     let ends = std::mem::take(buffer!(span.ends));
-                    let part = around::part(buffer!(span.buffer), &ends, w.int(index), span);
+                    let part = families::part(buffer!(span.buffer), &ends, w.int(index), span);
                     let part = or_trap!(part);
                     or_trap!(self.preview.store_all(mesh, field, part, w.id(value)));
                     *buffer!(span.ends) = ends;
@@ -719,9 +719,10 @@ impl Machine {
                 PrintVec { from, digits } => {
                     append(&mut self.line, VectorText(w.vector(from), digits));
                 }
-                PrintWide { from, size, columns, digits } => {
-                    append(&mut self.line, WideText(wide::columns(&w, from, size, columns), digits))
-                }
+                PrintWide { from, size, columns, digits } => append(
+                    &mut self.line,
+                    WideText(vectors::columns(&w, from, size, columns), digits),
+                ),
                 ExpectAlive { kind, from } => {
                     or_trap!(access::expect_alive(mesh, kind, w.id(from)))
                 }

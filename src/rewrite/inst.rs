@@ -1,7 +1,7 @@
 //! The instructions.
 
 use super::print::RealDigits;
-use super::wide::{Lanes, Matrix};
+use super::vectors::{Lanes, Matrix};
 use super::{
     ElementField, Elements, Foreseen, HalfedgeField, Label, Math, Question, Reg, Room, Span,
     Triangles, Walk,
@@ -77,7 +77,7 @@ pub enum Inst {
     Random { to: Reg },
     /// By chance: an int from 0 up to `below`. Traps if there is none.
     RandomInt { to: Reg, below: Reg },
-    /// Puts the slots of a buffer into an order by chance.
+    /// Puts the slots of a buffer into random order.
     BufferShuffle { buffer: u16 },
 
     // Loads. Each traps if the element is none or erased.

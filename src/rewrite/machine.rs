@@ -9,12 +9,12 @@
 use std::time::Duration;
 
 use super::attempt::Said;
-use super::chance::Chance;
 use super::drain::Drains;
 use super::key_paths::KeyPaths;
-use super::known::KnownLevel;
+use super::known_level::KnownLevel;
 use super::native::Scratch;
 use super::preview::Preview;
+use super::random::RandomNumbers;
 use super::watch::Progress;
 use super::window::reserve;
 use super::{
@@ -51,7 +51,7 @@ pub struct Machine {
     /// The instruction at which the operation ended that was asked last.
     pub(super) stopped_at: usize,
     /// The source of `random`.
-    pub(super) chance: Chance,
+    pub(super) random: RandomNumbers,
     /// The texts that code has made.
     pub(super) said: Said,
     /// The number of running calls that need that no id is given out again.
@@ -120,7 +120,7 @@ impl Machine {
             last_reason: None,
             is_dry: false,
             stopped_at: 0,
-            chance: Chance::new(0),
+            random: RandomNumbers::new(0),
             said: Said::default(),
             holding: 0,
             meshes: Vec::new(),
@@ -154,9 +154,9 @@ impl Machine {
         self.known = KnownLevel::new(level);
     }
 
-    /// Says from which seed the numbers come that the next runs get by chance; without it, from 0.
+    /// Sets the seed of the random numbers of the next runs; without it, it is 0.
     pub fn seed(&mut self, seed: u64) {
-        self.chance = Chance::new(seed);
+        self.random = RandomNumbers::new(seed);
     }
 
     /// Gives the meshes that the next run compares with, by number; it may replace them.

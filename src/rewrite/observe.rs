@@ -6,9 +6,9 @@
 //! instruction is listed, so that a new one is not forgotten.
 
 use super::access::{load, load_halfedge};
-use super::around;
 use super::attribute::{self, Held};
 use super::drain::{Drains, attributes_place, place};
+use super::families;
 use super::paths::Fields;
 use super::preview::Looked;
 use super::readers::Place;
@@ -64,7 +64,7 @@ impl Drains {
                 let [all, ends] = [span.buffer, span.ends]
                     .map(|buffer| scene.buffers.get(usize::from(buffer)).map(Vec::as_slice));
                 let all = all.unwrap_or_default();
-                let part = around::part(all, ends.unwrap_or_default(), w.int(index), span);
+                let part = families::part(all, ends.unwrap_or_default(), w.int(index), span);
                 for &halfedge in part.into_iter().flatten() {
                     self.pointer_set(mesh, field, halfedge as u32, w.id(value));
                 }

@@ -49,8 +49,8 @@ pub enum Unbounded {
     WholeMesh,
     /// A function in it calls itself.
     Recursion,
-    /// It takes numbers by chance.
-    Chance,
+    /// It takes random numbers.
+    Random,
     /// It asks an operation.
     Asks,
     /// It does more than to compute a value.
@@ -63,7 +63,7 @@ impl fmt::Display for Unbounded {
             Self::Endless => "the key follows pointers without bound",
             Self::WholeMesh => "the key reads all of the mesh",
             Self::Recursion => "a function in the key calls itself",
-            Self::Chance => "the key takes numbers by chance",
+            Self::Random => "the key takes random numbers",
             Self::Asks => "the key asks an op",
             Self::Effects => "the key does more than to compute a value",
         })

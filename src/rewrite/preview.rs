@@ -12,8 +12,8 @@ use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
 use super::distinct::are_distinct;
-use super::noted::Noted;
-use super::notes::Notes;
+use super::epoch_map::EpochMap;
+use super::small_map::SmallMap;
 use super::{ElementField, Fault, Foreseen, HalfedgeField};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
 
@@ -24,13 +24,13 @@ const FIRST_NEW: u32 = u32::MAX - 1;
 #[derive(Debug, Default)]
 pub struct Preview {
     /// The halfedges of the mesh that are noted, by the places of their records.
-    noted: Noted,
+    noted: EpochMap,
     records: Vec<HalfedgeRecord>,
     /// For each new element a record, which is used if it is a halfedge.
     new: Vec<HalfedgeRecord>,
     /// The halfedges of vertices, edges and faces.
-    halfedges: Notes<(ElementField, u32), u32>,
-    holes: Notes<u32, bool>,
+    halfedges: SmallMap<(ElementField, u32), u32>,
+    holes: SmallMap<u32, bool>,
     /// Whether what is read of the mesh is wanted, and that.
     listens: Cell<bool>,
     looked: RefCell<Vec<Looked>>,

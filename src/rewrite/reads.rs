@@ -339,7 +339,7 @@ impl<'c> Reads<'c> {
             | Inst::Count { .. }
             | Inst::CountHoles { .. } => return Err(Unbounded::WholeMesh),
             Inst::Random { .. } | Inst::RandomInt { .. } | Inst::BufferShuffle { .. } => {
-                return Err(Unbounded::Chance);
+                return Err(Unbounded::Random);
             }
             Inst::Try { .. } => return Err(Unbounded::Asks),
             Inst::PreviewClear

@@ -38,7 +38,7 @@ pub enum Message {
     DivisionByZero,
     /// An int is out of range.
     IntOverflow,
-    /// An int by chance is wanted from 0 up to no more than 0.
+    /// A random int is wanted from 0 up to no more than 0.
     NothingToChoose,
     /// What has no nearest int is rounded.
     RoundsNaN,

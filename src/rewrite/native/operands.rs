@@ -1,7 +1,7 @@
 //! The registers that an instruction reads and writes.
 
 use crate::mesh::{AttributeType, ElementKind};
-use crate::rewrite::wide::{Lanes, Matrix};
+use crate::rewrite::vectors::{Lanes, Matrix};
 use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
 
 /// How an instruction uses registers.

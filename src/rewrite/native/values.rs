@@ -6,7 +6,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value};
 
 use super::stubs;
 use super::translate::Translator;
-use crate::rewrite::wide::{Lanes, Matrix};
+use crate::rewrite::vectors::{Lanes, Matrix};
 use crate::rewrite::{Inst, Math, Reg};
 
 impl Translator<'_, '_> {

@@ -3,7 +3,7 @@
 use glam::{DMat3, DMat4, DVec3};
 use hedgerow::rewrite::Fault;
 use hedgerow::rewrite::arithmetic::{direction, divide, modulo, round};
-use hedgerow::rewrite::wide::eliminate;
+use hedgerow::rewrite::vectors::eliminate;
 
 #[test]
 fn division_rounds_down_and_the_rest_follows_the_divisor() {

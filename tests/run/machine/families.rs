@@ -1,7 +1,7 @@
 //! Buffers with a slot for each index of a cycle.
 
 use hedgerow::rewrite::Span;
-use hedgerow::rewrite::around::{deal, part};
+use hedgerow::rewrite::families::{deal, part};
 
 #[test]
 fn what_came_first_stands_at_the_turn() {

@@ -4,14 +4,14 @@ mod arithmetic;
 mod asked;
 mod assembler;
 mod calls;
-mod chance;
 mod families;
+mod maps;
 mod mesh;
-mod notes;
 mod operations;
 mod preview;
 mod print;
 mod queue;
+mod random;
 mod values;
 
 use hedgerow::mesh::{Level, Mesh};

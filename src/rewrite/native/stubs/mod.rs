@@ -18,7 +18,7 @@ use crate::rewrite::native::context::{Context, Run, noted};
 use crate::rewrite::question::ask;
 use crate::rewrite::window::Window;
 use crate::rewrite::{
-    Call, Fault, Inst, Machine, Math, Message, Outcome, Question, Trap, access, wide,
+    Call, Fault, Inst, Machine, Math, Message, Outcome, Question, Trap, access, vectors,
 };
 
 /// The answer of a stub if native code is to be left: the trap stands in the run.
@@ -241,10 +241,10 @@ pub(super) unsafe extern "C" fn compute(context: *mut Context, inst: i64) -> i64
         };
         match *inst {
             Inst::Wide { operation, width, to, left, right } => {
-                wide::lanes(&mut w, operation, width, [to, left, right]);
+                vectors::lanes(&mut w, operation, width, [to, left, right]);
             }
             Inst::Matrix { operation, size, to, left, right } => {
-                wide::matrix(&mut w, operation, size, [to, left, right]);
+                vectors::matrix(&mut w, operation, size, [to, left, right]);
             }
             _ => return Ok(LEAVE),
         }

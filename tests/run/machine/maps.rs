@@ -1,13 +1,13 @@
-//! Notes about elements, and the readers of places.
+//! SmallMap about elements, and the readers of places.
 
 use hedgerow::rewrite::distinct::are_distinct;
-use hedgerow::rewrite::noted::Noted;
-use hedgerow::rewrite::notes::Notes;
+use hedgerow::rewrite::epoch_map::EpochMap;
 use hedgerow::rewrite::readers::{Place, Readers};
+use hedgerow::rewrite::small_map::SmallMap;
 
 #[test]
 fn the_last_note_counts() {
-    let mut notes = Notes::default();
+    let mut notes = SmallMap::default();
     for round in 0..3 {
         for key in 0..20 {
             notes.set(key, 100 * round + key);
@@ -50,7 +50,7 @@ fn readers_are_found_once_each_and_their_entries_used_again() {
 
 #[test]
 fn what_was_added_is_found_until_it_is_forgotten() {
-    let mut noted = Noted::default();
+    let mut noted = EpochMap::default();
     for round in 0..5 {
         let ids = || (0..1000_u32).map(|n| n.wrapping_mul(2_654_435_769) ^ round);
         for (place, id) in (0..).zip(ids()) {

@@ -14,22 +14,22 @@ struct Slot {
     place: u32,
 }
 
-/// The places of the numbers that were added since the last [`Noted::clear`].
+/// The places of the numbers that were added since the last [`EpochMap::clear`].
 #[derive(Debug)]
-pub struct Noted {
+pub struct EpochMap {
     /// As many as a power of two.
     slots: Vec<Slot>,
     round: u32,
     count: usize,
 }
 
-impl Default for Noted {
+impl Default for EpochMap {
     fn default() -> Self {
         Self { slots: vec![Slot::default(); FIRST], round: 1, count: 0 }
     }
 }
 
-impl Noted {
+impl EpochMap {
     /// Forgets all of them.
     pub fn clear(&mut self) {
         self.count = 0;

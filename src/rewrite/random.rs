@@ -1,4 +1,4 @@
-//! Numbers by chance, the same for the same seed on every machine.
+//! Random numbers, the same for the same seed on every machine.
 //!
 //! The generator is xoshiro256**, after D. Blackman and S. Vigna, "Scrambled linear pseudorandom
 //! number generators", 2021. Its state is filled by SplitMix64, after G. Steele, D. Lea and
@@ -6,9 +6,9 @@
 
 /// A stream of numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Chance(pub [u64; 4]);
+pub struct RandomNumbers(pub [u64; 4]);
 
-impl Chance {
+impl RandomNumbers {
     pub fn new(seed: u64) -> Self {
         let mut state = seed;
         Self(std::array::from_fn(|_| {

@@ -1,4 +1,4 @@
-//! Notes about elements: the last note about each counts.
+//! SmallMap about elements: the last note about each counts.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -6,20 +6,20 @@ use std::hash::Hash;
 /// Up to so many notes are searched one by one; that is what most operations make.
 const FEW: usize = 24;
 
-/// Notes by key.
+/// SmallMap by key.
 #[derive(Debug)]
-pub struct Notes<K, V> {
+pub struct SmallMap<K, V> {
     few: Vec<(K, V)>,
     many: HashMap<K, V>,
 }
 
-impl<K, V> Default for Notes<K, V> {
+impl<K, V> Default for SmallMap<K, V> {
     fn default() -> Self {
         Self { few: Vec::new(), many: HashMap::new() }
     }
 }
 
-impl<K: Copy + Eq + Hash, V: Copy> Notes<K, V> {
+impl<K: Copy + Eq + Hash, V: Copy> SmallMap<K, V> {
     /// Forgets all of them.
     pub fn clear(&mut self) {
         self.few.clear();
