@@ -1,4 +1,4 @@
-"""Plays a recorded policy on a mesh by chance, or on one of yours.
+"""Plays a recorded policy on a random mesh, or on one of yours.
 
     python play_policy.py policy_triangle.npz --seed 7
     python play_policy.py policy_triangle.npz --mesh plate.obj --save better.obj
@@ -21,7 +21,7 @@ import hedgerow.gym as hedgerow_gym
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("policy", help="a file that train_policy.py wrote (.npz)")
-    parser.add_argument("--mesh", help="a file of a mesh; else a mesh by chance")
+    parser.add_argument("--mesh", help="a file of a mesh; else a random mesh")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--steps", type=int, help="at most; else as many as in training")
     parser.add_argument("--save", help="where to write the best mesh")

@@ -88,7 +88,7 @@ class Policy:
         return log_probabilities(logits.reshape(len(observations), -1), masks)
 
     def act(self, observations, masks, rng=None):
-        """An action for each observation: by chance, or without `rng` the likeliest one."""
+        """An action for each observation: drawn at random, or without `rng` the likeliest one."""
         logs = self.log_probabilities(observations, np.asarray(masks, dtype=bool))
         if rng is None:
             return logs.argmax(axis=1)

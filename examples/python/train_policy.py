@@ -19,7 +19,7 @@ points, episodes of 50 steps), after 5 minutes of one processor, which are 230,0
 `begin` and `end` are the irregularity above the least that can be reached, `removed` is the share of it
 that is gone at the end, `at best` at the best moment of the episode, and `all of it` the share of the
 meshes that became ideal: means and standard errors over the meshes. `greedy` takes the action that
-lowers the irregularity most, of equally good ones one by chance; `policy` draws its actions, and
+lowers the irregularity most, of equally good ones a random one; `policy` draws its actions, and
 `likeliest` takes the likeliest. The policy is `policy_triangle.npz`. That is one training: another one
 differs, and the errors do not tell by how much.
 """

@@ -1,4 +1,4 @@
-"""Calls by chance, with arguments that fit and that do not: exceptions are of the package, the mesh
+"""Random calls, with arguments that fit and that do not: exceptions are of the package, the mesh
 stays valid, what raises leaves it as it was, and live masks are what is asked anew.
 
 `HEDGEROW_FUZZ=100000` makes so many calls, `HEDGEROW_FUZZ_SEED` begins elsewhere.

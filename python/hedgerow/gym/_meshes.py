@@ -1,4 +1,4 @@
-"""Planar meshes by chance."""
+"""Random planar meshes."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ import numpy as np
 from .. import _mesh, std
 from ..errors import ArgumentError
 
-#: How meshes are made by chance.
+#: How random meshes are made.
 FAMILIES = ("delaunay", "shuffled")
 
 
 def random_mesh(kind="triangle", rng=None, *, points=10, family="delaunay"):
-    """A planar mesh by chance; the same generator gives the same mesh.
+    """A random planar mesh; the same generator gives the same mesh.
 
-    ``delaunay``: a polygon of 4 to 9 corners by chance, with that many ``points`` inside, each place as
+    ``delaunay``: a random polygon of 4 to 9 corners, with that many ``points`` inside, each place as
     likely, in Delaunay triangles; for quads each triangle is cut in three, as the published game
     begins. ``shuffled``: a regular mesh of at least that many vertices, on which as many actions were
-    done by chance, as TUNE begins.
+    done at random, as TUNE begins.
 
     ``rng`` is a ``numpy.random.Generator``, or a seed for one.
     """

@@ -6,13 +6,13 @@ import numpy as np
 
 
 def random_action(env, rng):
-    """An action by chance among those that apply; 0 if none does."""
+    """A random action among those that apply; 0 if none does."""
     numbers = np.flatnonzero(env.unwrapped.action_masks())
     return int(rng.choice(numbers)) if len(numbers) else 0
 
 
 def greedy_action(env, rng):
-    """The action that lowers the irregularity most, of equally good ones one by chance; 0 if none
+    """The action that lowers the irregularity most, of equally good ones a random one; 0 if none
     applies.
 
     All actions that apply at the halfedges that are seen are tried, and undone. A greedy agent so
