@@ -1,9 +1,9 @@
 //! The guard: what the checker left to test, asked of the result before it is written.
 //!
 //! The pointers of phase 3 are set on a preview of the mesh, as far as tests look at them; then
-//! each test looks at one orbit of the preview. A test that the mesh itself can answer is asked of
-//! it: whether another edge joins two vertices, where no edge leaves them. All of it belongs to
-//! phase 1.
+//! each test looks at one orbit of the preview; then all is put back. A test that the mesh itself
+//! can answer is asked of it before: whether another edge joins two vertices, where no edge leaves
+//! them. All of it belongs to phase 1.
 
 use super::collect::Collect;
 use super::collected::{Collected, Run};
@@ -14,21 +14,74 @@ use crate::check::guard::{Obligation, Statement};
 use crate::diagram::{Kind, NameId};
 use crate::rewrite::{Cell, Foreseen, Inst, Phase, Question, Reg};
 
+/// A test, and what it asks.
+struct Asked<'g> {
+    statement: &'g Statement,
+    of: Of,
+}
+
+/// What a test asks.
+enum Of {
+    /// The mesh, before: the register that says whether it holds.
+    Mesh(Reg),
+    /// The preview, where the halfedges of a buffer start.
+    Along(u16),
+    /// The preview.
+    Preview,
+}
+
 impl Collect<'_, '_, '_, '_> {
     /// The tests of the guard; `collected` holds what has been collected so far.
     pub(super) fn guard(&mut self, guard: &[Obligation], collected: &Collected) {
         let mark = self.output.asm.mark();
         let tests = guard.iter().filter(|obligation| obligation.is_test());
-        let tests = tests.map(|obligation| &obligation.statement);
-        let mut foreseen = tests.clone().filter(|test| self.joined(test).is_none()).peekable();
-        if foreseen.peek().is_some() {
-            let looks = Looks::of_all(foreseen);
-            self.preview(collected, looks);
+        let tests: Vec<Asked> =
+            tests.map(|obligation| self.asked(&obligation.statement, collected)).collect();
+        let foreseen = || {
+            let of = |test: &Asked| !matches!(test.of, Of::Mesh(_));
+            tests.iter().filter(move |test| of(test)).map(|test| test.statement)
+        };
+        let is_ahead = foreseen().next().is_some();
+        let fail = self.fail;
+        if is_ahead {
+            self.fail = self.output.asm.label();
+            self.preview(collected, Looks::of_all(foreseen()));
         }
-        for test in tests {
-            self.test_statement(test, collected);
+        for test in &tests {
+            self.test_statement(test);
+        }
+        if is_ahead {
+            let on = self.output.asm.label();
+            self.output.asm.emit(Inst::PreviewUndo);
+            self.output.asm.emit(Inst::Jump { to: on });
+            self.output.asm.bind(self.fail);
+            self.output.asm.emit(Inst::PreviewUndo);
+            self.output.asm.emit(Inst::Jump { to: fail });
+            self.output.asm.bind(on);
+            self.fail = fail;
         }
         self.output.asm.release(mark);
+    }
+
+    /// What can be known of a test before the preview: all that the mesh itself is asked.
+    fn asked<'g>(&mut self, statement: &'g Statement, collected: &Collected) -> Asked<'g> {
+        let of = match statement {
+            Statement::OneHoleAlong(path) => {
+                let run = collected.runs[path.index()];
+                let Run { buffer, .. } = run.unwrap_or_else(|| self.collect_path(*path));
+                Of::Along(buffer)
+            }
+            statement => match self.joined(statement) {
+                Some(ends) => {
+                    let elements = ends.map(|end| self.element(end));
+                    let to = self.output.asm.reg();
+                    self.output.asm.emit(Inst::Ask { question: Question::Adjacent, to, elements });
+                    Of::Mesh(self.not(to))
+                }
+                None => Of::Preview,
+            },
+        };
+        Asked { statement, of }
     }
 
     /// Two vertices that would be joined twice exactly if they are joined now: the test asks for
@@ -93,40 +146,28 @@ impl Collect<'_, '_, '_, '_> {
         .emit();
     }
 
-    fn test_statement(&mut self, statement: &Statement, collected: &Collected) {
-        let rule = self.drawing.rule;
+    fn test_statement(&mut self, test: &Asked) {
+        let (rule, statement) = (self.drawing.rule, test.statement);
         // The paths of a family lie in one buffer.
-        let repeated =
-            statement.is_repeated(rule) && !matches!(statement, Statement::OneHoleAlong(_));
+        let repeated = statement.is_repeated(rule) && !matches!(test.of, Of::Along(_));
         let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
-        let to = self.output.asm.reg();
-        let inst = match statement {
-            Statement::OneHoleAlong(path) => {
-                let condition = Foreseen::OneHole;
-                let Run { buffer, .. } = match collected.runs[path.index()] {
-                    Some(run) => run,
-                    None => self.collect_path(*path),
-                };
-                Inst::ForeseeAlong { condition, to, buffer }
+        let holds = match test.of {
+            Of::Mesh(holds) => holds,
+            Of::Along(buffer) => {
+                let (condition, to) = (Foreseen::OneHole, self.output.asm.reg());
+                self.output.asm.emit(Inst::ForeseeAlong { condition, to, buffer });
+                to
             }
-            statement => match self.joined(statement) {
-                Some(ends) => {
-                    let elements = ends.map(|end| self.element(end));
-                    Inst::Ask { question: Question::Adjacent, to, elements }
-                }
-                None => {
-                    let (condition, element, at) = self.question(statement);
-                    Inst::Foresee { condition, to, element, at }
-                }
-            },
+            Of::Preview => {
+                let (condition, element, at) = self.question(statement);
+                let to = self.output.asm.reg();
+                self.output.asm.emit(Inst::Foresee { condition, to, element, at });
+                to
+            }
         };
-        self.output.asm.emit(inst);
-        if let Inst::Ask { .. } = inst {
-            self.output.asm.emit(Inst::Not { to, from: to });
-        }
         let reason = statement.refusal(rule);
         let refusal = self.output.refusal(reason.clone(), Phase::Guard);
-        self.output.asm.emit(Inst::Expect { condition: to, refusal, otherwise: self.fail });
+        self.output.asm.emit(Inst::Expect { condition: holds, refusal, otherwise: self.fail });
         if let Some(indices) = indices {
             self.registers.end_turns(&mut self.output.asm, indices);
         }

@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use super::connectivity::Mesh;
-use super::id::{EdgeId, FaceId, HalfedgeId, VertexId};
+use super::id::{EdgeId, ElementKind, FaceId, HalfedgeId, VertexId};
 use super::records::HalfedgeRecord;
 
 /// Readers of ids known to be in range.
@@ -237,5 +237,59 @@ impl Mesh {
             self.note_position(v);
         }
         self.positions[v.index()] = position;
+    }
+}
+
+/// Exchanges that no journal notes, for what is put back before anybody else looks. Each gives what
+/// stood there; nothing, and nothing is set, if the element is out of range or erased or would seem so.
+impl Mesh {
+    /// Sets a pointer, by its place in [`HalfedgeRecord::pointers`].
+    #[inline]
+    pub(crate) fn exchange_pointer(
+        &mut self,
+        h: HalfedgeId,
+        pointer: usize,
+        value: u32,
+    ) -> Option<u32> {
+        let record = self.halfedges.get_mut(h.index())?;
+        if !record.lives() || value == HalfedgeId::DEAD.0 {
+            return None;
+        }
+        let HalfedgeRecord { next, prev, twin, vertex, edge, face } = record;
+        let place = match pointer {
+            0 => &mut next.0,
+            1 => &mut prev.0,
+            2 => &mut twin.0,
+            3 => &mut vertex.0,
+            4 => &mut edge.0,
+            _ => &mut face.0,
+        };
+        Some(std::mem::replace(place, value))
+    }
+
+    /// Sets the halfedge of a vertex, edge or face.
+    #[inline]
+    pub(crate) fn exchange_halfedge(
+        &mut self,
+        kind: ElementKind,
+        id: u32,
+        value: HalfedgeId,
+    ) -> Option<HalfedgeId> {
+        let place = match kind {
+            ElementKind::Vertex => self.vertices.get_mut(id as usize),
+            ElementKind::Edge => self.edges.get_mut(id as usize),
+            ElementKind::Face => self.faces.get_mut(id as usize).map(|face| &mut face.halfedge),
+            ElementKind::Halfedge => None,
+        };
+        let place = place.filter(|place| ![**place, value].contains(&HalfedgeId::DEAD))?;
+        Some(std::mem::replace(place, value))
+    }
+
+    /// Says that a face is a hole, or none; it is not counted.
+    #[inline]
+    pub(crate) fn exchange_hole(&mut self, f: FaceId, hole: bool) -> Option<bool> {
+        let record = self.faces.get_mut(f.index())?;
+        let lives = record.halfedge != HalfedgeId::DEAD;
+        lives.then(|| std::mem::replace(&mut record.hole, hole))
     }
 }

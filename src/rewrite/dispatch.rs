@@ -433,16 +433,22 @@ impl Machine {
                     let met = or_trap!(families::meets_all(mesh, walk, buffer!(buffer)));
                     w.set_truth(to, met);
                 }
-                PreviewClear => self.preview.clear(),
+                PreviewClear => {
+                    self.preview.clear();
+                    self.preview.listen(OBSERVED && self.drains.is_reading());
+                }
                 PreviewNew { to } => w.set_id(to, self.preview.add()),
                 PreviewStore { field, halfedge, value } => {
                     let (halfedge, value) = (w.id(halfedge), w.id(value));
                     or_trap!(self.preview.store(mesh, field, halfedge, value));
                 }
                 PreviewStoreHalfedge { of, element, value } => {
-                    self.preview.store_halfedge(of, w.id(element), w.id(value));
+                    let (element, value) = (w.id(element), w.id(value));
+                    or_trap!(self.preview.store_halfedge(mesh, of, element, value));
                 }
-                PreviewStoreHole { face, hole } => self.preview.store_hole(w.id(face), hole),
+                PreviewStoreHole { face, hole } => {
+                    or_trap!(self.preview.store_hole(mesh, w.id(face), hole));
+                }
                 PreviewStoreAll { field, buffer, value } => {
                     let halfedges = buffer!(buffer);
                     let all = self.preview.store_all(mesh, field, halfedges, w.id(value));
@@ -450,21 +456,19 @@ impl Machine {
                 }
                 Foresee { condition, to, element, at: place } => {
                     let (element, place) = (w.id(element), w.id(place));
-                    self.preview.listen(OBSERVED && self.drains.is_reading());
                     let holds = self.preview.foresees(mesh, condition, element, place);
-                    if OBSERVED {
-                        self.drains.foreseen(mesh, &self.preview.looked());
-                    }
                     w.set_truth(to, or_trap!(holds));
                 }
                 ForeseeAlong { condition, to, buffer } => {
-                    self.preview.listen(OBSERVED && self.drains.is_reading());
                     let halfedges = buffer!(buffer);
                     let holds = self.preview.foresees_along(mesh, condition, halfedges);
+                    w.set_truth(to, or_trap!(holds));
+                }
+                PreviewUndo => {
+                    self.preview.undo(mesh);
                     if OBSERVED {
                         self.drains.foreseen(mesh, &self.preview.looked());
                     }
-                    w.set_truth(to, or_trap!(holds));
                 }
                 Refuse => {
                     let reason = noted.map(|(_, reason)| reason);
@@ -783,6 +787,7 @@ impl Machine {
                 }
             }
         };
+        self.preview.undo(mesh);
         Err(Trap::new(message).through_all(&call, at.saturating_sub(1), &returns))
     }
 

@@ -134,9 +134,9 @@ pub enum Inst {
     /// True if a walk from `from` meets `goal` before `stop` (which ends it). `from` counts; where
     /// it is also the `stop`, the walk goes once around. It ends when it is back.
     Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },
-    // Looking ahead: what would be written is noted on a sheet over the mesh, and asked
-    // about. The mesh stays as it is. Each traps as loads do.
-    /// An empty sheet.
+    // Looking ahead: what would be written is set on the mesh, which tells nobody, asked about, and
+    // put back. Each traps as loads do.
+    /// Begins: nothing is set.
     PreviewClear,
     /// A number for an element that would be created.
     PreviewNew { to: Reg },
@@ -150,6 +150,8 @@ pub enum Inst {
     /// True if a condition of vertices would hold where the halfedges of a buffer start.
     ForeseeAlong { condition: Foreseen, to: Reg, buffer: u16 },
     PreviewStoreSpan { field: HalfedgeField, span: Span, index: Reg, value: Reg },
+    /// Puts back what was there.
+    PreviewUndo,
 
     // Families: a buffer holds one slot for each index of a cycle.
     /// The next index of a family, from -1 on; jumps when there is none.

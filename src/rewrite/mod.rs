@@ -32,7 +32,6 @@ mod attribute;
 mod bounded;
 pub mod distinct;
 mod drain;
-pub mod epoch_map;
 pub mod families;
 mod key_paths;
 mod known_level;
@@ -47,7 +46,6 @@ pub mod random;
 pub mod readers;
 mod reads;
 mod reads_ahead;
-pub mod small_map;
 mod stale;
 pub mod vectors;
 

@@ -307,7 +307,7 @@ impl Drains {
             | Inst::Jump { .. } | Inst::JumpIf { .. } | Inst::JumpUnless { .. }
             | Inst::JumpUnequal { .. } | Inst::JumpEqual { .. } | Inst::ExpectEqual { .. }
             | Inst::ExpectDistinct { .. } | Inst::Expect { .. } | Inst::ExpectFinite { .. }
-            | Inst::ExpectRoom { .. } | Inst::PreviewClear | Inst::PreviewNew { .. }
+            | Inst::ExpectRoom { .. } | Inst::PreviewClear | Inst::PreviewUndo | Inst::PreviewNew { .. }
             | Inst::PreviewStore { .. } | Inst::PreviewStoreHalfedge { .. }
             | Inst::PreviewStoreHole { .. } | Inst::PreviewStoreAll { .. }
             | Inst::Refuse

@@ -108,6 +108,23 @@ pub enum Foreseen {
     CornersOwn,
 }
 
+impl Foreseen {
+    /// All of them, in the order in which they are declared.
+    #[cfg(feature = "native")]
+    pub(super) const ALL: [Self; 10] = [
+        Self::ThreeSides,
+        Self::MeetsOnce,
+        Self::CornerOnce,
+        Self::TwoSpokes,
+        Self::OneHole,
+        Self::FacesDiffer,
+        Self::NeighborsDiffer,
+        Self::SingleEdge,
+        Self::CornersDiffer,
+        Self::CornersOwn,
+    ];
+}
+
 /// A function of reals: `f64 -> f64`, or with two or three operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Math {

@@ -1,50 +1,62 @@
-//! The mesh as an operation would leave it, before anything is written.
+//! The mesh as an operation would leave it, before it is applied.
 //!
-//! A guard asks about the result. So the pointers that the operation would set are noted
-//! on a sheet that lies over the mesh: where the sheet says something it counts, where it
-//! says nothing the mesh does. Whoever walks the preview sees the finished result, and a
-//! question about one face or vertex of it costs what a walk around it costs.
+//! A guard asks about the result. So the pointers that the operation would set, as far as it asks
+//! about them, are set on the mesh itself, which tells nobody; then it is asked, and they are put
+//! back. A question about one face or vertex of the result costs what a walk around it costs.
 //!
 //! New elements have no ids yet. They get numbers from the top of the range, where no
-//! element of the mesh is as long as there is room for them.
+//! element of the mesh is as long as there is room for them, and records of their own.
 
 use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
 use super::distinct::are_distinct;
-use super::epoch_map::EpochMap;
-use super::small_map::SmallMap;
 use super::{ElementField, Fault, Foreseen, HalfedgeField};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
 
-/// The number of the first new element; that of the next one is one less.
-const FIRST_NEW: u32 = u32::MAX - 1;
+/// The number of the first new element; that of the next one is one less. Those above say that
+/// there is no element, or an erased one.
+const FIRST_NEW: u32 = u32::MAX - 2;
 
-/// The sheet, and what is needed to look at it.
+/// What is set, and what is needed to ask about it.
 #[derive(Debug, Default)]
 pub struct Preview {
-    /// The halfedges of the mesh that are noted, by the places of their records.
-    noted: EpochMap,
-    records: Vec<HalfedgeRecord>,
-    /// For each new element a record, which is used if it is a halfedge.
-    new: Vec<HalfedgeRecord>,
-    /// The halfedges of vertices, edges and faces.
-    halfedges: SmallMap<(ElementField, u32), u32>,
-    holes: SmallMap<u32, bool>,
+    /// What stood where something has been set on the mesh, in that order.
+    before: Vec<Before>,
+    new: Vec<New>,
     /// Whether what is read of the mesh is wanted, and that.
     listens: Cell<bool>,
     looked: RefCell<Vec<Looked>>,
-    /// The vertex whose spokes were walked last, if nothing has been noted since.
+    /// The vertex whose spokes were walked last, if nothing has been set since.
     walked_of: Option<u32>,
     walked: Vec<u32>,
     /// For each of these spokes its face, and the vertex where it ends.
     faces: Vec<u32>,
     targets: Vec<u32>,
+    /// Whether those are distinct, once that has been asked.
+    faces_differ: Option<bool>,
+    targets_differ: Option<bool>,
     corners: Vec<u32>,
     runs: Vec<(u32, u32)>,
 }
 
-/// The reads of the mesh under the sheet that a question has made.
+/// What stood somewhere in the mesh.
+#[derive(Clone, Copy, Debug)]
+enum Before {
+    Pointer(HalfedgeField, u32, u32),
+    HalfedgeOf(ElementField, u32, u32),
+    Hole(u32, bool),
+}
+
+/// A new element: the record of a halfedge, or what another one has.
+#[derive(Debug)]
+struct New {
+    record: HalfedgeRecord,
+    halfedge: u32,
+    hole: bool,
+}
+
+/// The reads of the mesh that a question has made.
 #[derive(Clone, Copy, Debug)]
 pub enum Looked {
     Halfedge(u32),
@@ -63,47 +75,80 @@ const NOTHING: HalfedgeRecord = HalfedgeRecord {
 
 /// The values that would be set.
 impl Preview {
-    /// An empty sheet.
+    /// Begins: nothing is set.
     pub fn clear(&mut self) {
         self.walked_of = None;
-        self.noted.clear();
-        self.records.clear();
+        self.before.clear();
         self.new.clear();
-        self.halfedges.clear();
-        self.holes.clear();
+        self.looked.get_mut().clear();
+        self.listens.set(false);
+    }
+
+    /// Puts everything back on the mesh.
+    pub fn undo(&mut self, mesh: &mut Mesh) {
+        self.walked_of = None;
+        for before in self.before.drain(..).rev() {
+            // It was there a moment ago.
+            match before {
+                Before::Pointer(field, id, value) => {
+                    mesh.exchange_pointer(HalfedgeId(id), field as usize, value);
+                }
+                Before::HalfedgeOf(of, id, value) => {
+                    mesh.exchange_halfedge(of.kind(), id, HalfedgeId(value));
+                }
+                Before::Hole(face, hole) => {
+                    mesh.exchange_hole(FaceId(face), hole);
+                }
+            }
+        }
+        self.new.clear();
     }
 
     /// A new element.
     pub fn add(&mut self) -> u32 {
-        self.new.push(NOTHING);
+        self.new.push(New { record: NOTHING, halfedge: u32::MAX, hole: false });
         FIRST_NEW - (self.new.len() as u32 - 1)
     }
 
+    /// The place of a new element.
+    #[inline]
+    fn place(&self, id: u32) -> Option<usize> {
+        let place = FIRST_NEW.wrapping_sub(id) as usize;
+        (place < self.new.len()).then_some(place)
+    }
+
     /// Sets a pointer of a halfedge.
+    #[inline]
     pub fn store(
         &mut self,
-        mesh: &Mesh,
+        mesh: &mut Mesh,
         field: HalfedgeField,
         id: u32,
         value: u32,
     ) -> Result<(), Fault> {
         self.walked_of = None;
-        let record = self.record_mut(mesh, id)?;
-        match field {
-            HalfedgeField::Next => record.next = HalfedgeId(value),
-            HalfedgeField::Prev => record.prev = HalfedgeId(value),
-            HalfedgeField::Twin => record.twin = HalfedgeId(value),
-            HalfedgeField::Vertex => record.vertex = VertexId(value),
-            HalfedgeField::Edge => record.edge = EdgeId(value),
-            HalfedgeField::Face => record.face = FaceId(value),
+        if let Some(new) = self.place(id) {
+            let record = &mut self.new[new].record;
+            match field {
+                HalfedgeField::Next => record.next = HalfedgeId(value),
+                HalfedgeField::Prev => record.prev = HalfedgeId(value),
+                HalfedgeField::Twin => record.twin = HalfedgeId(value),
+                HalfedgeField::Vertex => record.vertex = VertexId(value),
+                HalfedgeField::Edge => record.edge = EdgeId(value),
+                HalfedgeField::Face => record.face = FaceId(value),
+            }
+            return Ok(());
         }
+        let before = mesh.exchange_pointer(HalfedgeId(id), field as usize, value);
+        let before = before.ok_or_else(|| gone(ElementKind::Halfedge, id))?;
+        self.before.push(Before::Pointer(field, id, before));
         Ok(())
     }
 
     /// Sets a pointer of every halfedge in a buffer.
     pub fn store_all(
         &mut self,
-        mesh: &Mesh,
+        mesh: &mut Mesh,
         field: HalfedgeField,
         halfedges: &[u64],
         value: u32,
@@ -112,33 +157,35 @@ impl Preview {
     }
 
     /// Sets the halfedge of an element.
-    pub fn store_halfedge(&mut self, of: ElementField, id: u32, value: u32) {
+    #[inline]
+    pub fn store_halfedge(
+        &mut self,
+        mesh: &mut Mesh,
+        of: ElementField,
+        id: u32,
+        value: u32,
+    ) -> Result<(), Fault> {
         self.walked_of = None;
-        self.halfedges.set((of, id), value);
+        if let Some(new) = self.place(id) {
+            self.new[new].halfedge = value;
+            return Ok(());
+        }
+        let before = mesh.exchange_halfedge(of.kind(), id, HalfedgeId(value));
+        let before = before.ok_or_else(|| gone(of.kind(), id))?;
+        self.before.push(Before::HalfedgeOf(of, id, before.0));
+        Ok(())
     }
 
     /// Makes a face a hole, or a hole a face.
-    pub fn store_hole(&mut self, face: u32, hole: bool) {
-        self.holes.set(face, hole);
-    }
-
-    fn record_mut(&mut self, mesh: &Mesh, id: u32) -> Result<&mut HalfedgeRecord, Fault> {
-        let new = (FIRST_NEW.wrapping_sub(id)) as usize;
-        if new < self.new.len() {
-            return Ok(&mut self.new[new]);
+    pub fn store_hole(&mut self, mesh: &mut Mesh, face: u32, hole: bool) -> Result<(), Fault> {
+        if let Some(new) = self.place(face) {
+            self.new[new].hole = hole;
+            return Ok(());
         }
-        let gone = || gone(ElementKind::Halfedge, id);
-        let place = match self.noted.get(id) {
-            Some(place) => place,
-            None => {
-                let record = mesh.get_halfedge(HalfedgeId(id)).ok_or_else(gone)?;
-                let place = self.records.len() as u32;
-                self.noted.add(id, place);
-                self.records.push(record.clone());
-                place
-            }
-        };
-        self.records.get_mut(place as usize).ok_or_else(gone)
+        let before = mesh.exchange_hole(FaceId(face), hole);
+        let before = before.ok_or_else(|| gone(ElementKind::Face, face))?;
+        self.before.push(Before::Hole(face, before));
+        Ok(())
     }
 }
 
@@ -149,7 +196,7 @@ impl Preview {
         self.listens.set(listens);
     }
 
-    /// The reads of the mesh since.
+    /// The reads of the mesh since it was cleared.
     pub fn looked(&mut self) -> Vec<Looked> {
         std::mem::take(self.looked.get_mut())
     }
@@ -163,38 +210,28 @@ impl Preview {
 
     #[inline]
     pub fn record<'a>(&'a self, mesh: &'a Mesh, id: u32) -> Result<&'a HalfedgeRecord, Fault> {
-        let new = (FIRST_NEW.wrapping_sub(id)) as usize;
-        if let Some(record) = self.new.get(new) {
-            return Ok(record);
+        if let Some(new) = self.place(id) {
+            return Ok(&self.new[new].record);
         }
-        let record = match self.noted.get(id) {
-            Some(place) => self.records.get(place as usize),
-            None => {
-                self.look(Looked::Halfedge(id));
-                mesh.get_halfedge(HalfedgeId(id))
-            }
-        };
-        record.ok_or_else(|| gone(ElementKind::Halfedge, id))
+        self.look(Looked::Halfedge(id));
+        mesh.get_halfedge(HalfedgeId(id)).ok_or_else(|| gone(ElementKind::Halfedge, id))
     }
 
     fn halfedge(&self, mesh: &Mesh, of: ElementField, id: u32) -> Result<u32, Fault> {
-        match self.halfedges.get((of, id)) {
-            Some(halfedge) => Ok(halfedge),
-            None => {
-                self.look(Looked::HalfedgeOf(of, id));
-                access::load_halfedge(mesh, of, id)
-            }
+        if let Some(new) = self.place(id) {
+            return Ok(self.new[new].halfedge);
         }
+        self.look(Looked::HalfedgeOf(of, id));
+        access::load_halfedge(mesh, of, id)
     }
 
+    #[inline]
     fn is_hole(&self, mesh: &Mesh, face: u32) -> Result<bool, Fault> {
-        match self.holes.get(face) {
-            Some(hole) => Ok(hole),
-            None => {
-                self.look(Looked::Hole(face));
-                mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face))
-            }
+        if let Some(new) = self.place(face) {
+            return Ok(self.new[new].hole);
         }
+        self.look(Looked::Hole(face));
+        mesh.get_is_hole(FaceId(face)).ok_or_else(|| gone(ElementKind::Face, face))
     }
 
     /// No walk that ends is longer.
@@ -220,6 +257,7 @@ impl Preview {
         let turn = targets.len().min(1);
         targets.rotate_right(turn);
         (self.walked, self.faces, self.targets) = (walked, faces, targets);
+        (self.faces_differ, self.targets_differ) = (None, None);
         ended?;
         self.walked_of = Some(vertex);
         Ok(())
@@ -294,16 +332,26 @@ impl Preview {
             Foreseen::OneHole => self.one_hole(mesh, element),
             Foreseen::FacesDiffer => {
                 self.walk_star(mesh, element)?;
-                Ok(are_distinct(&self.faces))
+                Ok(self.faces_differ())
             }
             Foreseen::NeighborsDiffer => {
                 self.walk_star(mesh, element)?;
-                Ok(are_distinct(&self.targets))
+                Ok(self.targets_differ())
             }
             Foreseen::SingleEdge => self.single_edge(mesh, element),
             Foreseen::CornersDiffer => self.corners_differ(mesh, element),
             Foreseen::CornersOwn => self.corners_own(mesh, element, at),
         }
+    }
+
+    /// Whether the faces around the vertex that has been walked are distinct.
+    fn faces_differ(&mut self) -> bool {
+        *self.faces_differ.get_or_insert_with(|| are_distinct(&self.faces))
+    }
+
+    /// Whether its neighbors are.
+    fn targets_differ(&mut self) -> bool {
+        *self.targets_differ.get_or_insert_with(|| are_distinct(&self.targets))
     }
 
     /// Whether it would hold for the origin of every halfedge in a buffer.
@@ -390,11 +438,11 @@ impl Preview {
     /// Whether the faces around a vertex, whose spokes are walked, are triangles with a neighbor
     /// of the vertex between one and the next, at least three, all different: then two that
     /// follow each other as two others do are the same two.
-    fn is_star_of_triangles(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+    fn is_star_of_triangles(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         if self.walked.len() < 3
             || self.targets.contains(&vertex)
-            || !are_distinct(&self.targets)
-            || !are_distinct(&self.faces)
+            || !self.targets_differ()
+            || !self.faces_differ()
         {
             return Ok(false);
         }

@@ -343,6 +343,7 @@ impl<'c> Reads<'c> {
             }
             Inst::Try { .. } => return Err(Unbounded::Asks),
             Inst::PreviewClear
+            | Inst::PreviewUndo
             | Inst::PreviewNew { .. }
             | Inst::PreviewStore { .. }
             | Inst::PreviewStoreHalfedge { .. }

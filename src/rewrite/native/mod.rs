@@ -56,6 +56,7 @@ mod context;
 mod elements;
 mod enter;
 mod facts;
+mod guards;
 mod lists;
 mod liveness;
 mod memory;

@@ -359,6 +359,7 @@ impl Surroundings<'_> {
             | Inst::Jump { .. }
             | Inst::ExpectRoom { .. }
             | Inst::PreviewClear
+            | Inst::PreviewUndo
             | Inst::BufferAppend { .. }
             | Inst::BufferDeal { .. }
             | Inst::ExpectAllDistinct { .. }

@@ -292,8 +292,12 @@ impl<'a, 'f> Translator<'a, 'f> {
                 self.expect(condition, refusal, otherwise);
             }
             _ => {
-                if !self.value(inst) && !self.access(inst) && !self.write(inst) && !self.list(inst)
-                {
+                let is_spelled = self.value(inst)
+                    || self.access(inst)
+                    || self.write(inst)
+                    || self.list(inst)
+                    || self.guard(inst);
+                if !is_spelled {
                     self.steps(inst);
                 }
             }
@@ -432,14 +436,7 @@ impl<'a, 'f> Translator<'a, 'f> {
 fn is_always_a_step(inst: &Inst) -> bool {
     matches!(
         inst,
-        Inst::PreviewClear
-            | Inst::PreviewNew { .. }
-            | Inst::PreviewStore { .. }
-            | Inst::PreviewStoreHalfedge { .. }
-            | Inst::PreviewStoreHole { .. }
-            | Inst::PreviewStoreAll { .. }
-            | Inst::PreviewStoreSpan { .. }
-            | Inst::Foresee { .. }
+        Inst::PreviewStoreSpan { .. }
             | Inst::ForeseeAlong { .. }
             | Inst::StoreAll { .. }
             | Inst::StoreSpan { .. }

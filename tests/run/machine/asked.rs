@@ -36,6 +36,7 @@ fn joining(field: HalfedgeField) -> Plan {
         }
         let condition = Foreseen::OneHole;
         asm.emit(Inst::Foresee { condition, to: one, element: vertex, at: vertex });
+        asm.emit(Inst::PreviewUndo);
         asm.emit(Inst::Expect { condition: one, refusal: 0, otherwise: refused });
         asm.emit(Inst::Return { result: None });
         asm.bind(refused);

@@ -1,24 +1,7 @@
-//! SmallMap about elements, and the readers of places.
+//! The readers of places, and whether numbers are distinct.
 
 use hedgerow::rewrite::distinct::are_distinct;
-use hedgerow::rewrite::epoch_map::EpochMap;
 use hedgerow::rewrite::readers::{Place, Readers};
-use hedgerow::rewrite::small_map::SmallMap;
-
-#[test]
-fn the_last_note_counts() {
-    let mut notes = SmallMap::default();
-    for round in 0..3 {
-        for key in 0..20 {
-            notes.set(key, 100 * round + key);
-        }
-    }
-    assert_eq!(notes.get(3), Some(203));
-    assert_eq!(notes.get(19), Some(219));
-    assert_eq!(notes.get(20), None);
-    notes.clear();
-    assert_eq!(notes.get(3), None);
-}
 
 #[test]
 fn readers_are_found_once_each_and_their_entries_used_again() {
@@ -46,23 +29,6 @@ fn readers_are_found_once_each_and_their_entries_used_again() {
     // Only the lists of the vertices are new.
     assert!(readers.bytes() <= before + (1 << 10), "{} after {before}", readers.bytes());
     readers.take(Place::Face(9), |_| panic!("nobody has read it"));
-}
-
-#[test]
-fn what_was_added_is_found_until_it_is_forgotten() {
-    let mut noted = EpochMap::default();
-    for round in 0..5 {
-        let ids = || (0..1000_u32).map(|n| n.wrapping_mul(2_654_435_769) ^ round);
-        for (place, id) in (0..).zip(ids()) {
-            assert_eq!(noted.get(id), None);
-            noted.add(id, place);
-        }
-        for (place, id) in (0..).zip(ids()) {
-            assert_eq!(noted.get(id), Some(place));
-        }
-        noted.clear();
-    }
-    assert_eq!(noted.get(7), None);
 }
 
 #[test]

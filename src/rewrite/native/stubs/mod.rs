@@ -6,6 +6,7 @@
 
 pub(super) mod calls;
 pub(super) mod drains;
+pub(super) mod guards;
 pub(super) mod lists;
 pub(super) mod writes;
 

@@ -1,0 +1,83 @@
+//! Looking ahead: what an operation would write is set on the mesh, asked about, and put back.
+
+use super::{LEAVE, failed, within_guarded};
+use crate::rewrite::native::context::{Context, Run};
+use crate::rewrite::window::Window;
+use crate::rewrite::{Fault, Foreseen, Inst, Machine};
+
+/// Takes instructions that set what is looked at: from that on which the lower half of `span` says,
+/// up to that which its upper half says.
+///
+/// # Safety
+/// As of all stubs.
+pub(in super::super) unsafe extern "C" fn set(context: *mut Context, span: i64) -> i64 {
+    let set = |context: &mut Context, run: &mut Run<'_>| {
+        let call = context.call(run);
+        let (first, end) = (span as u32 as usize, (span >> 32) as usize);
+        let Machine { preview, stack, buffers, .. } = &mut *run.machine;
+        let mut window = Window::at(stack, call.base);
+        for (at, inst) in (first..end).zip(call.code.insts.get(first..end).unwrap_or_default()) {
+            let mesh = &mut *run.mesh;
+            let done = match (*inst, &mut window) {
+                (Inst::PreviewClear, _) => {
+                    preview.clear();
+                    Ok(())
+                }
+                (Inst::PreviewUndo, _) => {
+                    preview.undo(mesh);
+                    Ok(())
+                }
+                (Inst::PreviewNew { to }, Some(w)) => {
+                    w.set_id(to, preview.add());
+                    Ok(())
+                }
+                (Inst::PreviewStore { field, halfedge, value }, Some(w)) => {
+                    preview.store(mesh, field, w.id(halfedge), w.id(value))
+                }
+                (Inst::PreviewStoreHalfedge { of, element, value }, Some(w)) => {
+                    preview.store_halfedge(mesh, of, w.id(element), w.id(value))
+                }
+                (Inst::PreviewStoreHole { face, hole }, Some(w)) => {
+                    preview.store_hole(mesh, w.id(face), hole)
+                }
+                (Inst::PreviewStoreAll { field, buffer, value }, Some(w)) => {
+                    match buffers.get(call.buffers + usize::from(buffer)) {
+                        Some(all) => preview.store_all(mesh, field, all, w.id(value)),
+                        None => Err(Fault::Malformed),
+                    }
+                }
+                _ => Err(Fault::Malformed),
+            };
+            if let Err(fault) = done {
+                preview.undo(mesh);
+                return Err(failed(context, run, at as i64, fault.into()));
+            }
+        }
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_guarded(context, set) }
+}
+
+/// Whether a condition, by its number, would hold; [`LEAVE`] where the machine is to tell why that
+/// cannot be told.
+///
+/// # Safety
+/// As of all stubs.
+pub(in super::super) unsafe extern "C" fn foresee(
+    context: *mut Context,
+    condition: i64,
+    element: i64,
+    at: i64,
+) -> i64 {
+    let foresee = |_: &mut Context, run: &mut Run<'_>| {
+        let Some(&condition) = Foreseen::ALL.get(condition as usize) else {
+            return Ok(LEAVE);
+        };
+        let holds =
+            run.machine.preview.foresees(run.mesh, condition, element as u32, at as u32);
+        Ok(holds.map_or(LEAVE, i64::from))
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_guarded(context, foresee) }
+}
