@@ -30,6 +30,12 @@ impl Mesh {
         self.journal.recorder = Some(Box::new(Recorder { most, ..Recorder::default() }));
     }
 
+    /// Whether a history is recorded.
+    #[inline]
+    pub(crate) fn is_recorded(&self) -> bool {
+        self.journal.recorder.is_some()
+    }
+
     /// A step ends, if a history is recorded.
     #[inline]
     pub fn end_step(&mut self) {

@@ -169,6 +169,10 @@ impl Watch for Looker<'_> {
         self.host.progress(0, None)
     }
 
+    fn follows_operations(&self) -> bool {
+        true
+    }
+
     fn applied(&mut self, _op: u16) -> ControlFlow<()> {
         self.applied += 1;
         match self.applied < self.most {

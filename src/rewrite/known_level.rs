@@ -22,13 +22,14 @@ pub(super) struct KnownLevel {
     /// It had this one before what is `written` was.
     was: Level,
     written: Footprint,
-    /// The operation that was applied last of those that may have lowered the level.
-    lowered: Option<u16>,
+    /// The number of the operation that was applied last of those that may have lowered the level,
+    /// plus 1; 0 if there is none.
+    pub(super) lowered: u32,
 }
 
 impl KnownLevel {
     pub(super) fn new(now: Level) -> Self {
-        Self { now, was: now, written: Footprint::default(), lowered: None }
+        Self { now, was: now, written: Footprint::default(), lowered: 0 }
     }
 
     /// The level that the mesh surely has.
@@ -61,10 +62,37 @@ impl KnownLevel {
     /// Whether what an operation writes has to be known when it has been applied.
     #[inline]
     fn is_lowered_by(&self, plan: &Plan) -> bool {
-        if plan.keeps.len() >= MOST_KEPT && self.now == self.was {
+        if !plan.may_lower() && self.now == self.was {
             return false;
         }
         plan.level_after(self.now) < self.was
+    }
+
+    /// Whether the mesh is to be asked before an operation, or what it writes has to be known.
+    #[cfg(feature = "native")]
+    #[inline]
+    fn watches(&self, plan: &Plan) -> bool {
+        self.now < plan.level || self.is_lowered_by(plan)
+    }
+
+    /// A number for what decides that: the level that the mesh has and the one that it had.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(super) fn state(&self) -> u64 {
+        (self.now as usize * Level::ALL.len() + self.was as usize) as u64
+    }
+
+    /// The states, as bits, in which nothing has to be known when an operation is applied; or, if
+    /// it is only asked, before.
+    #[cfg(feature = "native")]
+    pub(super) fn quiet_states(plan: &Plan, is_asked: bool) -> u64 {
+        let of = |now| Level::ALL.map(|was| Self { was, ..Self::new(now) });
+        let states = Level::ALL.into_iter().flat_map(of);
+        let quiet = states.filter(|known| match is_asked {
+            true => known.now >= plan.level,
+            false => !known.watches(plan),
+        });
+        quiet.fold(0, |bits, known| bits | 1 << known.state())
     }
 
     /// An operation has been applied that wrote these.
@@ -78,6 +106,14 @@ impl KnownLevel {
     }
 }
 
+impl Plan {
+    /// Whether a mesh may have a lower level when it has been applied.
+    #[inline]
+    pub(super) fn may_lower(&self) -> bool {
+        self.keeps.len() < MOST_KEPT
+    }
+}
+
 impl Machine {
     /// Makes sure that the mesh has the level of an operation that is called.
     pub(super) fn expect_level(&mut self, mesh: &Mesh, plan: &Plan) -> Result<(), Message> {
@@ -86,8 +122,8 @@ impl Machine {
             op: plan.name.clone(),
             level: plan.level,
             why: below.to_string(),
-            after: known.lowered.and_then(|op| {
-                let applied = self.plans.get(usize::from(op))?.as_ref()?;
+            after: known.lowered.checked_sub(1).and_then(|op| {
+                let applied = self.plans.get(op as usize)?.as_ref()?;
                 (applied.level_after(plan.level) < plan.level).then(|| applied.name.clone())
             }),
         })
@@ -110,7 +146,7 @@ impl Machine {
     #[cfg(feature = "native")]
     #[inline]
     pub(super) fn watches_level(&self, plan: &Plan) -> bool {
-        self.known.now < plan.level || self.known.is_lowered_by(plan)
+        self.known.watches(plan)
     }
 
     /// Opens a journal for an operation that is about to be called, if what it writes has to be
@@ -129,8 +165,8 @@ impl Machine {
         mark: Option<Bookmark>,
         applied: bool,
     ) {
-        if applied && plan.keeps.len() < MOST_KEPT {
-            self.known.lowered = Some(op);
+        if applied && plan.may_lower() {
+            self.known.lowered = u32::from(op) + 1;
         }
         let Some(mark) = mark else {
             return;

@@ -41,7 +41,7 @@ pub struct Machine {
     pub(super) progress: Progress,
     /// The line that is being printed.
     pub(super) line: String,
-    counts: Vec<Count>,
+    pub(super) counts: Vec<Count>,
     /// The level that the mesh is known to have.
     pub(super) known: KnownLevel,
     /// The reason why the op called last refused.
@@ -393,7 +393,7 @@ impl Machine {
     }
 
     #[inline]
-    fn count(&mut self, op: u16, outcome: Outcome) {
+    pub(super) fn count(&mut self, op: u16, outcome: Outcome) {
         let Some(count) = self.counts.get_mut(usize::from(op)) else {
             return;
         };

@@ -8,6 +8,8 @@ use glam::DVec3;
 use super::access;
 use super::window::Window;
 use super::{Fault, Reg};
+#[cfg(feature = "native")]
+use crate::mesh::ElementKind;
 use crate::mesh::Mesh;
 
 /// A question to the mesh about one element; [`Question::Adjacent`] is about two.
@@ -29,6 +31,26 @@ pub enum Question {
     Area,
     NormalFace,
     CentroidFace,
+}
+
+impl Question {
+    /// The kind of the elements that it is about.
+    #[cfg(feature = "native")]
+    pub(super) fn kind(self) -> ElementKind {
+        match self {
+            Self::Degree | Self::BoundaryVertex | Self::NormalVertex | Self::Adjacent => {
+                ElementKind::Vertex
+            }
+            Self::BoundaryEdge
+            | Self::LengthEdge
+            | Self::LinkCondition
+            | Self::StarShaped
+            | Self::KernelCentroid => ElementKind::Edge,
+            Self::FaceSize | Self::Area | Self::NormalFace | Self::CentroidFace => {
+                ElementKind::Face
+            }
+        }
+    }
 }
 
 /// Answers a question about the first element, or about both.

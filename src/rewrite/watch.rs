@@ -23,7 +23,12 @@ pub trait Watch {
         ControlFlow::Continue(())
     }
 
-    /// A script has applied the operation of this number, and goes on.
+    /// True if it wants to know of each operation that is applied; asked at the start of a run.
+    fn follows_operations(&self) -> bool {
+        false
+    }
+
+    /// A script has applied the operation of this number, and goes on; told to who follows them.
     fn applied(&mut self, _op: u16) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -9,15 +9,18 @@ use std::sync::atomic::AtomicUsize;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F64, I32, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
-use super::compile::Expected;
-use super::context::{Context, Slice};
+use super::compile::{Expected, is_flat};
+use super::context::{Context, NOTHING, Slice};
 use super::facts::reached;
-use super::translate::{APPLIED, Region, Translator};
+use super::operands::Surroundings;
+use super::translate::{REFUSED, Region, TRAPPED, Translator};
 use super::{Variant, stubs};
+use crate::rewrite::engine::Way;
+use crate::rewrite::known_level::KnownLevel;
 use crate::rewrite::watch::{Progress, TURNS_PER_LOOK};
-use crate::rewrite::{Code, Inst, Reg};
+use crate::rewrite::{Code, Count, Inst, Reg};
 
 /// The number of slots that a function gives, if always the same.
 pub(super) fn gives(code: &Code) -> Option<u16> {
@@ -28,6 +31,18 @@ pub(super) fn gives(code: &Code) -> Option<u16> {
     });
     let first = widths.next()?;
     widths.all(|width| width == first).then_some(first)
+}
+
+/// An operation that may be called directly.
+struct Operation {
+    /// Where its address stands.
+    entry: *const AtomicUsize,
+    number: u16,
+    params: u16,
+    /// The states of the known level in which nothing has to be known.
+    states: u64,
+    may_lower: bool,
+    has_result: bool,
 }
 
 /// A function that may be called directly.
@@ -67,72 +82,34 @@ impl Translator<'_, '_> {
         let Some(callee) = self.callee(function) else {
             return self.call_by_machine(inst);
         };
-        let (slow, on) = (self.b.create_block(), self.b.create_block());
+        let [slow, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(slow);
-        let or_slow = |this: &mut Self, condition: Value| {
-            let on = this.b.create_block();
-            this.b.ins().brif(condition, on, &[], slow, &[]);
-            this.b.switch_to_block(on);
-        };
         // So many calls are nested, or the watcher looks, or there is no native code yet, or the
         // stack of registers has to grow: the machine sees to it.
         let left = self.field(offset_of!(Context, left));
-        or_slow(self, left);
+        self.or_slow(left, slow);
         let progress = self.field(offset_of!(Context, progress));
         let turns = self.flags(Region::Progress);
         let turns_at = offset_of!(Progress, turns) as i32;
         let now = self.b.ins().load(I32, turns, progress, turns_at);
         let now = self.b.ins().iadd_imm_s(now, 1);
         let rest = self.b.ins().band_imm_u(now, i64::from(TURNS_PER_LOOK - 1));
-        or_slow(self, rest);
-        let flags = self.flags(Region::Entries);
-        let place = self.b.ins().iconst(I64, callee.entry.addr() as i64);
-        let entry = self.b.ins().load(I64, flags, place, 0);
-        or_slow(self, entry);
-        let size = i64::from(self.text.code.registers) * 8;
-        let window = self.field(offset_of!(Context, window));
-        let next = self.b.ins().iadd_imm_s(window, size);
-        let last = self.field(offset_of!(Context, last));
-        let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, next, last);
-        or_slow(self, fits);
+        self.or_slow(rest, slow);
+        let (entry, next) = self.callable(callee.entry, slow);
 
         self.b.ins().store(turns, now, progress, turns_at);
         let fewer = self.b.ins().iadd_imm_s(left, -1);
         self.set_field(offset_of!(Context, left), fewer);
-        for part in 0..callee.params {
-            let variable = self.variable(Reg(args.0.wrapping_add(part)));
-            let value = self.b.use_var(variable);
-            let flags = self.flags(Region::Window);
-            self.b.ins().store(flags, value, next, i32::from(part) * 8);
-        }
+        self.pass(args, callee.params, next);
         self.set_field(offset_of!(Context, window), next);
         let number = self.b.ins().iconst(I64, i64::from(function) + 1);
         self.set_field(offset_of!(Context, function), number);
-        let lists = i64::from(self.text.code.buffers) * size_of::<Slice>() as i64;
-        self.move_field(offset_of!(Context, lists), lists);
         if holds {
             self.hold(1);
         }
-        let signature = self.signature(&[I64, I64], &[I64]);
-        let zero = self.b.ins().iconst(I64, 0);
-        let call = self.b.ins().call_indirect(signature, entry, &[self.context, zero]);
-        let answer = self.b.inst_results(call)[0];
-        // The stack may have moved.
-        self.move_field(offset_of!(Context, window), -size);
-        self.move_field(offset_of!(Context, lists), -lists);
-        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
-        let own = self.b.ins().iconst(I64, own);
-        self.set_field(offset_of!(Context, function), own);
+        let answer = self.enter(entry);
         self.set_field(offset_of!(Context, left), left);
-        let (done, trapped) = (self.b.create_block(), self.b.create_block());
-        self.b.set_cold_block(trapped);
-        let failed = self.b.ins().icmp_imm_s(IntCC::NotEqual, answer, APPLIED);
-        self.b.ins().brif(failed, trapped, &[], done, &[]);
-        self.b.switch_to_block(trapped);
-        let number = self.b.ins().iconst(I64, self.at as i64);
-        self.call_stub(stubs::calls::left as *const () as usize, &[number]);
-        self.b.ins().jump(self.leave, &[]);
-        self.b.switch_to_block(done);
+        self.go_on_unless(answer, REFUSED);
         if holds {
             self.hold(-1);
         }
@@ -191,7 +168,55 @@ impl Translator<'_, '_> {
     }
 
     /// Calls an operation.
-    pub(super) fn apply(&mut self, inst: &Inst, applied: Reg, result: Reg) {
+    pub(super) fn apply(&mut self, inst: &Inst, op: u16, args: Reg, [applied, result]: [Reg; 2]) {
+        let Some(callee) = self.operation(op, self.variant) else {
+            return self.apply_by_machine(inst, [applied, result]);
+        };
+        let [slow, on] = [(); 2].map(|()| self.b.create_block());
+        self.b.set_cold_block(slow);
+        let refuses = self.call_op(&callee, args, slow);
+        let [done, refused] = [(); 2].map(|()| self.b.create_block());
+        self.b.ins().brif(refuses, refused, &[], done, &[]);
+
+        self.b.switch_to_block(done);
+        let counts = self.field(offset_of!(Context, counts));
+        let flags = self.flags(Region::Counts);
+        let place = usize::from(op) * size_of::<Count>() + offset_of!(Count, applied);
+        let count = self.b.ins().load(I64, flags, counts, place as i32);
+        let count = self.b.ins().iadd_imm_s(count, 1);
+        self.b.ins().store(flags, count, counts, place as i32);
+        if callee.may_lower {
+            let lowered = self.field(offset_of!(Context, lowered));
+            let number = self.b.ins().iconst(I32, i64::from(op) + 1);
+            self.b.ins().store(flags, number, lowered, 0);
+        }
+        if callee.has_result {
+            let made = self.field(offset_of!(Context, result));
+            let nothing = self.b.ins().iconst(I64, NOTHING as i64);
+            self.set_field(offset_of!(Context, result), nothing);
+            let before = self.whole(result);
+            let is_given = self.b.ins().icmp(IntCC::NotEqual, made, nothing);
+            let made = self.b.ins().select(is_given, made, before);
+            self.set_whole(result, made);
+        }
+        let one = self.b.ins().iconst(I64, 1);
+        self.set_whole(applied, one);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(refused);
+        let number = self.b.ins().iconst(I64, i64::from(op));
+        self.call_stub(stubs::calls::refused as *const () as usize, &[number]);
+        let zero = self.b.ins().iconst(I64, 0);
+        self.set_whole(applied, zero);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(slow);
+        self.apply_by_machine(inst, [applied, result]);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    fn apply_by_machine(&mut self, inst: &Inst, [applied, result]: [Reg; 2]) {
         self.spill_read(inst);
         let number = self.b.ins().iconst(I64, self.at as i64);
         let done = self.call_stub(stubs::calls::apply as *const () as usize, &[number]);
@@ -204,5 +229,137 @@ impl Translator<'_, '_> {
         self.set_whole(result, made);
         let is_applied = self.b.ins().band_imm_u(done, 1);
         self.set_whole(applied, is_applied);
+    }
+
+    /// Asks an operation whether it would apply.
+    pub(super) fn ask_op(&mut self, inst: &Inst, op: u16, args: Reg, to: Reg) {
+        let Some(callee) = self.operation(op, Variant::Dry) else {
+            return self.step(inst);
+        };
+        let [slow, on] = [(); 2].map(|()| self.b.create_block());
+        self.b.set_cold_block(slow);
+        let refuses = self.call_op(&callee, args, slow);
+        let flags = self.flags(Region::Context);
+        let none = self.b.ins().iconst(I32, 0);
+        self.b.ins().store(flags, none, self.context, offset_of!(Context, noted) as i32);
+        let applies = self.b.ins().icmp_imm_u(IntCC::Equal, refuses, 0);
+        let applies = self.b.ins().uextend(I64, applies);
+        self.set_whole(to, applies);
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(slow);
+        self.step(inst);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    /// An operation that may be called directly, if it has been made for what this code expects: it
+    /// calls nothing itself.
+    fn operation(&self, op: u16, wanted: Variant) -> Option<Operation> {
+        let surroundings = &self.text.surroundings;
+        let is_of_script = matches!(self.text.way, Way::Script | Way::Function);
+        let plan = surroundings.plans.get(usize::from(op))?.as_ref()?;
+        if !is_of_script || plan.steps.is_some() || !is_flat(&plan.code) {
+            return None;
+        }
+        let functions = &plan.code.functions;
+        let expected = Expected::of(&plan.code, &Surroundings { functions, ..*surroundings });
+        let made = plan.code.native.made(&plan.code);
+        if made.expected.get_or_init(|| expected.clone()) != &expected {
+            return None;
+        }
+        Some(Operation {
+            entry: &raw const made.entries[made.variant(wanted) as usize],
+            number: op,
+            params: surroundings.params_of_op(op),
+            states: KnownLevel::quiet_states(plan, wanted == Variant::Dry),
+            may_lower: plan.may_lower(),
+            has_result: plan.result.is_some(),
+        })
+    }
+
+    /// Calls an operation, if it is there and nothing has to be known; goes on where it does, with
+    /// whether it refuses.
+    fn call_op(&mut self, callee: &Operation, args: Reg, slow: Block) -> Value {
+        let state = self.field(offset_of!(Context, level));
+        let states = self.b.ins().iconst(I64, callee.states as i64);
+        let is_quiet = self.b.ins().ushr(states, state);
+        let is_quiet = self.b.ins().band_imm_u(is_quiet, 1);
+        self.or_slow(is_quiet, slow);
+        let left = self.field(offset_of!(Context, left));
+        self.or_slow(left, slow);
+        let (entry, next) = self.callable(callee.entry, slow);
+        let fewer = self.b.ins().iadd_imm_s(left, -1);
+        self.set_field(offset_of!(Context, left), fewer);
+        self.pass(args, callee.params, next);
+        self.set_field(offset_of!(Context, window), next);
+        let zero = self.b.ins().iconst(I64, 0);
+        self.set_field(offset_of!(Context, function), zero);
+        let number = self.b.ins().iconst(I64, i64::from(callee.number) + 1);
+        self.set_field(offset_of!(Context, op), number);
+        let answer = self.enter(entry);
+        self.set_field(offset_of!(Context, op), zero);
+        self.set_field(offset_of!(Context, left), left);
+        self.go_on_unless(answer, TRAPPED);
+        answer
+    }
+
+    /// The entry of what is called, and where its window begins, if it is there as native code and
+    /// the stack has room.
+    fn callable(&mut self, entry: *const AtomicUsize, slow: Block) -> (Value, Value) {
+        let flags = self.flags(Region::Entries);
+        let place = self.b.ins().iconst(I64, entry.addr() as i64);
+        let entry = self.b.ins().load(I64, flags, place, 0);
+        self.or_slow(entry, slow);
+        let size = i64::from(self.text.code.registers) * 8;
+        let window = self.field(offset_of!(Context, window));
+        let next = self.b.ins().iadd_imm_s(window, size);
+        let last = self.field(offset_of!(Context, last));
+        let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, next, last);
+        self.or_slow(fits, slow);
+        (entry, next)
+    }
+
+    /// Puts arguments into the window of what is called.
+    fn pass(&mut self, args: Reg, params: u16, window: Value) {
+        let flags = self.flags(Region::Window);
+        for part in 0..params {
+            let variable = self.variable(Reg(args.0.wrapping_add(part)));
+            let value = self.b.use_var(variable);
+            self.b.ins().store(flags, value, window, i32::from(part) * 8);
+        }
+    }
+
+    /// Enters what is called, whose window, function and operation the context has; then it is that
+    /// of the caller again.
+    fn enter(&mut self, entry: Value) -> Value {
+        let lists = i64::from(self.text.code.buffers) * size_of::<Slice>() as i64;
+        self.move_field(offset_of!(Context, lists), lists);
+        let signature = self.signature(&[I64, I64], &[I64]);
+        let zero = self.b.ins().iconst(I64, 0);
+        let call = self.b.ins().call_indirect(signature, entry, &[self.context, zero]);
+        let answer = self.b.inst_results(call)[0];
+        // The stack may have moved.
+        let size = i64::from(self.text.code.registers) * 8;
+        self.move_field(offset_of!(Context, window), -size);
+        self.move_field(offset_of!(Context, lists), -lists);
+        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
+        let own = self.b.ins().iconst(I64, own);
+        self.set_field(offset_of!(Context, function), own);
+        answer
+    }
+
+    /// Goes on unless what was called gave an answer that is no less: a trap, which is seen from
+    /// here, too.
+    fn go_on_unless(&mut self, answer: Value, least: i64) {
+        let [on, trapped] = [(); 2].map(|()| self.b.create_block());
+        self.b.set_cold_block(trapped);
+        let failed = self.b.ins().icmp_imm_s(IntCC::SignedGreaterThanOrEqual, answer, least);
+        self.b.ins().brif(failed, trapped, &[], on, &[]);
+        self.b.switch_to_block(trapped);
+        let number = self.b.ins().iconst(I64, self.at as i64);
+        self.call_stub(stubs::calls::left as *const () as usize, &[number]);
+        self.b.ins().jump(self.leave, &[]);
+        self.b.switch_to_block(on);
     }
 }

@@ -1,6 +1,6 @@
 //! Native code in memory.
 
-use std::sync::{Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, Weak};
 
 use cranelift_codegen::ir::AbiParam;
 use cranelift_codegen::ir::types::I64;
@@ -17,8 +17,7 @@ use super::operands::Surroundings;
 use super::translate::{Text, Translator};
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::engine::Way;
-use crate::rewrite::{Code, Function, Inst, key_paths};
-use std::sync::Arc;
+use crate::rewrite::{Code, Function, Inst, Plan, Plans, key_paths};
 
 /// Code with more instructions or registers than this stays with the machine: to compile it would
 /// take longer than it runs.
@@ -44,6 +43,8 @@ pub(super) struct Compiled {
     /// function, which stands among them.
     functions: Option<Arc<[Function]>>,
     first_function: usize,
+    /// The operations that it may call: no others are at their address as long as this is kept.
+    plans: Weak<[Option<Plan>]>,
     memory: Memory,
 }
 
@@ -54,6 +55,8 @@ pub(super) struct Expected {
     types: Vec<(u16, Option<(ElementKind, AttributeType)>)>,
     /// The number of slots of the arguments of each operation.
     params: Vec<(u16, u16)>,
+    /// Where the plans of the operations are, if it calls any.
+    plans: Option<usize>,
 }
 
 /// The memory that native code stands in: it is written, then made executable, and never both.
@@ -73,7 +76,7 @@ impl Drop for Memory {
 impl Compiled {
     /// Makes native code; `None` for code that stays with the machine, or on a processor that
     /// Cranelift does not know.
-    pub(super) fn make(text: Text<'_>, variant: Variant) -> Option<Self> {
+    pub(super) fn make(text: Text<'_>, variant: Variant, plans: &Plans) -> Option<Self> {
         let code = text.code;
         if code.insts.len() > MOST_INSTS || code.registers > MOST_REGISTERS {
             return None;
@@ -81,6 +84,10 @@ impl Compiled {
         // It keeps the functions that it enters.
         let functions = text.surroundings.functions.as_ptr();
         if text.way != Way::Function && code.functions.as_ptr() != functions {
+            return None;
+        }
+        // So that they are kept.
+        if plans.as_ptr() != text.surroundings.plans.as_ptr() {
             return None;
         }
         // The machine notes what keys read that are not found by walking back.
@@ -113,10 +120,15 @@ impl Compiled {
             entry,
             expected,
             attributes,
-            is_callable: text.way == Way::Function && gives(code).is_some(),
+            is_callable: match text.way {
+                Way::Function => gives(code).is_some(),
+                Way::Whole | Way::Dry => is_flat(code),
+                Way::Script => false,
+            },
             entries: entries(code),
             functions,
             first_function: text.surroundings.functions.as_ptr().addr(),
+            plans: Arc::downgrade(plans),
             memory: Memory(Mutex::new(Some(module))),
         })
     }
@@ -124,7 +136,7 @@ impl Compiled {
     /// Whether it was made for these attributes, operations and functions.
     #[inline]
     pub(super) fn fits(&self, surroundings: &Surroundings<'_>) -> bool {
-        let (_, _) = (&self.memory, &self.functions);
+        let (_, _, _) = (&self.memory, &self.functions, &self.plans);
         self.first_function == surroundings.functions.as_ptr().addr()
             && self.expected.holds(surroundings)
     }
@@ -141,6 +153,13 @@ pub(super) fn entries(code: &Code) -> Vec<u32> {
     let insts = code.insts.iter().enumerate().take(code.insts.len().saturating_sub(1));
     let turns = insts.filter(|(_, inst)| matches!(inst, Inst::Turn { .. } | Inst::Tick));
     turns.map(|(at, _)| at as u32 + 1).collect()
+}
+
+/// Whether a code calls nothing.
+pub(super) fn is_flat(code: &Code) -> bool {
+    let calls =
+        |inst: &Inst| matches!(inst, Inst::Call { .. } | Inst::Apply { .. } | Inst::Try { .. });
+    !code.insts.iter().any(calls)
 }
 
 /// The attributes that a code uses itself.
@@ -166,6 +185,7 @@ impl Expected {
                 match *inst {
                     Inst::Apply { op, .. } | Inst::Try { op, .. } => {
                         expected.params.push((op, surroundings.params_of_op(op)));
+                        expected.plans = Some(surroundings.plans.as_ptr().addr());
                         // Native code of it finds its attributes there.
                         let plan = surroundings.plans.get(usize::from(op));
                         if let Some(Some(plan)) = plan
@@ -199,6 +219,7 @@ impl Expected {
     fn holds(&self, surroundings: &Surroundings<'_>) -> bool {
         self.types.iter().all(|&(attribute, ty)| surroundings.column(attribute) == ty)
             && self.params.iter().all(|&(op, width)| surroundings.params_of_op(op) == width)
+            && self.plans.is_none_or(|plans| plans == surroundings.plans.as_ptr().addr())
     }
 }
 

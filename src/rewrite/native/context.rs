@@ -10,7 +10,7 @@ use crate::rewrite::dispatch::Place;
 use crate::rewrite::paths::Fields;
 use crate::rewrite::watch::Progress;
 use crate::rewrite::window::{SLOTS, reserve};
-use crate::rewrite::{Call, Inst, Machine, Outcome, Phase, Trap, Watch};
+use crate::rewrite::{Call, Count, Inst, Machine, Outcome, Phase, Trap, Watch};
 
 /// The part that native code reads and writes itself.
 #[repr(C)]
@@ -32,11 +32,18 @@ pub(super) struct Context {
     /// The number of the function that runs, plus 1; 0 if it is none.
     pub(super) function: u64,
     /// The same for the operation, if it is not what was entered.
-    op: u64,
+    pub(super) op: u64,
     /// How many functions native code may call one within the other without asking.
     pub(super) left: u64,
     /// The number of running calls that need that no id is given out again.
     pub(super) holding: *mut u32,
+    /// The machine's counts of calls of operations, by number.
+    pub(super) counts: *mut Count,
+    /// The operation that may have lowered the level last, as the machine knows it.
+    pub(super) lowered: *mut u32,
+    /// The state of the known level; [`NOT_DIRECTLY`] where native code is not to call operations
+    /// itself.
+    pub(super) level: u64,
     /// By kind the fields whose writes somebody is told of, as bits of [`Fields`].
     pub(super) listens: [u32; 4],
     /// The machine's [`Run`].
@@ -57,6 +64,9 @@ pub(crate) struct Slice {
     pub(super) start: usize,
     pub(super) count: usize,
 }
+
+/// Where somebody follows the operations that are applied, or an operation calls them.
+pub(super) const NOT_DIRECTLY: u64 = 63;
 
 /// The result of an operation that returns nothing.
 pub(super) const NOTHING: u64 = u64::MAX;
@@ -81,6 +91,8 @@ pub(super) struct Run<'r> {
     pub(super) attributes: &'r [u16],
     /// What [`Context::left`] was at first.
     pub(super) left: u64,
+    /// Whether native code may call operations itself.
+    pub(super) calls_directly: bool,
     /// The machine's numbers of functions and of native code when it was entered.
     pub(super) frames: usize,
     pub(super) depth: usize,
@@ -110,6 +122,9 @@ impl Context {
             op: 0,
             left: run.left,
             holding: &raw mut run.machine.holding,
+            counts: run.machine.counts.as_mut_ptr(),
+            lowered: &raw mut run.machine.known.lowered,
+            level: run.level(),
             listens: run.listens(),
             run: (&raw mut *run).cast(),
             result: NOTHING,
@@ -193,6 +208,7 @@ impl Context {
         self.find_columns(run);
         self.find_stack(run, self.base());
         self.listens = run.listens();
+        self.level = run.level();
     }
 
     fn find_stack(&mut self, run: &mut Run<'_>, base: usize) {
@@ -272,6 +288,15 @@ impl Context {
 }
 
 impl Run<'_> {
+    /// The state of the known level, where native code may call operations itself.
+    #[inline]
+    fn level(&self) -> u64 {
+        match self.calls_directly && !self.mesh.is_recorded() {
+            true => self.machine.known.state(),
+            false => NOT_DIRECTLY,
+        }
+    }
+
     /// By kind the fields whose writes somebody is told of.
     #[inline]
     fn listens(&self) -> [u32; 4] {

@@ -95,13 +95,8 @@ impl Translator<'_, '_> {
                 let length = self.length(edge);
                 self.set_real(to, length);
             }
-            Inst::Ask { question, to, elements: [first, second] } if is_whole(question) => {
-                let [first, second] = [first, second].map(|reg| self.whole(reg));
-                let number = self.b.ins().iconst(I64, question as i64);
-                let stub = stubs::ask_whole as *const () as usize;
-                let answer = self.call_stub(stub, &[number, first, second]);
-                self.or_fault_if_negative(answer);
-                self.set_whole(to, answer);
+            Inst::Ask { question, to, elements } if is_whole(question) => {
+                self.ask_whole(question, to, elements);
             }
             Inst::Ask { .. } => {
                 self.spill_operands(inst);

@@ -98,7 +98,7 @@ impl Machine {
             Surroundings { plans: call.plans, functions: call.functions, types: &self.types };
         let Call { code, refusals, way, function, .. } = *call;
         let text = Text { code, refusals, way, function, surroundings };
-        let compiled = Compiled::make(text, variant);
+        let compiled = Compiled::make(text, variant, &self.plans);
         if let Some(compiled) = &compiled {
             code.native.made(code).publish(variant, compiled);
         }
@@ -163,6 +163,8 @@ impl Machine {
         }
         self.depth += 1;
         let left = (DEPTH - depth).min(MOST_CALLS.saturating_sub(self.frames)) - 1;
+        let is_of_script = call.op.is_none() && call.steps.is_none() && call.depth == 0;
+        let calls_directly = is_of_script && !watch.follows_operations();
         let mut run = Run {
             scratch: self.scratch.pop().unwrap_or_default(),
             frames: self.frames,
@@ -172,6 +174,7 @@ impl Machine {
             call,
             watch,
             attributes: &compiled.attributes,
+            calls_directly,
             left: left as u64,
             trap: None,
             refused: None,

@@ -8,7 +8,7 @@
 use super::compile::entries;
 use super::operands::{Surroundings, Use};
 use crate::mesh::ElementKind;
-use crate::rewrite::{Code, ElementField, HalfedgeField, Inst, Reg};
+use crate::rewrite::{Code, ElementField, HalfedgeField, Inst, Question, Reg};
 
 /// What is known of the element in a register.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -124,6 +124,12 @@ impl Facts {
             Inst::StoreHole { face, .. } => self.use_element(face, ElementKind::Face),
             Inst::NextLiving { of, element, .. } | Inst::JumpUnlessLiving { of, element, .. } => {
                 self.use_element(element, of.kind());
+            }
+            Inst::Ask { question, to, elements } => {
+                let count = if question == Question::Adjacent { 2 } else { 1 };
+                for element in elements.into_iter().take(count).filter(|element| *element != to) {
+                    self.use_element(element, question.kind());
+                }
             }
             Inst::NewVertex { to } => self.set(to, Fact::new(ElementKind::Vertex)),
             Inst::NewHalfedge { to } => self.set(to, Fact::new(ElementKind::Halfedge)),

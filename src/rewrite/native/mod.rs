@@ -20,12 +20,13 @@
 //!   that names it leave it alone.
 //! * A stub tells journals and drains of a write before it is done. It notes what is there and moves
 //!   no table.
-//! * Native code calls a function itself only where [`Made::entries`] has its address. That place
-//!   lies with the function, which lives as long as its caller: both stand in one list of
-//!   functions, which code at the top keeps ([`Compiled`]). What is called was made for the same
-//!   attributes as the caller expects of it, or the address is not there ([`Made::expected`]). The
-//!   window of the function is within the stack, which is tested before, as is how many calls are
-//!   nested, so that native code takes a bounded part of the processor's stack.
+//! * Native code calls a function or an operation itself only where [`Made::entries`] has its
+//!   address. That place lives as long as the caller: functions stand in one list with it, which
+//!   code at the top keeps; operations in the plans for which it was made ([`Expected`]), and it is
+//!   entered only if these are the machine's. What is called was made for the same attributes as
+//!   the caller expects of it, or the address is not there ([`Made::expected`]). Its window is
+//!   within the stack, which is tested before, as is how many calls are nested, so that native code
+//!   takes a bounded part of the processor's stack.
 //! * An operation that a script calls runs within the context of the script, which is made that of
 //!   the operation and then that of the script again; the addresses that it holds stay those of what
 //!   is there. An operation with other needs has a run of its own.
@@ -65,6 +66,7 @@ mod registers;
 mod stubs;
 mod translate;
 mod values;
+mod walks;
 mod writes;
 
 use std::sync::OnceLock;
@@ -73,7 +75,7 @@ use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use compile::{Compiled, Expected};
 pub(crate) use context::Scratch;
 
-use super::Code;
+use super::{Code, Inst};
 
 /// The ways in which a code is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,13 +104,13 @@ pub struct Native(OnceLock<Box<Made>>);
 struct Made {
     /// The number of its runs and of the turns of its loops, up to [`RUNS`].
     runs: AtomicU32,
-    /// True if it writes to the mesh itself.
+    /// True if it may write to the mesh, or what it calls.
     writes: bool,
     /// True if it begins a drain itself.
     drains: bool,
     variants: [OnceLock<Option<Compiled>>; 3],
-    /// By variant the address where native code that calls this function may enter it; 0 if there
-    /// is none.
+    /// By variant the address where native code that calls this function, or operation, may enter
+    /// it; 0 if there is none.
     entries: [AtomicUsize; 3],
     /// What those may take for granted.
     expected: OnceLock<Expected>,
@@ -138,12 +140,17 @@ impl Native {
     fn made(&self, code: &Code) -> &Made {
         self.0.get_or_init(|| {
             Box::new(Made {
-                writes: code.insts.iter().any(|inst| inst.is_observed_write()),
+                writes: code.insts.iter().any(may_write),
                 drains: code.opens_drain(),
                 ..Made::default()
             })
         })
     }
+}
+
+/// Whether an instruction may write to the mesh.
+fn may_write(inst: &Inst) -> bool {
+    inst.is_observed_write() || matches!(inst, Inst::Call { .. } | Inst::Apply { .. })
 }
 
 impl Made {
@@ -167,7 +174,7 @@ impl Made {
         runs >= RUNS
     }
 
-    /// Lets native code call the function, if that expects of it what it was made for.
+    /// Lets native code call it, if that expects of it what it was made for.
     fn publish(&self, variant: Variant, compiled: &Compiled) {
         if compiled.is_callable
             && self.expected.get_or_init(|| compiled.expected.clone()) == &compiled.expected

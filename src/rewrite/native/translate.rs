@@ -62,6 +62,7 @@ pub(super) enum Region {
     Lists,
     Slots,
     Entries,
+    Counts,
 }
 
 pub(super) struct Translator<'a, 'f> {
@@ -249,7 +250,10 @@ impl<'a, 'f> Translator<'a, 'f> {
             Inst::Call { function, args, to, holds } => {
                 self.call_function(inst, function, [args, to], holds);
             }
-            Inst::Apply { args: _, op: _, applied, result } => self.apply(inst, applied, result),
+            Inst::Apply { op, args, applied, result } => {
+                self.apply(inst, op, args, [applied, result]);
+            }
+            Inst::Try { op, args, to, why: false } => self.ask_op(inst, op, args, to),
             Inst::Refuse => {
                 let answer = self.b.ins().iconst(I64, REFUSED);
                 self.b.ins().return_(&[answer]);

@@ -25,7 +25,7 @@ pub(in super::super) unsafe extern "C" fn call(context: *mut Context, inst: i64)
     unsafe { within_any(context, call) }
 }
 
-/// A function that native code called itself has been left by a trap: it is seen from the caller,
+/// A function or operation that native code called itself has been left by a trap: it is seen from the caller,
 /// too.
 ///
 /// # Safety
@@ -137,6 +137,22 @@ fn end_op(
     let counted = machine.conclude(mesh, &caller, op, None, outcome, *watch);
     counted.map_err(|trap| trap.through(&caller, inst as usize))?;
     Ok(answer_of(outcome))
+}
+
+/// Counts an operation that native code has called itself and that refuses.
+///
+/// # Safety
+/// As of all stubs.
+pub(in super::super) unsafe extern "C" fn refused(context: *mut Context, op: i64) -> i64 {
+    let refused = |context: &mut Context, run: &mut Run<'_>| {
+        let reason = context.place(0).noted.map(|(_, reason)| reason);
+        context.noted = 0;
+        run.machine.last_reason = reason;
+        run.machine.count(op as u16, Outcome::Refused { reason });
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within(context, refused) }
 }
 
 fn answer_of(outcome: Outcome) -> i64 {

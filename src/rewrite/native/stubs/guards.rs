@@ -74,8 +74,7 @@ pub(in super::super) unsafe extern "C" fn foresee(
         let Some(&condition) = Foreseen::ALL.get(condition as usize) else {
             return Ok(LEAVE);
         };
-        let holds =
-            run.machine.preview.foresees(run.mesh, condition, element as u32, at as u32);
+        let holds = run.machine.preview.foresees(run.mesh, condition, element as u32, at as u32);
         Ok(holds.map_or(LEAVE, i64::from))
     };
     // SAFETY: as of all stubs.

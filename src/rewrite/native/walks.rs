@@ -1,0 +1,275 @@
+//! Questions that a walk around a vertex or a face answers.
+//!
+//! Where a pointer leads to no record, or a walk is longer than there are halfedges, a stub answers,
+//! as the machine does.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
+
+use super::access::{TABLES, first, pointer, table};
+use super::stubs;
+use super::translate::{Region, Translator};
+use crate::mesh::ElementKind;
+use crate::mesh::tables::FACE_HOLE;
+use crate::rewrite::{ElementField, HalfedgeField, Question, Reg};
+
+/// Where a table begins, its length, and the bytes of a record.
+#[derive(Clone, Copy)]
+struct Rows {
+    start: Value,
+    count: Value,
+    size: usize,
+}
+
+/// What an answer is found in, and where to go if it is not.
+#[derive(Clone, Copy)]
+struct Walk {
+    halfedges: Rows,
+    slow: Block,
+}
+
+impl Translator<'_, '_> {
+    /// Spells a question whose answer is a whole number or a bool.
+    pub(super) fn ask_whole(&mut self, question: Question, to: Reg, [one, other]: [Reg; 2]) {
+        let numbers = [one, other].map(|reg| self.whole(reg));
+        let [slow, on] = [(); 2].map(|()| self.b.create_block());
+        let is_walked = match question {
+            Question::Degree => {
+                self.living(ElementKind::Vertex, one);
+                let walk = self.walk(slow);
+                self.around(walk, ElementField::Vertex, one, |this, count| {
+                    this.set_whole(to, count);
+                    this.b.ins().jump(on, &[]);
+                });
+                true
+            }
+            Question::FaceSize => {
+                self.living(ElementKind::Face, one);
+                let walk = self.walk(slow);
+                self.around(walk, ElementField::Face, one, |this, count| {
+                    this.set_whole(to, count);
+                    this.b.ins().jump(on, &[]);
+                });
+                true
+            }
+            Question::BoundaryVertex => {
+                self.living(ElementKind::Vertex, one);
+                let walk = self.walk(slow);
+                self.boundary_vertex(walk, one, to, on);
+                true
+            }
+            Question::BoundaryEdge => {
+                self.living(ElementKind::Edge, one);
+                let walk = self.walk(slow);
+                let half = self.first_of(ElementField::Edge, one);
+                let record = self.row(walk.halfedges, half, slow);
+                let twin = self.leads(record, HalfedgeField::Twin);
+                let twin = self.row(walk.halfedges, twin, slow);
+                let faces = self.rows(ElementKind::Face);
+                let [here, there] = [record, twin].map(|half| self.is_in_hole(faces, half, slow));
+                let either = self.b.ins().bor(here, there);
+                self.set_whole(to, either);
+                self.b.ins().jump(on, &[]);
+                true
+            }
+            Question::Adjacent => {
+                self.living(ElementKind::Vertex, one);
+                self.living(ElementKind::Vertex, other);
+                let walk = self.walk(slow);
+                self.adjacent(walk, [one, other], to, on);
+                true
+            }
+            _ => false,
+        };
+        match is_walked {
+            true => self.b.set_cold_block(slow),
+            false => {
+                self.b.ins().jump(slow, &[]);
+            }
+        }
+        self.b.switch_to_block(slow);
+        let number = self.b.ins().iconst(I64, question as i64);
+        let stub = stubs::ask_whole as *const () as usize;
+        let answer = self.call_stub(stub, &[number, numbers[0], numbers[1]]);
+        self.or_fault_if_negative(answer);
+        self.set_whole(to, answer);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    fn walk(&mut self, slow: Block) -> Walk {
+        Walk { halfedges: self.rows(ElementKind::Halfedge), slow }
+    }
+
+    fn rows(&mut self, kind: ElementKind) -> Rows {
+        let (start, count, size) = table(kind);
+        let [start, count] = [start, count].map(|place| self.field(TABLES + place));
+        Rows { start, count, size }
+    }
+
+    /// The address of a record, if there is one.
+    fn row(&mut self, rows: Rows, id: Value, slow: Block) -> Value {
+        let is_in_range = self.b.ins().icmp(IntCC::UnsignedLessThan, id, rows.count);
+        self.or_slow(is_in_range, slow);
+        let offset = self.b.ins().imul_imm_s(id, rows.size as i64);
+        self.b.ins().iadd(rows.start, offset)
+    }
+
+    pub(super) fn or_slow(&mut self, condition: Value, slow: Block) {
+        let on = self.b.create_block();
+        self.b.ins().brif(condition, on, &[], slow, &[]);
+        self.b.switch_to_block(on);
+    }
+
+    fn leads(&mut self, record: Value, field: HalfedgeField) -> Value {
+        let (offset, region, _) = pointer(field);
+        self.number(region, record, offset)
+    }
+
+    /// The halfedge of an element that lives.
+    fn first_of(&mut self, of: ElementField, element: Reg) -> Value {
+        let (kind, id) = (of.kind(), self.id(element));
+        let (start, _, size) = table(kind);
+        let start = self.field(TABLES + start);
+        let offset = self.b.ins().imul_imm_s(id, size as i64);
+        let record = self.b.ins().iadd(start, offset);
+        let (region, offset) = first(of);
+        self.number(region, record, offset)
+    }
+
+    /// Whether the face of a halfedge is a hole, as a number.
+    fn is_in_hole(&mut self, faces: Rows, halfedge: Value, slow: Block) -> Value {
+        let face = self.leads(halfedge, HalfedgeField::Face);
+        let face = self.row(faces, face, slow);
+        let flags = self.flags(Region::Hole);
+        self.byte(flags, face, FACE_HOLE)
+    }
+
+    /// Goes around an element, and gives the number of halfedges there.
+    fn around(
+        &mut self,
+        walk: Walk,
+        of: ElementField,
+        element: Reg,
+        end: impl FnOnce(&mut Self, Value),
+    ) {
+        let Walk { halfedges, slow } = walk;
+        let start = self.first_of(of, element);
+        let (at, count) = (self.b.declare_var(I64), self.b.declare_var(I64));
+        let zero = self.b.ins().iconst(I64, 0);
+        self.b.def_var(at, start);
+        self.b.def_var(count, zero);
+        let [head, done] = [(); 2].map(|()| self.b.create_block());
+        self.b.ins().jump(head, &[]);
+        self.b.switch_to_block(head);
+        let here = self.b.use_var(at);
+        let next = match of {
+            ElementField::Vertex => {
+                let record = self.row(halfedges, here, slow);
+                let before = self.leads(record, HalfedgeField::Prev);
+                let before = self.row(halfedges, before, slow);
+                self.leads(before, HalfedgeField::Twin)
+            }
+            _ => {
+                let record = self.row(halfedges, here, slow);
+                self.leads(record, HalfedgeField::Next)
+            }
+        };
+        self.b.def_var(at, next);
+        let walked = self.b.use_var(count);
+        let walked = self.b.ins().iadd_imm_s(walked, 1);
+        self.b.def_var(count, walked);
+        let is_back = self.b.ins().icmp(IntCC::Equal, next, start);
+        let on = self.b.create_block();
+        self.b.ins().brif(is_back, done, &[], on, &[]);
+        self.b.switch_to_block(on);
+        let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
+        self.b.ins().brif(goes_on, head, &[], slow, &[]);
+        self.b.switch_to_block(done);
+        end(self, walked);
+    }
+
+    fn boundary_vertex(&mut self, walk: Walk, vertex: Reg, to: Reg, on: Block) {
+        let Walk { halfedges, slow } = walk;
+        let faces = self.rows(ElementKind::Face);
+        let start = self.first_of(ElementField::Vertex, vertex);
+        let (at, count) = (self.b.declare_var(I64), self.b.declare_var(I64));
+        let zero = self.b.ins().iconst(I64, 0);
+        self.b.def_var(at, start);
+        self.b.def_var(count, zero);
+        let [head, step, next, done] = [(); 4].map(|()| self.b.create_block());
+        self.b.ins().jump(head, &[]);
+        self.b.switch_to_block(head);
+        let here = self.b.use_var(at);
+        let record = self.row(halfedges, here, slow);
+        let hole = self.is_in_hole(faces, record, slow);
+        self.b.ins().brif(hole, done, &[], step, &[]);
+        self.b.switch_to_block(step);
+        let before = self.leads(record, HalfedgeField::Prev);
+        let before = self.row(halfedges, before, slow);
+        let spoke = self.leads(before, HalfedgeField::Twin);
+        self.b.def_var(at, spoke);
+        let is_back = self.b.ins().icmp(IntCC::Equal, spoke, start);
+        self.b.ins().brif(is_back, done, &[], next, &[]);
+        self.b.switch_to_block(next);
+        let walked = self.b.use_var(count);
+        let walked = self.b.ins().iadd_imm_s(walked, 1);
+        self.b.def_var(count, walked);
+        let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
+        self.b.ins().brif(goes_on, head, &[], slow, &[]);
+        self.b.switch_to_block(done);
+        self.set_whole(to, hole);
+        self.b.ins().jump(on, &[]);
+    }
+
+    /// Walks around both vertices in step, so that the smaller number of neighbors counts.
+    fn adjacent(&mut self, walk: Walk, vertices: [Reg; 2], to: Reg, on: Block) {
+        let Walk { halfedges, slow } = walk;
+        let starts = vertices.map(|vertex| self.first_of(ElementField::Vertex, vertex));
+        let goals = [vertices[1], vertices[0]].map(|vertex| self.id(vertex));
+        let at = starts.map(|start| {
+            let at = self.b.declare_var(I64);
+            self.b.def_var(at, start);
+            at
+        });
+        let (count, answer) = (self.b.declare_var(I64), self.b.declare_var(I64));
+        let (zero, one) = (self.b.ins().iconst(I64, 0), self.b.ins().iconst(I64, 1));
+        self.b.def_var(count, zero);
+        self.b.def_var(answer, one);
+        let [head, apart, next, done] = [(); 4].map(|()| self.b.create_block());
+        self.b.ins().jump(head, &[]);
+        self.b.switch_to_block(head);
+        let mut is_back = Vec::new();
+        for side in 0..2 {
+            let here = self.b.use_var(at[side]);
+            let record = self.row(halfedges, here, slow);
+            let before = self.leads(record, HalfedgeField::Prev);
+            let before = self.row(halfedges, before, slow);
+            // Where the spoke ends that follows.
+            let neighbor = self.leads(before, HalfedgeField::Vertex);
+            let meets = self.b.ins().icmp(IntCC::Equal, neighbor, goals[side]);
+            let goes_on = self.b.create_block();
+            self.b.ins().brif(meets, done, &[], goes_on, &[]);
+            self.b.switch_to_block(goes_on);
+            let spoke = self.leads(before, HalfedgeField::Twin);
+            self.b.def_var(at[side], spoke);
+            is_back.push(self.b.ins().icmp(IntCC::Equal, spoke, starts[side]));
+        }
+        let either = self.b.ins().bor(is_back[0], is_back[1]);
+        self.b.ins().brif(either, apart, &[], next, &[]);
+        self.b.switch_to_block(next);
+        let walked = self.b.use_var(count);
+        let walked = self.b.ins().iadd_imm_s(walked, 1);
+        self.b.def_var(count, walked);
+        let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
+        self.b.ins().brif(goes_on, head, &[], slow, &[]);
+        self.b.switch_to_block(apart);
+        self.b.def_var(answer, zero);
+        self.b.ins().jump(done, &[]);
+        self.b.switch_to_block(done);
+        let answer = self.b.use_var(answer);
+        self.set_whole(to, answer);
+        self.b.ins().jump(on, &[]);
+    }
+}
