@@ -31,6 +31,7 @@ mod equality;
 mod geometry;
 mod history;
 mod identical;
+mod in_order;
 mod invalid;
 mod kernel;
 mod level;
