@@ -129,9 +129,25 @@ macro_rules! attribute_types {
                 match self { $(Self::$variant(xs) => xs.truncate(len)),* }
             }
 
-            fn grow(&mut self, len: usize, value: Value) {
+            #[inline]
+            fn reset(&mut self, index: usize, value: &Value) {
                 match (self, value) {
-                    $((Self::$variant(xs), Value::$variant(x)) => xs.resize(len, x),)*
+                    $((Self::$variant(xs), Value::$variant(x)) => {
+                        if let Some(slot) = xs.get_mut(index) {
+                            *slot = *x;
+                        }
+                    })*
+                    _ => {}
+                }
+            }
+
+            #[inline]
+            fn grow(&mut self, len: usize, value: &Value) {
+                match (self, value) {
+                    $((Self::$variant(xs), Value::$variant(x)) => match xs.len() + 1 == len {
+                        true => xs.push(*x),
+                        false => xs.resize(len, *x),
+                    },)*
                     _ => {}
                 }
             }
@@ -306,7 +322,7 @@ impl Columns {
     #[inline]
     pub(super) fn reset(&mut self, index: usize) {
         for column in &mut self.0 {
-            column.data.set(index, column.default);
+            column.data.reset(index, &column.default);
         }
     }
 
@@ -334,7 +350,7 @@ impl Columns {
     #[inline]
     pub(super) fn grow(&mut self, len: usize) {
         for column in &mut self.0 {
-            column.data.grow(len, column.default);
+            column.data.grow(len, &column.default);
         }
     }
 }

@@ -244,7 +244,7 @@ pub(super) fn erase(mesh: &mut Mesh, kind: ElementKind, id: u32) -> Result<(), F
 
 /// The halfedge after `id`.
 #[inline]
-fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Fault> {
+pub(super) fn step(mesh: &Mesh, walk: Walk, id: u32) -> Result<u32, Fault> {
     match walk {
         Walk::Loop => load(mesh, HalfedgeField::Next, id),
         Walk::Star => {

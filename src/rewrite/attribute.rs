@@ -11,10 +11,10 @@ use super::{Fault, Reg};
 use crate::mesh::{ColumnData, ColumnId, Mesh, VertexId};
 
 /// In the place of an attribute's number: what is kept back is a position.
-const POSITION: u32 = u32::MAX;
+pub(super) const POSITION: u32 = u32::MAX;
 
 /// The head of a value that is kept back: the number of slots it takes, and its attribute.
-fn header(attribute: u32, width: u16) -> u64 {
+pub(super) fn header(attribute: u32, width: u16) -> u64 {
     u64::from(width) << 32 | u64::from(attribute)
 }
 

@@ -15,7 +15,9 @@ use super::print::{ElementText, RealText, VectorText, WideText, append};
 use super::question::ask;
 use super::vectors;
 use super::window::{Window, reserve};
-use super::{Engine, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch};
+use super::{
+    Engine, Fault, Inst, Machine, Message, Outcome, Phase, Reg, Room, Trap, Triangles, Watch,
+};
 use crate::mesh::{ElementKind, Mesh, VertexId, difference, same_up_to_renumbering};
 
 /// The distance up to which coordinates of meshes count as the same.
@@ -427,6 +429,25 @@ impl Machine {
                     match access::has_room(mesh, kind, count) {
                         true => or_trap!(memory::for_kind(mesh, (kind, count), &budget!())),
                         false => refuse!(refusal, otherwise),
+                    }
+                }
+                WalkBegin { walk: _, from, at: place, turns, otherwise } => match w.id(from) {
+                    u32::MAX => at = otherwise.0 as usize,
+                    from => {
+                        w.set_id(place, from);
+                        w.set_int(turns, 0);
+                    }
+                },
+                WalkNext { walk, from, at: place, turns, again } => {
+                    let next = or_trap!(access::step(mesh, walk, w.id(place)));
+                    if next != w.id(from) {
+                        let turn = w.int(turns).wrapping_add(1);
+                        if turn >= mesh.capacity(ElementKind::Halfedge) as i64 {
+                            break Message::from(Fault::Endless);
+                        }
+                        w.set_id(place, next);
+                        w.set_int(turns, turn);
+                        at = again.0 as usize;
                     }
                 }
                 MeetsAll { walk, to, buffer } => {

@@ -131,6 +131,12 @@ pub enum Inst {
     /// Appends the corners of a face to a buffer, as halfedges, in an order in which they can
     /// be cut off.
     CollectEars { triangles: Triangles, buffer: u16, face: Reg },
+    /// Begins a walk once around from `from`: `at` is where it is, `turns` the number of its steps;
+    /// jumps if there is nothing to walk around.
+    WalkBegin { walk: Walk, from: Reg, at: Reg, turns: Reg, otherwise: Label },
+    /// Takes a step of it, and jumps unless it is back. Traps if it has taken more steps than there
+    /// are halfedges.
+    WalkNext { walk: Walk, from: Reg, at: Reg, turns: Reg, again: Label },
     /// True if a walk from `from` meets `goal` before `stop` (which ends it). `from` counts; where
     /// it is also the `stop`, the walk goes once around. It ends when it is back.
     Meets { walk: Walk, to: Reg, from: Reg, goal: Reg, stop: Reg },
@@ -290,8 +296,9 @@ impl Inst {
             | Inst::JumpUnless { to, .. }
             | Inst::JumpUnequal { to, .. }
             | Inst::JumpEqual { to, .. } => Some(to),
-            Inst::JumpUnlessLiving { to, .. } => Some(to),
+            Inst::JumpUnlessLiving { to, .. } | Inst::WalkNext { again: to, .. } => Some(to),
             Inst::NextLiving { otherwise, .. }
+            | Inst::WalkBegin { otherwise, .. }
             | Inst::BufferNext { otherwise, .. }
             | Inst::NextIndex { otherwise, .. }
             | Inst::ExpectAllDistinct { otherwise, .. }

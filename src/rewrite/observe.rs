@@ -276,6 +276,12 @@ impl Drains {
                 let until = w.id(until);
                 self.read_walk(mesh, walk, w.id(from), [until, until]);
             }
+            Inst::WalkBegin { walk, from, .. } => {
+                let from = w.id(from);
+                if from != u32::MAX {
+                    self.read_walk(mesh, walk, from, [from; 2]);
+                }
+            }
             Inst::Meets { walk, from, goal, stop, .. } => {
                 self.read_walk(mesh, walk, w.id(from), [w.id(goal), w.id(stop)])
             }
@@ -333,7 +339,7 @@ impl Drains {
             | Inst::PreviewStoreSpan { .. } | Inst::NextIndex { .. } | Inst::Member { .. }
             | Inst::BufferGetWide { .. } | Inst::BufferAppend { .. } | Inst::BufferDeal { .. }
             | Inst::ExpectAllDistinct { .. } | Inst::ExpectRoomFor { .. }
-            | Inst::StoreSpan { .. } => {}
+            | Inst::StoreSpan { .. } | Inst::WalkNext { .. } => {}
         }
     }
 

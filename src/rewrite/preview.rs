@@ -10,7 +10,7 @@
 use std::cell::{Cell, RefCell};
 
 use super::access::{self, gone};
-use super::distinct::are_distinct;
+use super::distinct::{Seen, are_distinct};
 use super::{ElementField, Fault, Foreseen, HalfedgeField};
 use crate::mesh::{EdgeId, ElementKind, FaceId, HalfedgeId, HalfedgeRecord, Mesh, VertexId};
 
@@ -29,15 +29,21 @@ pub struct Preview {
     looked: RefCell<Vec<Looked>>,
     /// The vertex whose spokes were walked last, if nothing has been set since.
     walked_of: Option<u32>,
-    walked: Vec<u32>,
-    /// For each of these spokes its face, and the vertex where it ends.
-    faces: Vec<u32>,
-    targets: Vec<u32>,
-    /// Whether those are distinct, once that has been asked.
-    faces_differ: Option<bool>,
-    targets_differ: Option<bool>,
+    walked: Vec<Spoke>,
+    /// Whether their faces, and the vertices where they end, are distinct.
+    faces_differ: bool,
+    targets_differ: bool,
     corners: Vec<u32>,
     runs: Vec<(u32, u32)>,
+}
+
+/// A halfedge that starts at a vertex, and its face.
+#[derive(Clone, Copy, Debug)]
+struct Spoke {
+    halfedge: u32,
+    face: u32,
+    /// Where the halfedge before it starts: where the spoke after it ends.
+    next_target: u32,
 }
 
 /// What stood somewhere in the mesh.
@@ -239,49 +245,46 @@ impl Preview {
         mesh.capacity(ElementKind::Halfedge) + self.new.len()
     }
 
-    /// Notes the spokes of a vertex in `walked`, with their faces and targets.
+    /// Notes the spokes of a vertex in `walked`.
     fn walk_star(&mut self, mesh: &Mesh, vertex: u32) -> Result<(), Fault> {
         if self.walked_of == Some(vertex) {
             return Ok(());
         }
         let mut walked = std::mem::take(&mut self.walked);
-        let mut faces = std::mem::take(&mut self.faces);
-        let mut targets = std::mem::take(&mut self.targets);
-        [&mut walked, &mut faces, &mut targets].into_iter().for_each(Vec::clear);
-        let ended = self.walk_spokes(mesh, vertex, |spoke, face, before| {
-            walked.push(spoke);
-            faces.push(face);
-            // The spoke that follows is the twin of the halfedge before this one.
-            targets.push(before);
-        });
-        let turn = targets.len().min(1);
-        targets.rotate_right(turn);
-        (self.walked, self.faces, self.targets) = (walked, faces, targets);
-        (self.faces_differ, self.targets_differ) = (None, None);
-        ended?;
+        walked.clear();
+        let differ = self.walk_spokes(mesh, vertex, &mut walked);
+        self.walked = walked;
+        (self.faces_differ, self.targets_differ) = differ?;
         self.walked_of = Some(vertex);
         Ok(())
     }
 
-    /// Shows the spokes of a vertex, each with its face and where the halfedge before it starts.
+    /// Lists the spokes of a vertex; whether their faces and their targets are distinct.
     fn walk_spokes(
         &self,
         mesh: &Mesh,
         vertex: u32,
-        mut each: impl FnMut(u32, u32, u32),
-    ) -> Result<(), Fault> {
+        walked: &mut Vec<Spoke>,
+    ) -> Result<(bool, bool), Fault> {
         let start = self.halfedge(mesh, ElementField::Vertex, vertex)?;
         if start == u32::MAX {
-            return Ok(());
+            return Ok((true, true));
         }
-        let mut at = start;
-        for _ in 0..self.longest(mesh) {
+        let (mut faces, mut targets) = (Seen::default(), Seen::default());
+        let (mut at, longest) = (start, self.longest(mesh));
+        while walked.len() < longest {
             let record = self.record(mesh, at)?;
             let before = self.record(mesh, record.prev.0)?;
-            each(at, record.face.0, before.vertex.0);
+            let (face, next_target) = (record.face.0, before.vertex.0);
+            faces.see(face);
+            targets.see(next_target);
+            walked.push(Spoke { halfedge: at, face, next_target });
             at = before.twin.0;
             if at == start {
-                return Ok(());
+                let faces_differ = faces.differ(|| walked.iter().map(|spoke| spoke.face));
+                let targets_differ =
+                    targets.differ(|| walked.iter().map(|spoke| spoke.next_target));
+                return Ok((faces_differ, targets_differ));
             }
         }
         Err(Fault::Endless)
@@ -332,26 +335,16 @@ impl Preview {
             Foreseen::OneHole => self.one_hole(mesh, element),
             Foreseen::FacesDiffer => {
                 self.walk_star(mesh, element)?;
-                Ok(self.faces_differ())
+                Ok(self.faces_differ)
             }
             Foreseen::NeighborsDiffer => {
                 self.walk_star(mesh, element)?;
-                Ok(self.targets_differ())
+                Ok(self.targets_differ)
             }
             Foreseen::SingleEdge => self.single_edge(mesh, element),
             Foreseen::CornersDiffer => self.corners_differ(mesh, element),
             Foreseen::CornersOwn => self.corners_own(mesh, element, at),
         }
-    }
-
-    /// Whether the faces around the vertex that has been walked are distinct.
-    fn faces_differ(&mut self) -> bool {
-        *self.faces_differ.get_or_insert_with(|| are_distinct(&self.faces))
-    }
-
-    /// Whether its neighbors are.
-    fn targets_differ(&mut self) -> bool {
-        *self.targets_differ.get_or_insert_with(|| are_distinct(&self.targets))
     }
 
     /// Whether it would hold for the origin of every halfedge in a buffer.
@@ -392,14 +385,14 @@ impl Preview {
 
     fn corner_once(&mut self, mesh: &Mesh, face: u32, vertex: u32) -> Result<bool, Fault> {
         self.walk_star(mesh, vertex)?;
-        Ok(self.faces.iter().filter(|&&around| around == face).count() <= 1)
+        Ok(self.walked.iter().filter(|spoke| spoke.face == face).count() <= 1)
     }
 
     fn one_hole(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         self.walk_star(mesh, vertex)?;
         let mut holes = 0;
-        for &face in &self.faces {
-            holes += usize::from(self.is_hole(mesh, face)?);
+        for spoke in &self.walked {
+            holes += usize::from(self.is_hole(mesh, spoke.face)?);
         }
         Ok(holes <= 1)
     }
@@ -407,7 +400,7 @@ impl Preview {
     fn single_edge(&mut self, mesh: &Mesh, halfedge: u32) -> Result<bool, Fault> {
         let ends = (self.record(mesh, halfedge)?.vertex.0, self.target(mesh, halfedge)?);
         self.walk_star(mesh, ends.0)?;
-        Ok(self.targets.iter().filter(|&&target| target == ends.1).count() <= 1)
+        Ok(self.walked.iter().filter(|spoke| spoke.next_target == ends.1).count() <= 1)
     }
 
     /// Whether no two faces around a vertex have the same set of corners.
@@ -419,7 +412,7 @@ impl Preview {
         self.corners.clear();
         self.runs.clear();
         for at in 0..self.walked.len() {
-            let face = self.faces[at];
+            let face = self.walked[at].face;
             if self.is_hole(mesh, face)? {
                 continue;
             }
@@ -438,19 +431,19 @@ impl Preview {
     /// Whether the faces around a vertex, whose spokes are walked, are triangles with a neighbor
     /// of the vertex between one and the next, at least three, all different: then two that
     /// follow each other as two others do are the same two.
-    fn is_star_of_triangles(&mut self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
+    fn is_star_of_triangles(&self, mesh: &Mesh, vertex: u32) -> Result<bool, Fault> {
         if self.walked.len() < 3
-            || self.targets.contains(&vertex)
-            || !self.targets_differ()
-            || !self.faces_differ()
+            || !self.targets_differ
+            || !self.faces_differ
+            || self.walked.iter().any(|spoke| spoke.next_target == vertex)
         {
             return Ok(false);
         }
-        for (&spoke, &face) in self.walked.iter().zip(&self.faces) {
-            if self.is_hole(mesh, face)? {
+        for spoke in &self.walked {
+            if self.is_hole(mesh, spoke.face)? {
                 continue;
             }
-            let record = self.record(mesh, spoke)?;
+            let record = self.record(mesh, spoke.halfedge)?;
             if self.record(mesh, record.next.0)?.next != record.prev {
                 return Ok(false);
             }
@@ -468,7 +461,7 @@ impl Preview {
         let size = self.walk_loop(mesh, face, usize::MAX)?;
         self.corners.sort_unstable();
         for at in 0..self.walked.len() {
-            let other = self.faces[at];
+            let other = self.walked[at].face;
             if other == face || self.is_hole(mesh, other)? {
                 continue;
             }

@@ -287,6 +287,13 @@ impl<'c> Reads<'c> {
                 let orbit = self.orbit(&from, walk)?;
                 state.push(buffer, &orbit);
             }
+            Inst::WalkBegin { walk, from, at, turns, .. } => {
+                let from = self.nodes(state, from)?;
+                state.set(at, self.orbit(&from, walk)?);
+                state.set(turns, Nodes::new());
+            }
+            // It stays on the orbit.
+            Inst::WalkNext { .. } => {}
             Inst::Meets { walk, from, .. } => {
                 let from = self.nodes(state, from)?;
                 self.orbit(&from, walk)?;

@@ -1,9 +1,8 @@
 //! Loops over the elements of a collection, for code that does not change the mesh.
 //!
-//! All of the mesh is visited by index. Elements around one element are first collected
-//! into a buffer: that walk is bounded, so a broken mesh cannot make it endless. On a
-//! mesh that is no surface or not simple an element may come more than once, as often
-//! as the walk meets it.
+//! All of the mesh is visited by index, and what lies around an element by walking: as often as
+//! there are halfedges, so a broken mesh cannot make it endless. On a mesh that is no surface or not
+//! simple an element may come more than once, as often as the walk meets it.
 
 use super::Scope;
 use super::pointer::{first, load};
@@ -84,10 +83,57 @@ fn each_around(
     span: Span,
     turn: &mut LoopBody,
 ) {
+    use ElementField::{Face, Vertex};
+    let (of, base, wanted): (_, &Expr, _) = match collection {
+        Collection::VertexHalfedges(v) => (Vertex, v, Wanted::Itself),
+        Collection::VertexEdges(v) => (Vertex, v, Wanted::Pointer(HalfedgeField::Edge)),
+        Collection::VertexFaces(v) => (Vertex, v, Wanted::Face),
+        Collection::VertexNeighbors(v) => (Vertex, v, Wanted::Target),
+        Collection::FaceHalfedges(f) => (Face, f, Wanted::Itself),
+        Collection::FaceVertices(f) => (Face, f, Wanted::Pointer(HalfedgeField::Vertex)),
+        Collection::FaceEdges(f) => (Face, f, Wanted::Pointer(HalfedgeField::Edge)),
+        _ => return each_of_list(asm, scope, collection, span, turn),
+    };
+    let place = scope.place(span);
+    let (from, at, turns) = (asm.reg(), asm.reg(), asm.reg());
+    let mark = asm.mark();
+    let element = lower(asm, scope, base);
+    first(asm, place, of, [from, element]);
+    asm.release(mark);
+    let (head, next, done) = (asm.label(), asm.label(), asm.label());
+    let walk = match of {
+        Vertex => Walk::Star,
+        _ => Walk::Loop,
+    };
+    // An isolated vertex has nothing around it.
+    asm.emit(Inst::WalkBegin { walk, from, at, turns, otherwise: done });
+    asm.bind(head);
+    let element = match wanted {
+        Wanted::Itself => at,
+        _ => {
+            let to = asm.reg();
+            asm.emit(Inst::Copy { to, from: at });
+            make(asm, place, wanted, to, next)
+        }
+    };
+    turn(asm, scope, element, next);
+    asm.bind(next);
+    asm.trap_at(place, Inst::WalkNext { walk, from, at, turns, again: head });
+    asm.bind(done);
+}
+
+/// The same for elements that are first put into a buffer.
+fn each_of_list(
+    asm: &mut Assembler,
+    scope: &mut dyn Scope,
+    collection: &Collection,
+    span: Span,
+    turn: &mut LoopBody,
+) {
     let place = scope.place(span);
     let buffer = asm.buffer();
     asm.emit(Inst::BufferClear { buffer });
-    let Some(wanted) = collect(asm, scope, collection, place, buffer) else {
+    let Some(wanted) = list(asm, scope, collection, place, buffer) else {
         return;
     };
     let (head, done) = (asm.label(), asm.label());
@@ -102,61 +148,40 @@ fn each_around(
     asm.bind(done);
 }
 
-/// Fills the buffer with halfedges. `None` for a collection of the whole mesh.
-fn collect(
+/// Fills the buffer with the corners of a face that can be cut off, or with the halfedges of an
+/// edge. `None` for other collections.
+fn list(
     asm: &mut Assembler,
     scope: &mut dyn Scope,
     collection: &Collection,
     place: u32,
     buffer: u16,
 ) -> Option<Wanted> {
-    use ElementField::{Edge, Face, Vertex};
-    if let Collection::FaceEars(f) | Collection::FacePatch(f) = collection {
-        let triangles = match collection {
-            Collection::FacePatch(_) => Triangles::LeastBend,
-            _ => Triangles::BestShape,
-        };
-        let mark = asm.mark();
-        let face = lower(asm, scope, f);
-        asm.trap_at(place, Inst::CollectEars { triangles, buffer, face });
-        asm.release(mark);
-        return Some(Wanted::Itself);
-    }
-    let (of, base, wanted): (_, &Expr, _) = match collection {
-        Collection::VertexHalfedges(v) => (Vertex, v, Wanted::Itself),
-        Collection::VertexEdges(v) => (Vertex, v, Wanted::Pointer(HalfedgeField::Edge)),
-        Collection::VertexFaces(v) => (Vertex, v, Wanted::Face),
-        Collection::VertexNeighbors(v) => (Vertex, v, Wanted::Target),
-        Collection::FaceHalfedges(f) => (Face, f, Wanted::Itself),
-        Collection::FaceVertices(f) => (Face, f, Wanted::Pointer(HalfedgeField::Vertex)),
-        Collection::FaceEdges(f) => (Face, f, Wanted::Pointer(HalfedgeField::Edge)),
-        Collection::EdgeVertices(e) => (Edge, e, Wanted::Pointer(HalfedgeField::Vertex)),
-        Collection::EdgeFaces(e) => (Edge, e, Wanted::Face),
-        _ => return None,
-    };
     let mark = asm.mark();
-    let element = lower(asm, scope, base);
-    let from = asm.reg();
-    first(asm, place, of, [from, element]);
-    match of {
-        Vertex | Face => {
-            // An isolated vertex has nothing around it.
-            let (none, end) = (asm.none(), asm.label());
-            asm.emit(Inst::JumpEqual { left: from, right: none, to: end });
-            let walk = match of {
-                Vertex => Walk::Star,
-                _ => Walk::Loop,
+    let wanted = match collection {
+        Collection::FaceEars(f) | Collection::FacePatch(f) => {
+            let triangles = match collection {
+                Collection::FacePatch(_) => Triangles::LeastBend,
+                _ => Triangles::BestShape,
             };
-            let collect = Inst::Collect { walk, buffer, from, until: from, whole: true };
-            asm.trap_at(place, collect);
-            asm.bind(end);
+            let face = lower(asm, scope, f);
+            asm.trap_at(place, Inst::CollectEars { triangles, buffer, face });
+            Wanted::Itself
         }
-        Edge => {
+        Collection::EdgeVertices(e) | Collection::EdgeFaces(e) => {
+            let edge = lower(asm, scope, e);
+            let from = asm.reg();
+            first(asm, place, ElementField::Edge, [from, edge]);
             asm.emit(Inst::BufferPush { buffer, from });
             load(asm, place, HalfedgeField::Twin, [from, from]);
             asm.emit(Inst::BufferPush { buffer, from });
+            match collection {
+                Collection::EdgeFaces(_) => Wanted::Face,
+                _ => Wanted::Pointer(HalfedgeField::Vertex),
+            }
         }
-    }
+        _ => return None,
+    };
     asm.release(mark);
     Some(wanted)
 }

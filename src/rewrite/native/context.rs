@@ -138,13 +138,19 @@ impl Context {
     }
 
     /// The base of the window of the code that runs.
-    fn base(&self) -> usize {
+    pub(super) fn base(&self) -> usize {
         (self.window.addr() - self.stack.addr()) / size_of::<u64>()
     }
 
     /// The place of its buffers among those of the run.
     fn first_of_lists(&self) -> usize {
         (self.lists.addr() - self.first_list.addr()) / size_of::<Slice>()
+    }
+
+    /// The place of a buffer of the code that runs among those of the machine.
+    #[inline]
+    pub(super) fn list_at(&self, run: &Run<'_>, buffer: u16) -> usize {
+        run.call.buffers + self.first_of_lists() + usize::from(buffer)
     }
 
     /// The call of the code that runs.

@@ -10,7 +10,7 @@ use super::stubs;
 use super::translate::{Region, Translator};
 use crate::mesh::tables::{FACE_HOLE, Tables};
 use crate::mesh::{AttributeType, ElementKind};
-use crate::rewrite::{ElementField, Elements, HalfedgeField, Inst, Label, Question, Reg};
+use crate::rewrite::{ElementField, Elements, HalfedgeField, Inst, Label, Question, Reg, Walk};
 
 impl Translator<'_, '_> {
     /// Spells an instruction that reads the mesh; false if it is none, or one for the machine.
@@ -52,6 +52,32 @@ impl Translator<'_, '_> {
                 let lives = self.lives(of, id);
                 self.b.ins().brif(lives, on, &[], to, &[]);
                 self.b.switch_to_block(on);
+            }
+            Inst::WalkBegin { walk: _, from, at, turns, otherwise } => {
+                let first = self.id(from);
+                let is_none = self.b.ins().icmp_imm_u(IntCC::Equal, first, i64::from(u32::MAX));
+                self.jump_if(is_none, otherwise);
+                let zero = self.b.ins().iconst(I64, 0);
+                self.set_whole(at, first);
+                self.set_whole(turns, zero);
+            }
+            Inst::WalkNext { walk, from, at, turns, again } => {
+                let next = self.step_of_walk(walk, at);
+                let first = self.id(from);
+                let (back, on) = (self.b.create_block(), self.b.create_block());
+                let is_back = self.b.ins().icmp(IntCC::Equal, next, first);
+                self.b.ins().brif(is_back, back, &[], on, &[]);
+                self.b.switch_to_block(on);
+                let turn = self.whole(turns);
+                let turn = self.b.ins().iadd_imm_s(turn, 1);
+                let count = self.field(TABLES + offset_of!(Tables, halfedge_count));
+                let goes_on = self.b.ins().icmp(IntCC::SignedLessThan, turn, count);
+                self.or_fault(goes_on);
+                self.set_whole(at, next);
+                self.set_whole(turns, turn);
+                let again = self.block(again);
+                self.b.ins().jump(again, &[]);
+                self.b.switch_to_block(back);
             }
             Inst::LoadAttribute { attribute, to, element } => {
                 let Some(ty) = self.text.surroundings.type_of(attribute) else {
@@ -109,6 +135,24 @@ impl Translator<'_, '_> {
             _ => return false,
         }
         true
+    }
+
+    /// The halfedge after one.
+    fn step_of_walk(&mut self, walk: Walk, at: Reg) -> Value {
+        let record = self.living(ElementKind::Halfedge, at);
+        let mut step = |record, field| {
+            let (offset, region, _) = pointer(field);
+            self.number(region, record, offset)
+        };
+        match walk {
+            Walk::Loop => step(record, HalfedgeField::Next),
+            Walk::Star => {
+                let before = step(record, HalfedgeField::Prev);
+                let before = self.record(ElementKind::Halfedge, before);
+                let (offset, region, _) = pointer(HalfedgeField::Twin);
+                self.number(region, before, offset)
+            }
+        }
     }
 
     /// Moves on to the first living element.

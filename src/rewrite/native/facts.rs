@@ -93,12 +93,13 @@ impl Facts {
     /// Takes an instruction that goes on with the following.
     fn take(&mut self, inst: &Inst, surroundings: &Surroundings) {
         let before = match *inst {
-            Inst::Copy { from, .. } => self.of(from),
+            Inst::Copy { from, .. } | Inst::WalkBegin { from, .. } => self.of(from),
             _ => Fact::default(),
         };
         self.forget_written(inst, surroundings);
         match *inst {
-            Inst::Copy { to, .. } => self.set(to, before),
+            Inst::Copy { to, .. } | Inst::WalkBegin { at: to, .. } => self.set(to, before),
+            Inst::WalkNext { at, .. } => self.set(at, Fact::led_to(ElementKind::Halfedge)),
             Inst::Load { field, to, halfedge } => {
                 let kind = match field {
                     HalfedgeField::Next | HalfedgeField::Prev | HalfedgeField::Twin => {
@@ -120,8 +121,10 @@ impl Facts {
                 self.use_element(vertex, ElementKind::Vertex);
             }
             Inst::Store { halfedge, .. } => self.use_element(halfedge, ElementKind::Halfedge),
+            }
             Inst::StoreHalfedge { of, element, .. } => self.use_element(element, kind(of)),
             Inst::StoreHole { face, .. } => self.use_element(face, ElementKind::Face),
+            }
             Inst::NextLiving { of, element, .. } | Inst::JumpUnlessLiving { of, element, .. } => {
                 self.use_element(element, of.kind());
             }
@@ -193,7 +196,10 @@ impl KnownAt {
                 let mut jump = *inst;
                 if let Some(to) = jump.target_mut() {
                     let mut there = facts.clone();
-                    there.forget_written(inst, surroundings);
+                    match inst {
+                        Inst::WalkNext { .. } => there.take(inst, surroundings),
+                        _ => there.forget_written(inst, surroundings),
+                    }
                     known.join((to.0 as usize).min(insts.len()), &there, &mut changed);
                 }
                 facts.take(inst, surroundings);

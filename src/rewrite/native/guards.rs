@@ -1,11 +1,99 @@
-//! Instructions that look ahead: stubs set what would be written, ask about it, and put it back.
+//! Instructions that look ahead.
+//!
+//! What would be set is set by native code itself, which keeps what was there, and puts it back; what
+//! is asked about it in between, stubs answer. In other code stubs do all of it.
 
-use cranelift_codegen::ir::InstBuilder;
-use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::{I8, I32, I64};
+use cranelift_codegen::ir::{InstBuilder, Value};
 
+use super::access::{first, pointer};
+use super::compile::entries;
 use super::stubs::guards;
-use super::translate::Translator;
-use crate::rewrite::Inst;
+use super::translate::{Region, Translator};
+use crate::mesh::ElementKind;
+use crate::mesh::tables::{DEAD, FACE_HOLE};
+use crate::rewrite::{Code, Inst, Reg};
+
+/// A part of code that looks ahead: it is entered at its start only, all is set before anything is
+/// asked, and it is left with everything put back, or by a trap.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Guard {
+    start: usize,
+    /// The last instruction.
+    last: usize,
+}
+
+/// What has been set, and is to be put back.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Set {
+    /// What was there, and where.
+    Here { before: Value, place: Value, offset: i32, region: Region },
+    /// The preview of the machine knows it.
+    ByMachine,
+}
+
+impl Guard {
+    /// Those of a code.
+    pub(super) fn all(code: &Code) -> Vec<Self> {
+        let clears = |(at, inst): (usize, &Inst)| matches!(inst, Inst::PreviewClear).then_some(at);
+        let starts = code.insts.iter().enumerate().filter_map(clears);
+        starts.filter_map(|start| Self::at(code, start)).collect()
+    }
+
+    fn at(code: &Code, start: usize) -> Option<Self> {
+        let behind = code.insts.get(start + 1..)?;
+        let stores = behind.iter().take_while(|inst| is_store(inst)).count();
+        let by_machine = |inst: &&Inst| matches!(inst, Inst::PreviewStoreAll { .. });
+        if behind[..stores].iter().filter(by_machine).count() > 1 {
+            return None;
+        }
+        let asks = behind[stores..].iter().take_while(|inst| is_asked_within(inst));
+        let undone = asks.enumerate().filter(|(_, inst)| matches!(inst, Inst::PreviewUndo));
+        let (undone, _) = undone.last()?;
+        let (first, last) = (start + 1 + stores, start + 1 + stores + undone);
+        let is_outside = |at: usize| !(first..=last).contains(&at);
+        let mut insts = code.insts.clone();
+        let mut jumps = insts.iter_mut().enumerate().filter_map(|(at, inst)| {
+            let to = inst.target_mut()?.0 as usize;
+            Some((at, to))
+        });
+        let comes_in = |(from, to): (usize, usize)| {
+            (start + 1..=last).contains(&to) && (to < first || is_outside(from))
+        };
+        let begins = |entry: &u32| (start..=last).contains(&(*entry as usize));
+        let is_entered = jumps.any(comes_in) || entries(code).iter().any(begins);
+        (!is_entered).then_some(Self { start, last })
+    }
+
+    pub(super) fn contains(&self, at: usize) -> bool {
+        (self.start..=self.last).contains(&at)
+    }
+}
+
+fn is_store(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::PreviewStore { .. }
+            | Inst::PreviewStoreHalfedge { .. }
+            | Inst::PreviewStoreHole { .. }
+            | Inst::PreviewStoreAll { .. }
+    )
+}
+
+/// What native code does itself, or leaves by a fault of its own.
+fn is_asked_within(inst: &Inst) -> bool {
+    matches!(
+        inst,
+        Inst::Foresee { .. } | Inst::Expect { .. } | Inst::Jump { .. } | Inst::PreviewUndo
+    )
+}
+
+/// Whether an instruction sets or puts back what is looked at.
+fn sets(inst: &Inst) -> bool {
+    is_store(inst)
+        || matches!(inst, Inst::PreviewClear | Inst::PreviewNew { .. } | Inst::PreviewUndo)
+}
 
 impl Translator<'_, '_> {
     /// Spells an instruction that looks ahead; false if it is none, or one for the machine.
@@ -19,33 +107,101 @@ impl Translator<'_, '_> {
                 self.or_fault_if_negative(holds);
                 self.set_whole(to, holds);
             }
-            _ if sets(inst) => {
-                let (first, code) = (self.at, self.text.code);
+            _ if !sets(inst) => return false,
+            _ if self.guards.iter().any(|guard| guard.contains(self.at)) => self.set(inst),
+            _ => {
                 let end = self.end_of_run(sets);
-                let all = &code.insts[first..end];
-                all.iter().for_each(|inst| self.spill_operands(inst));
-                let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
-                let done = self.call_stub(guards::set as *const () as usize, &[span]);
-                self.leave_if_negative(done);
-                all.iter().for_each(|inst| self.reload_written(inst));
-                self.skip = end - first - 1;
+                self.set_by_machine(end);
             }
-            _ => return false,
         }
         true
     }
-}
 
-/// Whether an instruction sets or puts back what is looked at.
-fn sets(inst: &Inst) -> bool {
-    matches!(
-        inst,
-        Inst::PreviewClear
-            | Inst::PreviewNew { .. }
-            | Inst::PreviewStore { .. }
-            | Inst::PreviewStoreHalfedge { .. }
-            | Inst::PreviewStoreHole { .. }
-            | Inst::PreviewStoreAll { .. }
-            | Inst::PreviewUndo
-    )
+    fn set(&mut self, inst: &Inst) {
+        match *inst {
+            Inst::PreviewStore { field, halfedge, value } => {
+                let place = self.living(ElementKind::Halfedge, halfedge);
+                let (offset, region, leads_to) = pointer(field);
+                let value = self.set_value(leads_to, value);
+                self.set_here(value, place, offset, region);
+            }
+            Inst::PreviewStoreHalfedge { of, element, value } => {
+                let place = self.living(of.kind(), element);
+                let (region, offset) = first(of);
+                let value = self.set_value(ElementKind::Halfedge, value);
+                self.set_here(value, place, offset, region);
+            }
+            Inst::PreviewStoreHole { face, hole } => {
+                let place = self.living(ElementKind::Face, face);
+                let value = self.b.ins().iconst(I8, i64::from(hole));
+                self.set_here(value, place, FACE_HOLE, Region::Hole);
+            }
+            Inst::PreviewUndo => {
+                let set = self.set.clone();
+                self.put_back(&set);
+            }
+            Inst::PreviewClear => {
+                self.set.clear();
+                self.call_stub(guards::clear as *const () as usize, &[]);
+            }
+            _ => {
+                self.set_by_machine(self.at + 1);
+                self.set.push(Set::ByMachine);
+            }
+        }
+    }
+
+    /// A number that a pointer may be set to: any but that which says that there is no element.
+    fn set_value(&mut self, kind: ElementKind, value: Reg) -> Value {
+        let id = self.id(value);
+        if !self.fact(value).is_in_range(kind) {
+            let is_one = self.b.ins().icmp_imm_u(IntCC::NotEqual, id, i64::from(DEAD));
+            self.or_fault(is_one);
+        }
+        self.b.ins().ireduce(I32, id)
+    }
+
+    fn set_here(&mut self, value: Value, place: Value, offset: usize, region: Region) {
+        let (flags, offset) = (self.flags(region), offset as i32);
+        let ty = self.b.func.dfg.value_type(value);
+        let before = self.b.ins().load(ty, flags, place, offset);
+        self.b.ins().store(flags, value, place, offset);
+        self.set.push(Set::Here { before, place, offset, region });
+    }
+
+    /// Puts back what has been set, the last first.
+    pub(super) fn put_back(&mut self, all: &[Set]) {
+        for set in all.iter().rev() {
+            match *set {
+                Set::Here { before, place, offset, region } => {
+                    let flags = self.flags(region);
+                    self.b.ins().store(flags, before, place, offset);
+                }
+                Set::ByMachine => {
+                    self.call_stub(guards::undo as *const () as usize, &[]);
+                }
+            }
+        }
+    }
+
+    /// Lets a stub take the instructions up to one.
+    fn set_by_machine(&mut self, end: usize) {
+        let (first, code) = (self.at, self.text.code);
+        let all = &code.insts[first..end];
+        all.iter().for_each(|inst| self.spill_operands(inst));
+        let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
+        let done = self.call_stub(guards::set as *const () as usize, &[span]);
+        // A trap has put back what the preview knows.
+        let (failed, on) = (self.b.create_block(), self.b.create_block());
+        self.b.set_cold_block(failed);
+        let has_failed = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, done, 0);
+        self.b.ins().brif(has_failed, failed, &[], on, &[]);
+        self.b.switch_to_block(failed);
+        let set = self.set.clone();
+        self.put_back(&set);
+        self.b.ins().jump(self.leave, &[]);
+        self.b.switch_to_block(on);
+        all.iter().for_each(|inst| self.reload_written(inst));
+        self.skip = end - first - 1;
+    }
 }

@@ -8,10 +8,12 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{InstBuilder, Value};
 
+use super::access::size_of_value;
 use super::context::{Context, Slice};
 use super::stubs::lists;
 use super::translate::{Region, Translator};
-use crate::rewrite::{Inst, Walk};
+use crate::mesh::ElementKind;
+use crate::rewrite::{Inst, Reg, Walk, attribute};
 
 impl Translator<'_, '_> {
     /// Spells an instruction about buffers; false if it is none, or one for the machine.
@@ -88,15 +90,41 @@ impl Translator<'_, '_> {
                 self.b.ins().jump(on, &[]);
                 self.b.switch_to_block(on);
             }
-            Inst::HoldPosition { .. } | Inst::HoldAttribute { .. } => {
-                self.spill_operands(inst);
-                let number = self.b.ins().iconst(I64, self.at as i64);
-                let done = self.call_stub(lists::hold as *const () as usize, &[number]);
-                self.or_fault_if_negative(done);
+            Inst::HoldPosition { buffer, vertex, value } => {
+                self.living(ElementKind::Vertex, vertex);
+                let finite = self.is_finite(value);
+                self.or_fault(finite);
+                self.hold_back(inst, (buffer, attribute::POSITION), vertex, (value, 3));
+            }
+            Inst::HoldAttribute { buffer, attribute, element, value } => {
+                let Some((kind, ty)) = self.text.surroundings.column(attribute) else {
+                    return false;
+                };
+                self.living(kind, element);
+                let width = (size_of_value(ty) / 8).max(1) as u16;
+                self.hold_back(inst, (buffer, attribute.into()), element, (value, width));
             }
             _ => return false,
         }
         true
+    }
+
+    /// Keeps a write back, whatever it is to.
+    fn hold_back(
+        &mut self,
+        inst: &Inst,
+        (buffer, target): (u16, u32),
+        element: Reg,
+        (value, width): (Reg, u16),
+    ) {
+        self.spill_operands(inst);
+        let which = i64::from(buffer) | i64::from(value.0) << 16 | i64::from(width) << 32;
+        let which = self.b.ins().iconst(I64, which);
+        let header = self.b.ins().iconst(I64, attribute::header(target, width) as i64);
+        let element = self.id(element);
+        let stub = lists::hold as *const () as usize;
+        let done = self.call_stub(stub, &[which, header, element]);
+        self.or_fault_if_negative(done);
     }
 
     /// Where the slots of a buffer begin, and how many there are.

@@ -268,6 +268,11 @@ impl Surroundings<'_> {
                 Read Whole left, 1; Read Whole right, 1;
             },
             Inst::ExpectFinite { vector, .. } => operands! { Read Real vector, 3; },
+            Inst::WalkBegin { from, at, turns, .. } | Inst::WalkNext { from, at, turns, .. } => {
+                operands! {
+                    Read Whole from, 1; Change Whole at, 1; Change Whole turns, 1;
+                }
+            }
             Inst::Collect { from, until, .. } => operands! {
                 Read Whole from, 1; Read Whole until, 1;
             },

@@ -15,6 +15,7 @@ use cranelift_frontend::{FunctionBuilder, Switch, Variable};
 use super::compile::entries;
 use super::context::{Context, noted};
 use super::facts::{KnownAt, Walk, ends, targets};
+use super::guards::{Guard, Set};
 use super::liveness::Liveness;
 use super::operands::Surroundings;
 use super::registers::reals;
@@ -81,8 +82,12 @@ pub(super) struct Translator<'a, 'f> {
     pub(super) skip: usize,
     /// Where it traps, if it may.
     fault: Option<Block>,
-    /// All such blocks, each with its instruction.
-    faults: Vec<(Block, usize)>,
+    /// All such blocks, each with its instruction and what is to be put back.
+    faults: Vec<(Block, usize, Vec<Set>)>,
+    /// The parts of the code that look ahead.
+    pub(super) guards: Vec<Guard>,
+    /// What has been set in the one that is spelled.
+    pub(super) set: Vec<Set>,
     /// Where native code is left by a trap.
     pub(super) leave: Block,
     /// True if what the registers hold is left in the window.
@@ -129,6 +134,8 @@ impl<'a, 'f> Translator<'a, 'f> {
             skip: 0,
             fault: None,
             faults: Vec::new(),
+            guards: Guard::all(text.code),
+            set: Vec::new(),
             leave,
             keeps_window: text.way == Way::Script && !loops,
             live_at_drains,
@@ -160,6 +167,9 @@ impl<'a, 'f> Translator<'a, 'f> {
                 continue;
             }
             (this.at, this.fault) = (at, None);
+            if !this.guards.iter().any(|guard| guard.contains(at)) {
+                this.set.clear();
+            }
             reached = this.inst(inst) && !ends(inst);
             this.known.pass(inst, &text.surroundings);
         }
@@ -214,7 +224,7 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// The blocks of what traps: the machine takes the instruction and says why.
     fn write_faults(&mut self) {
-        for (block, at) in std::mem::take(&mut self.faults) {
+        for (block, at, set) in std::mem::take(&mut self.faults) {
             self.b.switch_to_block(block);
             let inst = self.text.code.insts[at];
             self.spill_operands(&inst);
@@ -222,6 +232,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             let signature = self.signature(&[I64, I64], &[]);
             let context = self.context;
             self.call(stubs::fault as *const () as usize, signature, &[context, number]);
+            self.put_back(&set);
             let leave = self.leave;
             self.b.ins().jump(leave, &[]);
         }
@@ -367,7 +378,7 @@ impl<'a, 'f> Translator<'a, 'f> {
             None => {
                 let fault = self.b.create_block();
                 self.b.set_cold_block(fault);
-                self.faults.push((fault, self.at));
+                self.faults.push((fault, self.at, self.set.clone()));
                 *self.fault.insert(fault)
             }
         };

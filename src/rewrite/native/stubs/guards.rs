@@ -1,6 +1,6 @@
 //! Looking ahead: what an operation would write is set on the mesh, asked about, and put back.
 
-use super::{LEAVE, failed, within_guarded};
+use super::{LEAVE, failed, within, within_guarded};
 use crate::rewrite::native::context::{Context, Run};
 use crate::rewrite::window::Window;
 use crate::rewrite::{Fault, Foreseen, Inst, Machine};
@@ -57,6 +57,32 @@ pub(in super::super) unsafe extern "C" fn set(context: *mut Context, span: i64) 
     };
     // SAFETY: as of all stubs.
     unsafe { within_guarded(context, set) }
+}
+
+/// Begins: nothing is set.
+///
+/// # Safety
+/// As of all stubs.
+pub(in super::super) unsafe extern "C" fn clear(context: *mut Context) -> i64 {
+    let clear = |_: &mut Context, run: &mut Run<'_>| {
+        run.machine.preview.clear();
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within(context, clear) }
+}
+
+/// Puts back what the preview knows.
+///
+/// # Safety
+/// As of all stubs.
+pub(in super::super) unsafe extern "C" fn undo(context: *mut Context) -> i64 {
+    let undo = |_: &mut Context, run: &mut Run<'_>| {
+        run.machine.preview.undo(run.mesh);
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_guarded(context, undo) }
 }
 
 /// Whether a condition, by its number, would hold; [`LEAVE`] where the machine is to tell why that

@@ -2,8 +2,7 @@
 
 use super::{LEAVE, within_guarded};
 use crate::rewrite::native::context::{Context, Run};
-use crate::rewrite::window::Window;
-use crate::rewrite::{Inst, Walk, access, attribute, memory};
+use crate::rewrite::{Walk, access, memory};
 
 /// Empties the buffers of code that begins.
 ///
@@ -26,8 +25,8 @@ pub(in super::super) unsafe extern "C" fn begin(context: *mut Context) -> i64 {
 /// As of all stubs.
 pub(in super::super) unsafe extern "C" fn clear(context: *mut Context, buffer: i64) -> i64 {
     let clear = |context: &mut Context, run: &mut Run<'_>| {
-        let call = context.call(run);
-        if let Some(list) = run.machine.buffers.get_mut(call.buffers + buffer as usize) {
+        let at = context.list_at(run, buffer as u16);
+        if let Some(list) = run.machine.buffers.get_mut(at) {
             list.clear();
         }
         context.refresh_list(run, buffer as u16);
@@ -47,7 +46,7 @@ pub(in super::super) unsafe extern "C" fn push(
     bits: i64,
 ) -> i64 {
     let push = |context: &mut Context, run: &mut Run<'_>| {
-        let at = context.call(run).buffers + buffer as usize;
+        let at = context.list_at(run, buffer as u16);
         let machine = &mut *run.machine;
         let limit = (&*run.mesh, &machine.drains, machine.memory);
         if memory::for_list(&mut machine.buffers, at, 1, limit).is_err() {
@@ -75,7 +74,7 @@ pub(in super::super) unsafe extern "C" fn collect(
     let collect = |context: &mut Context, run: &mut Run<'_>| {
         let buffer = which as u16;
         let walk = if which >> 16 == 0 { Walk::Loop } else { Walk::Star };
-        let at = context.call(run).buffers + usize::from(buffer);
+        let at = context.list_at(run, buffer);
         let Some(list) = run.machine.buffers.get_mut(at) else {
             return Ok(LEAVE);
         };
@@ -91,44 +90,34 @@ pub(in super::super) unsafe extern "C" fn collect(
     unsafe { within_guarded(context, collect) }
 }
 
-/// Keeps a write back whose operands stand in the window; [`LEAVE`] where the machine is to tell
-/// why it cannot.
+/// Keeps a write back that can be done: of an element, by its number, with a header as the
+/// machine writes it. `which` tells the buffer, the first of the slots in the window, and how
+/// many. [`LEAVE`] where the machine is to tell why it cannot.
 ///
 /// # Safety
 /// As of all stubs.
-pub(in super::super) unsafe extern "C" fn hold(context: *mut Context, inst: i64) -> i64 {
+pub(in super::super) unsafe extern "C" fn hold(
+    context: *mut Context,
+    which: i64,
+    header: i64,
+    element: i64,
+) -> i64 {
     let hold = |context: &mut Context, run: &mut Run<'_>| {
-        let call = context.call(run);
-        let inst = call.code.insts.get(inst as usize);
-        let Some(&(Inst::HoldPosition { buffer, .. } | Inst::HoldAttribute { buffer, .. })) = inst
+        let [buffer, first, width] = [0, 16, 32].map(|shift| (which >> shift) as u16);
+        let (at, first) = (context.list_at(run, buffer), context.base() + usize::from(first));
+        let machine = &mut *run.machine;
+        let limit = (&*run.mesh, &machine.drains, machine.memory);
+        let slots = machine.stack.get(first..first + usize::from(width));
+        let (Some(slots), Ok(())) =
+            (slots, memory::for_list(&mut machine.buffers, at, memory::HELD, limit))
         else {
             return Ok(LEAVE);
         };
-        let at = call.buffers + usize::from(buffer);
-        let (machine, mesh) = (&mut *run.machine, &mut *run.mesh);
-        let limit = (&*mesh, &machine.drains, machine.memory);
-        if memory::for_list(&mut machine.buffers, at, memory::HELD, limit).is_err() {
-            return Ok(LEAVE);
-        }
-        let (list, columns) = (&mut machine.buffers[at], &machine.columns);
-        let Some(w) = Window::at(&mut machine.stack, call.base) else {
-            return Ok(LEAVE);
-        };
-        let held = match inst {
-            Some(&Inst::HoldPosition { vertex, value, .. }) => {
-                access::place(mesh, w.id(vertex), w.vector(value))
-                    .map(|(vertex, position)| attribute::hold_position(vertex, position, list))
-            }
-            Some(&Inst::HoldAttribute { attribute, element, value, .. }) => {
-                attribute::column(columns, attribute).and_then(|column| {
-                    let target = (attribute, w.id(element));
-                    attribute::hold(mesh, column, target, &w, value, list)
-                })
-            }
-            _ => Ok(()),
-        };
+        let list = &mut machine.buffers[at];
+        list.extend([header as u64, element as u64]);
+        list.extend_from_slice(slots);
         context.refresh_list(run, buffer);
-        Ok(held.map_or(LEAVE, |()| 0))
+        Ok(0)
     };
     // SAFETY: as of all stubs.
     unsafe { within_guarded(context, hold) }
