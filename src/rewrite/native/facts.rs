@@ -121,10 +121,8 @@ impl Facts {
                 self.use_element(vertex, ElementKind::Vertex);
             }
             Inst::Store { halfedge, .. } => self.use_element(halfedge, ElementKind::Halfedge),
-            }
             Inst::StoreHalfedge { of, element, .. } => self.use_element(element, kind(of)),
             Inst::StoreHole { face, .. } => self.use_element(face, ElementKind::Face),
-            }
             Inst::NextLiving { of, element, .. } | Inst::JumpUnlessLiving { of, element, .. } => {
                 self.use_element(element, of.kind());
             }
