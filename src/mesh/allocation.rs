@@ -120,6 +120,42 @@ impl Mesh {
         )
     }
 
+    /// True if so many new elements can be put behind all others, by kind: no slot is free, and no
+    /// journal notes it.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(crate) fn can_append(&self, counts: [usize; 4]) -> bool {
+        !self.journal.is_open()
+            && ElementKind::ALL.into_iter().zip(counts).all(|(kind, count)| {
+                count == 0
+                    || self.slots[kind as usize].free.is_empty()
+                        && count <= ID_SPACE - self.capacity(kind)
+            })
+    }
+
+    /// Adds so many new elements behind all others, as the `add_` functions do one by one, where that
+    /// can be: the number of the first.
+    #[cfg(feature = "native")]
+    #[inline]
+    pub(crate) fn append(&mut self, kind: ElementKind, count: usize) -> u32 {
+        let first = self.capacity(kind);
+        let end = first + count;
+        match kind {
+            ElementKind::Vertex => {
+                self.vertices.resize(end, HalfedgeId::NONE);
+                self.positions.resize(end, DVec3::ZERO);
+            }
+            ElementKind::Halfedge => self.halfedges.resize(end, HalfedgeRecord::UNSET),
+            ElementKind::Edge => self.edges.resize(end, HalfedgeId::NONE),
+            ElementKind::Face => {
+                let face = FaceRecord { halfedge: HalfedgeId::NONE, hole: false };
+                self.faces.resize(end, face);
+            }
+        }
+        self.columns[kind as usize].grow(end);
+        first as u32
+    }
+
     /// A free slot, or the one after the last. The caller has asked `can_add` where
     /// the id space could run out.
     #[inline]

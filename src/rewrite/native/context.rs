@@ -50,6 +50,8 @@ pub(super) struct Context {
     pub(super) run: *mut c_void,
     /// The element that is returned; [`NOTHING`] if none is.
     pub(super) result: u64,
+    /// By kind the first of the elements that have been appended last.
+    pub(super) appended: [u32; 4],
     /// The number of slots that a function gives, which stand at the start of its window.
     pub(super) given: u32,
     /// The refusal that counts so far, as [`noted`] spells it.
@@ -128,6 +130,7 @@ impl Context {
             listens: run.listens(),
             run: (&raw mut *run).cast(),
             result: NOTHING,
+            appended: [0; 4],
             given: 0,
             noted,
         };
@@ -207,11 +210,17 @@ impl Context {
         }
     }
 
+    /// Looks anew for the tables of the mesh.
+    #[inline]
+    pub(super) fn refresh_tables(&mut self, run: &mut Run<'_>) {
+        self.tables = run.mesh.tables();
+        self.find_columns(run);
+    }
+
     /// Looks anew for what may have moved.
     #[inline]
     pub(super) fn refresh(&mut self, run: &mut Run<'_>) {
-        self.tables = run.mesh.tables();
-        self.find_columns(run);
+        self.refresh_tables(run);
         self.find_stack(run, self.base());
         self.listens = run.listens();
         self.level = run.level();

@@ -7,7 +7,7 @@ use std::mem::offset_of;
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F64, I8, I32, I64};
-use cranelift_codegen::ir::{InstBuilder, Value};
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
 
 use super::Variant;
 use super::access::{TABLES, first, kind, pointer, size_of_value};
@@ -217,24 +217,65 @@ impl Translator<'_, '_> {
     /// Takes this instruction and those of its sort that follow it at once.
     fn add_and_erase(&mut self) {
         let (first, code) = (self.at, self.text.code);
-        let end = self.end_of_run(is_added_or_erased);
+        let end =
+            self.end_of_run(|inst| added(inst).is_some() || matches!(inst, Inst::Erase { .. }));
         let all = &code.insts[first..end];
+        let on = self.b.create_block();
+        let new: Option<Vec<(ElementKind, Reg)>> = all.iter().map(added).collect();
+        if let Some(new) = new {
+            self.append(&new, on);
+        }
         all.iter().for_each(|inst| self.spill_operands(inst));
         let span = self.b.ins().iconst(I64, (first | end << 32) as i64);
         let done = self.call_stub(stubs::add_and_erase as *const () as usize, &[span]);
         self.leave_if_negative(done);
         all.iter().for_each(|inst| self.reload_written(inst));
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
         self.skip = end - first - 1;
+    }
+
+    /// Puts new elements behind all others, and goes on there; or here, where nothing has been done.
+    fn append(&mut self, new: &[(ElementKind, Reg)], on: Block) {
+        let mut counts = [0_u64; 4];
+        let places: Vec<u64> = new
+            .iter()
+            .map(|(kind, _)| {
+                let count = &mut counts[*kind as usize];
+                *count += 1;
+                *count - 1
+            })
+            .collect();
+        if counts.iter().any(|&count| count > 0xffff) {
+            return;
+        }
+        let packed = counts[0] | counts[1] << 16 | counts[2] << 32 | counts[3] << 48;
+        let packed = self.b.ins().iconst(I64, packed as i64);
+        let done = self.call_stub(stubs::append as *const () as usize, &[packed]);
+        let [fast, slow] = [(); 2].map(|()| self.b.create_block());
+        self.b.set_cold_block(slow);
+        self.b.ins().brif(done, slow, &[], fast, &[]);
+        self.b.switch_to_block(fast);
+        for ((kind, to), place) in new.iter().zip(places) {
+            let flags = self.flags(Region::Context);
+            let firsts = offset_of!(Context, appended) + *kind as usize * size_of::<u32>();
+            let first = self.b.ins().load(I32, flags, self.context, firsts as i32);
+            let first = self.b.ins().uextend(I64, first);
+            let id = self.b.ins().iadd_imm_s(first, place as i64);
+            self.set_whole(*to, id);
+        }
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(slow);
     }
 }
 
-fn is_added_or_erased(inst: &Inst) -> bool {
-    matches!(
-        inst,
-        Inst::NewVertex { .. }
-            | Inst::NewHalfedge { .. }
-            | Inst::NewEdge { .. }
-            | Inst::NewFace { .. }
-            | Inst::Erase { .. }
-    )
+/// The kind of what an instruction adds, and where its number goes.
+fn added(inst: &Inst) -> Option<(ElementKind, Reg)> {
+    match *inst {
+        Inst::NewVertex { to } => Some((ElementKind::Vertex, to)),
+        Inst::NewHalfedge { to } => Some((ElementKind::Halfedge, to)),
+        Inst::NewEdge { to } => Some((ElementKind::Edge, to)),
+        Inst::NewFace { to } => Some((ElementKind::Face, to)),
+        _ => None,
+    }
 }

@@ -282,6 +282,30 @@ pub(super) unsafe extern "C" fn fault(context: *mut Context, inst: i64) {
     }
 }
 
+/// Appends so many new elements, 16 bits for each kind, and tells the first of each; [`LEAVE`], and
+/// nothing has been done, where [`add_and_erase`] is to add them.
+///
+/// # Safety
+/// As of all stubs.
+pub(super) unsafe extern "C" fn append(context: *mut Context, counts: i64) -> i64 {
+    let counts = [0, 16, 32, 48].map(|shift| (counts as u64 >> shift) as usize & 0xffff);
+    let append = |context: &mut Context, run: &mut Run<'_>| {
+        let Run { machine, mesh, .. } = &mut *run;
+        let is_told = machine.created.is_some() || !machine.drains.is_empty();
+        if is_told || !mesh.can_append(counts) {
+            return Ok(LEAVE);
+        }
+        let wanted = ElementKind::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0);
+        for (kind, count) in wanted {
+            context.appended[kind as usize] = mesh.append(kind, count);
+        }
+        context.refresh_tables(run);
+        Ok(0)
+    };
+    // SAFETY: as of all stubs.
+    unsafe { within_guarded(context, append) }
+}
+
 /// Adds and erases elements: takes so many instructions, in number and order as `span` says, which
 /// read the window and write to it.
 ///
