@@ -79,6 +79,9 @@ impl Translator<'_, '_> {
         [args, to]: [Reg; 2],
         holds: bool,
     ) {
+        if self.inline(inst, function, [args, to], holds) {
+            return;
+        }
         let Some(callee) = self.callee(function) else {
             return self.call_by_machine(inst);
         };
@@ -131,7 +134,7 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    fn call_by_machine(&mut self, inst: &Inst) {
+    pub(super) fn call_by_machine(&mut self, inst: &Inst) {
         self.spill_operands(inst);
         let number = self.b.ins().iconst(I64, self.at as i64);
         let done = self.call_stub(stubs::calls::call as *const () as usize, &[number]);
@@ -159,7 +162,7 @@ impl Translator<'_, '_> {
         Some(Callee { entry, params: called.params, gives })
     }
 
-    fn hold(&mut self, by: i64) {
+    pub(super) fn hold(&mut self, by: i64) {
         let place = self.field(offset_of!(Context, holding));
         let flags = self.flags(Region::Holding);
         let count = self.b.ins().load(I32, flags, place, 0);
@@ -311,13 +314,18 @@ impl Translator<'_, '_> {
         let place = self.b.ins().iconst(I64, entry.addr() as i64);
         let entry = self.b.ins().load(I64, flags, place, 0);
         self.or_slow(entry, slow);
+        (entry, self.next_window(slow))
+    }
+
+    /// Where the window of what is called begins, if the stack has room.
+    pub(super) fn next_window(&mut self, slow: Block) -> Value {
         let size = i64::from(self.text.code.registers) * 8;
         let window = self.field(offset_of!(Context, window));
         let next = self.b.ins().iadd_imm_s(window, size);
         let last = self.field(offset_of!(Context, last));
         let fits = self.b.ins().icmp(IntCC::UnsignedLessThanOrEqual, next, last);
         self.or_slow(fits, slow);
-        (entry, next)
+        next
     }
 
     /// Puts arguments into the window of what is called.

@@ -64,6 +64,18 @@ impl Fact {
 pub(super) struct Facts(Vec<Fact>);
 
 impl Facts {
+    /// Nothing is known of so many registers.
+    pub(super) fn none(registers: usize) -> Self {
+        Self(vec![Fact::default(); registers])
+    }
+
+    /// Something is known of the first of so many registers.
+    pub(super) fn of_params(registers: usize, params: impl Iterator<Item = Fact>) -> Self {
+        let mut facts: Vec<Fact> = params.collect();
+        facts.resize(registers, Fact::default());
+        Self(facts)
+    }
+
     pub(super) fn of(&self, reg: Reg) -> Fact {
         self.0.get(usize::from(reg.0)).copied().unwrap_or_default()
     }
@@ -141,6 +153,7 @@ impl Facts {
                     fact.lives = false;
                 }
             }
+            Inst::Call { function, .. } if surroundings.only_reads(function) => {}
             // Others may erase.
             Inst::Call { .. } | Inst::Apply { .. } | Inst::Try { .. } => {
                 self.0.fill(Fact::default());
@@ -172,18 +185,19 @@ fn kind(of: ElementField) -> ElementKind {
 pub(super) struct KnownAt(Vec<Option<Facts>>);
 
 impl KnownAt {
-    pub(super) fn of(code: &Code, registers: usize, surroundings: &Surroundings) -> Self {
+    /// Where the code begins, something is known.
+    pub(super) fn of(code: &Code, start: &Facts, surroundings: &Surroundings) -> Self {
         let insts = &code.insts;
         let mut known = Self(vec![None; insts.len() + 1]);
         let is_target = targets(code);
         // Where it may begin, nothing is.
         for entry in entries(code) {
-            known.0[entry as usize] = Some(Facts(vec![Fact::default(); registers]));
+            known.0[entry as usize] = Some(Facts::none(start.0.len()));
         }
         // What is known only becomes less, so this ends.
         loop {
             let mut changed = false;
-            let mut walk = Walk::new(registers);
+            let mut walk = Walk::with(start.clone());
             for (at, inst) in insts.iter().enumerate() {
                 if is_target[at] {
                     walk.arrive(&mut known, at, &mut changed);
@@ -230,7 +244,11 @@ pub(super) struct Walk {
 
 impl Walk {
     pub(super) fn new(registers: usize) -> Self {
-        Self { facts: Some(Facts(vec![Fact::default(); registers])) }
+        Self::with(Facts::none(registers))
+    }
+
+    pub(super) fn with(facts: Facts) -> Self {
+        Self { facts: Some(facts) }
     }
 
     fn arrive(&mut self, known: &mut KnownAt, at: usize, changed: &mut bool) {

@@ -58,6 +58,7 @@ mod elements;
 mod enter;
 mod facts;
 mod guards;
+mod inline;
 mod lists;
 mod liveness;
 mod memory;

@@ -1,5 +1,6 @@
 //! The registers that an instruction reads and writes.
 
+use super::may_write;
 use crate::mesh::{AttributeType, ElementKind};
 use crate::rewrite::vectors::{Lanes, Matrix};
 use crate::rewrite::{Code, Function, Inst, Plan, Question, Reg};
@@ -52,6 +53,13 @@ impl Surroundings<'_> {
     /// The type of an attribute on the mesh.
     pub(super) fn type_of(&self, attribute: u16) -> Option<AttributeType> {
         self.column(attribute).map(|(_, ty)| ty)
+    }
+
+    /// Whether a function does nothing but compute.
+    pub(super) fn only_reads(&self, function: u16) -> bool {
+        let does_more = |inst: &Inst| may_write(inst) || matches!(inst, Inst::Try { .. });
+        let called = self.functions.get(usize::from(function));
+        called.is_some_and(|called| !called.code.insts.iter().any(does_more))
     }
 
     /// The kind of the elements that have an attribute.

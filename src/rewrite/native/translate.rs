@@ -14,8 +14,9 @@ use cranelift_frontend::{FunctionBuilder, Switch, Variable};
 
 use super::compile::entries;
 use super::context::{Context, noted};
-use super::facts::{KnownAt, Walk, ends, targets};
+use super::facts::{Facts, KnownAt, Walk, ends, targets};
 use super::guards::{Guard, Set};
+use super::inline::{Back, Inlined};
 use super::liveness::Liveness;
 use super::operands::Surroundings;
 use super::registers::reals;
@@ -74,16 +75,16 @@ pub(super) struct Translator<'a, 'f> {
     pub(super) context: Value,
     pub(super) variables: Vec<Option<Variable>>,
     pub(super) is_real: Vec<bool>,
-    blocks: Vec<Option<Block>>,
+    pub(super) blocks: Vec<Option<Block>>,
     pub(super) known: Walk,
     /// The instruction that is spelled.
     pub(super) at: usize,
     /// The number of those behind it that have been spelled with it.
     pub(super) skip: usize,
     /// Where it traps, if it may.
-    fault: Option<Block>,
+    pub(super) fault: Option<Block>,
     /// All such blocks, each with its instruction and what is to be put back.
-    faults: Vec<(Block, usize, Vec<Set>)>,
+    pub(super) faults: Vec<(Block, usize, Vec<Set>)>,
     /// The parts of the code that look ahead.
     pub(super) guards: Vec<Guard>,
     /// What has been set in the one that is spelled.
@@ -91,9 +92,12 @@ pub(super) struct Translator<'a, 'f> {
     /// Where native code is left by a trap.
     pub(super) leave: Block,
     /// True if what the registers hold is left in the window.
-    keeps_window: bool,
+    pub(super) keeps_window: bool,
     /// By drain, the registers that its paths may read.
-    live_at_drains: Vec<(usize, Vec<Reg>)>,
+    pub(super) live_at_drains: Vec<(usize, Vec<Reg>)>,
+    /// Where a function goes that is spelled in its caller.
+    pub(super) back: Option<Back>,
+    pub(super) inlined: Inlined,
 }
 
 impl<'a, 'f> Translator<'a, 'f> {
@@ -139,53 +143,76 @@ impl<'a, 'f> Translator<'a, 'f> {
             leave,
             keeps_window: text.way == Way::Script && !loops,
             live_at_drains,
+            back: None,
+            inlined: Inlined::default(),
         };
-        let known_at = KnownAt::of(text.code, registers, &text.surroundings);
-        // They hold wherever the code begins.
-        let constants = text.code.constants.min(insts.len());
-        for inst in &insts[..constants] {
-            this.value(inst);
-            this.known.pass(inst, &text.surroundings);
-        }
+        let known_at = KnownAt::of(text.code, &Facts::none(registers), &text.surroundings);
+        this.constants();
         this.begin(start, &liveness);
+        this.rest(&known_at);
+        this.faults();
+        let answer = this.leave;
+        this.b.switch_to_block(answer);
+        let answer = this.b.ins().iconst(I64, TRAPPED);
+        this.b.ins().return_(&[answer]);
+        this.b.seal_all_blocks();
+        this.b
+    }
+
+    /// Spells the code of a function whose registers hold its arguments.
+    pub(super) fn body(&mut self, known_at: &KnownAt) {
+        self.constants();
+        self.rest(known_at);
+    }
+
+    /// The constants of the code: they hold wherever it begins.
+    fn constants(&mut self) {
+        let Text { code, surroundings, .. } = self.text;
+        for inst in &code.insts[..code.constants.min(code.insts.len())] {
+            self.value(inst);
+            self.known.pass(inst, &surroundings);
+        }
+    }
+
+    /// The code behind them.
+    fn rest(&mut self, known_at: &KnownAt) {
+        let Text { code, surroundings, .. } = self.text;
+        let insts = &code.insts;
         let mut reached = true;
-        for (at, inst) in insts.iter().enumerate().skip(constants) {
-            if let Some(block) = this.blocks[at] {
+        for (at, inst) in insts.iter().enumerate().skip(code.constants.min(insts.len())) {
+            if let Some(block) = self.blocks[at] {
                 if reached {
-                    this.b.ins().jump(block, &[]);
+                    self.b.ins().jump(block, &[]);
                 }
-                this.b.switch_to_block(block);
-                this.known.enter(&known_at, at);
+                self.b.switch_to_block(block);
+                self.known.enter(known_at, at);
                 reached = true;
             }
             if !reached {
                 continue;
             }
-            if this.skip > 0 {
-                this.skip -= 1;
-                this.known.pass(inst, &text.surroundings);
+            if self.skip > 0 {
+                self.skip -= 1;
+                self.known.pass(inst, &surroundings);
                 continue;
             }
-            (this.at, this.fault) = (at, None);
-            if !this.guards.iter().any(|guard| guard.contains(at)) {
-                this.set.clear();
+            (self.at, self.fault) = (at, None);
+            if !self.guards.iter().any(|guard| guard.contains(at)) {
+                self.set.clear();
             }
-            reached = this.inst(inst) && !ends(inst);
-            this.known.pass(inst, &text.surroundings);
+            reached = self.inst(inst) && !ends(inst);
+            self.known.pass(inst, &surroundings);
         }
-        if let Some(block) = this.blocks[insts.len()] {
+        if let Some(block) = self.blocks[insts.len()] {
             if reached {
-                this.b.ins().jump(block, &[]);
+                self.b.ins().jump(block, &[]);
             }
-            this.b.switch_to_block(block);
+            self.b.switch_to_block(block);
             reached = true;
         }
         if reached {
-            this.end(None);
+            self.end(None);
         }
-        this.write_faults();
-        this.b.seal_all_blocks();
-        this.b
     }
 
     /// Begins where it is told: at the beginning, or at the turn of a loop, with what the registers
@@ -223,7 +250,7 @@ impl<'a, 'f> Translator<'a, 'f> {
     }
 
     /// The blocks of what traps: the machine takes the instruction and says why.
-    fn write_faults(&mut self) {
+    pub(super) fn faults(&mut self) {
         for (block, at, set) in std::mem::take(&mut self.faults) {
             self.b.switch_to_block(block);
             let inst = self.text.code.insts[at];
@@ -236,10 +263,6 @@ impl<'a, 'f> Translator<'a, 'f> {
             let leave = self.leave;
             self.b.ins().jump(leave, &[]);
         }
-        let leave = self.leave;
-        self.b.switch_to_block(leave);
-        let answer = self.b.ins().iconst(I64, TRAPPED);
-        self.b.ins().return_(&[answer]);
     }
 
     /// Spells an instruction; false if nothing follows it.
@@ -255,7 +278,9 @@ impl<'a, 'f> Translator<'a, 'f> {
                 return false;
             }
             Inst::Give { from, width } => {
-                self.give(from, width);
+                if !self.give_back(from) {
+                    self.give(from, width);
+                }
                 self.end(None);
             }
             Inst::Call { function, args, to, holds } => {
@@ -356,6 +381,9 @@ impl<'a, 'f> Translator<'a, 'f> {
 
     /// Ends the code.
     fn end(&mut self, result: Option<Reg>) {
+        if self.go_back() {
+            return;
+        }
         if let Some(result) = result {
             let element = self.id(result);
             let flags = self.flags(Region::Context);

@@ -1,0 +1,225 @@
+//! Functions that are spelled where they are called.
+//!
+//! The context is that of the function meanwhile, as if it were called: what a stub or a trap sees
+//! is the same. Arguments and results stay variables.
+
+use std::mem::{offset_of, replace, take};
+
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{Block, InstBuilder, Value};
+use cranelift_frontend::Variable;
+
+use super::calls::gives;
+use super::compile::entries;
+use super::context::{Context, Slice};
+use super::facts::{Fact, Facts, KnownAt, Walk, targets};
+use super::liveness::Liveness;
+use super::registers::reals;
+use super::translate::{Text, Translator};
+use super::{Variant, stubs};
+use crate::rewrite::engine::Way;
+use crate::rewrite::{Function, Inst, Reg};
+
+/// The greatest number of instructions of a function that is spelled where it is called, of all of
+/// these in one code, and how deep they may be nested.
+const MOST: usize = 120;
+const MOST_IN_ALL: usize = 1200;
+const DEPTH: usize = 4;
+
+/// Where a function that is spelled in its caller goes when it is done.
+pub(super) struct Back {
+    exit: Block,
+    /// The variables of the caller for what it gives, and whether they hold reals.
+    results: Vec<(Variable, bool)>,
+}
+
+/// The functions that are being spelled in a code, and how many instructions they have had.
+#[derive(Default)]
+pub(super) struct Inlined {
+    running: Vec<u16>,
+    insts: usize,
+}
+
+impl<'a> Translator<'a, '_> {
+    /// A function that may be spelled here, and the number of slots that it gives.
+    fn inlined(&self, number: u16) -> Option<(&'a Function, u16)> {
+        let called = self.text.surroundings.functions.get(usize::from(number))?;
+        let code = &called.code;
+        let is_running =
+            self.inlined.running.contains(&number) || self.text.function == Some(number);
+        let fits = code.insts.len() <= MOST
+            && self.inlined.insts + code.insts.len() <= MOST_IN_ALL
+            && self.inlined.running.len() < DEPTH;
+        let is_plain = code.buffers == 0 && !code.opens_drain() && entries(code).is_empty();
+        let ends_else =
+            |inst: &Inst| matches!(inst, Inst::Return { .. } | Inst::Refuse | Inst::PreviewClear);
+        if is_running || !fits || !is_plain || code.insts.iter().any(ends_else) {
+            return None;
+        }
+        Some((called, gives(code)?))
+    }
+
+    /// Spells a function instead of its call; false if that is not to be.
+    pub(super) fn inline(
+        &mut self,
+        inst: &Inst,
+        number: u16,
+        [args, to]: [Reg; 2],
+        holds: bool,
+    ) -> bool {
+        let Some((called, gives)) = self.inlined(number) else {
+            return false;
+        };
+        let [slow, on, exit, trapped] = [(); 4].map(|()| self.b.create_block());
+        [slow, trapped].into_iter().for_each(|block| self.b.set_cold_block(block));
+        let left = self.field(offset_of!(Context, left));
+        self.or_slow(left, slow);
+        let next = self.next_window(slow);
+        let fewer = self.b.ins().iadd_imm_s(left, -1);
+        self.set_field(offset_of!(Context, left), fewer);
+        self.set_field(offset_of!(Context, window), next);
+        let running = self.b.ins().iconst(I64, i64::from(number) + 1);
+        self.set_field(offset_of!(Context, function), running);
+        let lists = i64::from(self.text.code.buffers) * size_of::<Slice>() as i64;
+        self.move_field(offset_of!(Context, lists), lists);
+        if holds {
+            self.hold(1);
+        }
+
+        let params = (0..called.params).map(|part| Reg(args.0.wrapping_add(part)));
+        let params: Vec<(Value, bool, Fact)> = params
+            .map(|reg| {
+                let variable = self.variable(reg);
+                (self.b.use_var(variable), self.is_real(reg), self.fact(reg))
+            })
+            .collect();
+        let results = (0..gives).map(|part| Reg(to.0.wrapping_add(part)));
+        let results =
+            results.map(|reg| (self.variable(reg), self.is_real(reg))).collect::<Vec<_>>();
+        self.spell(number, called, &params, Back { exit, results }, trapped);
+
+        self.b.switch_to_block(exit);
+        self.return_to_caller(lists, left);
+        if holds {
+            self.hold(-1);
+        }
+        self.b.ins().jump(on, &[]);
+
+        self.b.switch_to_block(trapped);
+        self.return_to_caller(lists, left);
+        let at = self.b.ins().iconst(I64, self.at as i64);
+        self.call_stub(stubs::calls::left as *const () as usize, &[at]);
+        self.b.ins().jump(self.leave, &[]);
+
+        self.b.switch_to_block(slow);
+        self.call_by_machine(inst);
+        self.b.ins().jump(on, &[]);
+        self.b.switch_to_block(on);
+        true
+    }
+
+    fn return_to_caller(&mut self, lists: i64, left: Value) {
+        let size = i64::from(self.text.code.registers) * 8;
+        self.move_field(offset_of!(Context, window), -size);
+        self.move_field(offset_of!(Context, lists), -lists);
+        self.set_field(offset_of!(Context, left), left);
+        let own = self.text.function.map_or(0, |number| i64::from(number) + 1);
+        let own = self.b.ins().iconst(I64, own);
+        self.set_field(offset_of!(Context, function), own);
+    }
+
+    /// Spells the code of a function.
+    fn spell(
+        &mut self,
+        number: u16,
+        called: &'a Function,
+        params: &[(Value, bool, Fact)],
+        back: Back,
+        trapped: Block,
+    ) {
+        let code = &called.code;
+        let surroundings = self.text.surroundings;
+        let registers = usize::from(code.registers);
+        let text = Text { code, way: Way::Function, function: Some(number), ..self.text };
+        let is_target = targets(code);
+        let blocks = is_target.iter().map(|&is| is.then(|| self.b.create_block())).collect();
+        let facts = Facts::of_params(registers, params.iter().map(|(_, _, fact)| *fact));
+        let known_at = KnownAt::of(code, &facts, &surroundings);
+        // A function that an operation asks before its first write writes nothing.
+        let variant = match self.variant {
+            Variant::Dry => Variant::Plain,
+            variant => variant,
+        };
+        self.inlined.running.push(number);
+        self.inlined.insts += code.insts.len();
+        let outer_text = replace(&mut self.text, text);
+        let outer_variant = replace(&mut self.variant, variant);
+        let outer_variables = replace(&mut self.variables, vec![None; registers]);
+        let is_real = reals(&code.insts, registers, &surroundings);
+        let outer_real = replace(&mut self.is_real, is_real);
+        let outer_blocks = replace(&mut self.blocks, blocks);
+        let outer_known = replace(&mut self.known, Walk::with(facts));
+        let outer_place = (self.at, self.skip, self.fault);
+        let outer_faults = take(&mut self.faults);
+        let outer_guards = take(&mut self.guards);
+        let outer_set = take(&mut self.set);
+        let outer_leave = replace(&mut self.leave, trapped);
+        let outer_keeps = replace(&mut self.keeps_window, false);
+        let outer_drains = take(&mut self.live_at_drains);
+        let outer_back = self.back.replace(back);
+
+        let live = Liveness::of(code, registers, &surroundings).at(0);
+        let (passed, others): (Vec<Reg>, Vec<Reg>) =
+            live.into_iter().partition(|reg| usize::from(reg.0) < params.len());
+        others.into_iter().for_each(|reg| self.reload(reg));
+        for reg in passed {
+            let (value, is_real, _) = params[usize::from(reg.0)];
+            match is_real {
+                true => self.set_real(reg, value),
+                false => self.set_whole(reg, value),
+            }
+        }
+        self.body(&known_at);
+        self.faults();
+
+        self.text = outer_text;
+        self.variant = outer_variant;
+        self.variables = outer_variables;
+        self.is_real = outer_real;
+        self.blocks = outer_blocks;
+        self.known = outer_known;
+        (self.at, self.skip, self.fault) = outer_place;
+        self.faults = outer_faults;
+        self.guards = outer_guards;
+        self.set = outer_set;
+        self.leave = outer_leave;
+        self.keeps_window = outer_keeps;
+        self.live_at_drains = outer_drains;
+        self.back = outer_back;
+        self.inlined.running.pop();
+    }
+
+    /// Goes back to the caller where the function is spelled in it, with what it gives; false if it
+    /// is not.
+    pub(super) fn give_back(&mut self, from: Reg) -> bool {
+        let Some(Back { results, .. }) = &self.back else {
+            return false;
+        };
+        let results = results.clone();
+        for (part, (variable, is_real)) in (0..).zip(results) {
+            let reg = Reg(from.0.wrapping_add(part));
+            let value = if is_real { self.real(reg) } else { self.whole(reg) };
+            self.b.def_var(variable, value);
+        }
+        true
+    }
+
+    /// Goes back to the caller where the function is spelled in it; false if it is not.
+    pub(super) fn go_back(&mut self) -> bool {
+        let exit = self.back.as_ref().map(|back| back.exit);
+        if let Some(exit) = exit {
+            self.b.ins().jump(exit, &[]);
+        }
+        exit.is_some()
+    }
+}
