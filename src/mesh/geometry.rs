@@ -24,7 +24,28 @@ impl Mesh {
     }
 
     /// Normal to the face, as long as its area.
+    #[inline]
     pub fn vector_area(&self, f: FaceId) -> DVec3 {
+        match self.triangle(f) {
+            // The zero is what the sum of other polygons begins with.
+            Some([a, b, c]) => (DVec3::ZERO + (b - a).cross(c - a)) / 2.0,
+            None => self.vector_area_of_any(f),
+        }
+    }
+
+    /// The corners of a face of three sides.
+    #[inline]
+    fn triangle(&self, f: FaceId) -> Option<[DVec3; 3]> {
+        let first = self.get_face_halfedge(f)?;
+        let a = self.get_halfedge(first)?;
+        let b = self.get_halfedge(a.next)?;
+        let c = self.get_halfedge(b.next)?;
+        let is_triangle = c.next == first && ![a.next, b.next].contains(&first);
+        let [a, b, c] = [a, b, c].map(|halfedge| self.get_position(halfedge.vertex));
+        is_triangle.then_some([a?, b?, c?])
+    }
+
+    fn vector_area_of_any(&self, f: FaceId) -> DVec3 {
         let mut corners = self.face_vertices(f).filter_map(|v| self.get_position(v));
         // Relative to the first corner, so that a small face far away keeps its digits.
         let Some(first) = corners.next() else {

@@ -108,8 +108,16 @@ pub(super) fn next_living(mesh: &Mesh, of: Elements, id: u64) -> Option<u32> {
 
 /// Appends all living elements.
 pub(super) fn collect_living(mesh: &Mesh, of: Elements, into: &mut Vec<u64>) {
-    let ids = 0..mesh.capacity(of.kind()) as u32;
-    into.extend(ids.filter(|&id| lives(mesh, of, id)).map(u64::from));
+    match of {
+        Elements::Vertices => into.extend(mesh.vertices().map(|v| u64::from(v.0))),
+        Elements::Halfedges => into.extend(mesh.halfedges().map(|h| u64::from(h.0))),
+        Elements::Edges => into.extend(mesh.edges().map(|e| u64::from(e.0))),
+        Elements::Faces | Elements::Holes => {
+            let is_hole = of == Elements::Holes;
+            let faces = mesh.faces().filter(|&face| mesh.is_hole(face) == is_hole);
+            into.extend(faces.map(|face| u64::from(face.0)));
+        }
+    }
 }
 
 /// A pointer may lead to any slot, or to nothing.
