@@ -302,6 +302,7 @@ impl Translator<'_, '_> {
         self.set_field(offset_of!(Context, op), number);
         let answer = self.enter(entry);
         self.set_field(offset_of!(Context, op), zero);
+        self.set_field(offset_of!(Context, level), state);
         self.set_field(offset_of!(Context, left), left);
         self.go_on_unless(answer, TRAPPED);
         answer

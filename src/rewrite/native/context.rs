@@ -180,17 +180,19 @@ impl Context {
         self.lists = self.lists.wrapping_add(usize::from(buffers));
         (self.function, self.op) = (0, u64::from(op) + 1);
         (self.noted, self.result) = (0, NOTHING);
+        self.level = NOT_DIRECTLY;
         self.left -= 1;
         // It counts its own functions.
         run.frames = 0_usize.wrapping_sub((run.left - self.left) as usize);
     }
 
     /// Becomes that of the caller again, whose window has this base.
-    pub(super) fn end_op(&mut self, base: usize, lists: usize, function: u64) {
+    pub(super) fn end_op(&mut self, run: &Run<'_>, base: usize, lists: usize, function: u64) {
         self.window = self.stack.wrapping_add(base);
         self.lists = self.first_list.wrapping_byte_add(lists);
         (self.function, self.op) = (function, 0);
         (self.noted, self.result) = (0, NOTHING);
+        self.find_level(run);
         self.left += 1;
     }
 
@@ -223,7 +225,13 @@ impl Context {
         self.refresh_tables(run);
         self.find_stack(run, self.base());
         self.listens = run.listens();
-        self.level = run.level();
+        self.find_level(run);
+    }
+
+    /// What an operation calls, the machine calls.
+    #[inline]
+    fn find_level(&mut self, run: &Run<'_>) {
+        self.level = if self.op == 0 { run.level() } else { NOT_DIRECTLY };
     }
 
     fn find_stack(&mut self, run: &mut Run<'_>, base: usize) {

@@ -124,7 +124,7 @@ fn end_op(
 ) -> Result<i64, Trap> {
     let outcome = context.outcome(answer);
     let Before { base, lists, first_list, function, frames } = before;
-    context.end_op(base, lists.addr() - first_list.addr(), function);
+    context.end_op(run, base, lists.addr() - first_list.addr(), function);
     run.frames = frames;
     let caller = context.call(run);
     let (Some(outcome), Some(&Inst::Apply { op, .. })) =
