@@ -290,3 +290,97 @@ fn a_function_refuses_for_steps_on_both() {
     }
     assert!(undone > 30, "{undone}");
 }
+
+/// What native code calls and asks directly: operations that keep a level and such that lower it,
+/// small functions in each other, some of which fail.
+#[test]
+fn calls_do_the_same_on_both() {
+    let text = "use \"std/triangle.hedge\"
+        op turn(e: edge) {
+          before {
+            face f0: v0 -a-> v1 -b-> v2 -c-> v0
+            face f1: v1 -d-> v0 -g-> v3 -h-> v1
+            edge e: a | d
+          }
+          after {
+            face f0: v3 -a-> v2 -c-> v0 -g-> v3
+            face f1: v2 -d-> v3 -h-> v1 -b-> v2
+            edge e: a | d
+          }
+        }
+        attr mark: vertex int = 0
+        fn third(n: int) -> int { n div 3 }
+        fn share(v: vertex, of: int) -> int { third(of) + of mod degree(v) }
+        fn mean_share(v: vertex) -> real { mean(share(w, w.mark) for w in v.neighbors) }
+        fn beyond(v: vertex, n: int) -> int { 12 div (share(v, v.mark) - n) }
+        fn count_down(v: vertex, n: int) -> int {
+          if n == 0 { share(v, 7) } else { 1 + count_down(v, n - 1) }
+        }
+        fn note(v: vertex) { v.mark = v.mark + share(v, v.mark + 5) }
+        fn is_even(h: halfedge) -> bool { (h.vertex.mark + h.target.mark) mod 2 == 0 }
+        script main(limit: int) {
+          var asked = 0
+          for e in edges {
+            let h = e.halfedge
+            note(h.vertex)
+            if can flip(e) { asked = asked + 1 }
+            if is_even(h) { flip(e) } else if let m = split(e) { note(m) }
+            if can collapse(e) and not is_even(e.halfedge) { collapse(e) }
+          }
+          print asked, sum(mean_share(v) for v in vertices), count(faces)
+          for e in edges where is_even(e.halfedge) {
+            turn(e)
+            flip(e)
+          }
+          print sum(count_down(v, 70) for v in vertices), count(edges)
+          print sum(beyond(v, limit) for v in vertices)
+        }";
+    let analysis = analyse("calls.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    let (mut ended, mut failed) = (0, 0);
+    for original in meshes().into_iter().chain([shape::icosphere(2)]) {
+        for engine in [Engine::Native, Engine::NativeAtOnce] {
+            for limit in [-1, 1, 2, 3] {
+                let limit = [("limit".to_owned(), Argument::Int(limit))];
+                let mut mesh = original.clone();
+                match run_on_both(&prepared, &mut mesh, &limit, engine).0 {
+                    Ok(_) => ended += 1,
+                    Err(_) => failed += 1,
+                }
+            }
+        }
+    }
+    assert!(ended > 10 && failed > 10, "{ended} {failed}");
+}
+
+/// What functions write is noted, also where they were compiled when nobody wanted to know.
+#[test]
+fn writes_are_noted_whatever_was_compiled_before() {
+    let text = "attr mark: vertex int = 0
+        fn raise(v: vertex) { v.mark = v.mark + 1 v.position = 2 * v.position }
+        fn raise_all() { for v in vertices { raise(v) } }
+        script main() { repeat 3 { raise_all() } for v in vertices { raise(v) } }";
+    let analysis = analyse("writes.hedge", text);
+    assert!(analysis.is_sound(), "{:#?}", analysis.diagnostics);
+    let script = analysis.script("main").expect("it is there");
+    let mut prepared = prepare(&analysis.program, script, &analysis.plans).expect("it is small");
+    for engine in [Engine::Native, Engine::NativeAtOnce] {
+        prepared.use_engine(engine);
+        let original = shape::icosphere(2);
+        for _ in 0..2 {
+            let mut mesh = original.clone();
+            run(&prepared, &mut mesh, &[], &mut Unwatched).expect("it comes to its end");
+            let done = mesh.clone();
+            let mut mesh = original.clone();
+            let mark = mesh.open_journal();
+            run(&prepared, &mut mesh, &[], &mut Unwatched).expect("it comes to its end");
+            assert!(identical(&mesh, &done));
+            mesh.roll_back(mark);
+            let positions =
+                |mesh: &Mesh| mesh.vertices().map(|v| mesh.position(v)).collect::<Vec<_>>();
+            assert_eq!(positions(&mesh), positions(&original));
+        }
+    }
+}
