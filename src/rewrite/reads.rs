@@ -385,6 +385,8 @@ impl<'c> Reads<'c> {
             | Inst::PrintBool { .. } | Inst::PrintInt { .. } | Inst::PrintReal { .. }
             | Inst::PrintVec { .. } | Inst::PrintWide { .. }
             | Inst::PrintElement { .. } => {}
+            // Whoever drains still needs ids, so nothing is freed.
+            Inst::Recycle => {}
             // What neither a key nor an operation that is asked has business with.
             #[rustfmt::skip]
             Inst::Refuse | Inst::Return { .. } | Inst::NewVertex { .. } | Inst::NewHalfedge { .. }
@@ -393,7 +395,7 @@ impl<'c> Reads<'c> {
             | Inst::StorePosition { .. } | Inst::HoldPosition { .. }
             | Inst::StoreAttribute { .. } | Inst::HoldAttribute { .. }
             | Inst::ReleaseHeld { .. } | Inst::StoreAll { .. } | Inst::StoreSpan { .. }
-            | Inst::Erase { .. } | Inst::Recycle | Inst::Apply { .. } | Inst::Refused { .. }
+            | Inst::Erase { .. } | Inst::Apply { .. } | Inst::Refused { .. }
             | Inst::PrintEnd | Inst::PrintReason { .. } | Inst::RefusedFor { .. }
             | Inst::PrintDifference { .. } | Inst::MeshKeep { .. } | Inst::MeshSame { .. }
             | Inst::Fail { .. } | Inst::FailShowing { .. } | Inst::Give { .. }

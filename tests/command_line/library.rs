@@ -112,7 +112,7 @@ fn what_keeps_the_keys_of_a_drain_is_told() {
     let told = |arguments: &[&str]| bench.run(arguments).out;
     let simplify = ["run", "std/simplify.hedge", "mesh.obj", "--set", "faces_left=4", "-v"];
     let line =
-        "std/simplify.hedge:140:3: changed keys of `drain` are found from what was written\n";
+        "std/simplify.hedge:144:3: changed keys of `drain` are found from what was written\n";
     assert!(told(&simplify).contains(line), "{}", told(&simplify));
     assert!(told(&simplify).contains(" to compile native code)"), "{}", told(&simplify));
     bench.write(

@@ -31,62 +31,15 @@ struct Walk {
 
 impl Translator<'_, '_> {
     /// Spells a question whose answer is a whole number or a bool.
-    pub(super) fn ask_whole(&mut self, question: Question, to: Reg, [one, other]: [Reg; 2]) {
-        let numbers = [one, other].map(|reg| self.whole(reg));
+    pub(super) fn ask_whole(&mut self, question: Question, to: Reg, elements: [Reg; 2]) {
+        let numbers = elements.map(|reg| self.whole(reg));
         let [slow, on] = [(); 2].map(|()| self.b.create_block());
-        let is_walked = match question {
-            Question::Degree => {
-                self.living(ElementKind::Vertex, one);
-                let walk = self.walk(slow);
-                self.around(walk, ElementField::Vertex, one, |this, count| {
-                    this.set_whole(to, count);
-                    this.b.ins().jump(on, &[]);
-                });
-                true
-            }
-            Question::FaceSize => {
-                self.living(ElementKind::Face, one);
-                let walk = self.walk(slow);
-                self.around(walk, ElementField::Face, one, |this, count| {
-                    this.set_whole(to, count);
-                    this.b.ins().jump(on, &[]);
-                });
-                true
-            }
-            Question::BoundaryVertex => {
-                self.living(ElementKind::Vertex, one);
-                let walk = self.walk(slow);
-                self.boundary_vertex(walk, one, to, on);
-                true
-            }
-            Question::BoundaryEdge => {
-                self.living(ElementKind::Edge, one);
-                let walk = self.walk(slow);
-                let half = self.first_of(ElementField::Edge, one);
-                let record = self.row(walk.halfedges, half, slow);
-                let twin = self.leads(record, HalfedgeField::Twin);
-                let twin = self.row(walk.halfedges, twin, slow);
-                let faces = self.rows(ElementKind::Face);
-                let [here, there] = [record, twin].map(|half| self.is_in_hole(faces, half, slow));
-                let either = self.b.ins().bor(here, there);
-                self.set_whole(to, either);
-                self.b.ins().jump(on, &[]);
-                true
-            }
-            Question::Adjacent => {
-                self.living(ElementKind::Vertex, one);
-                self.living(ElementKind::Vertex, other);
-                let walk = self.walk(slow);
-                self.adjacent(walk, [one, other], to, on);
-                true
-            }
-            _ => false,
-        };
-        match is_walked {
-            true => self.b.set_cold_block(slow),
-            false => {
-                self.b.ins().jump(slow, &[]);
-            }
+        if let Some(answer) = self.walked(question, elements, slow) {
+            self.b.set_cold_block(slow);
+            self.set_whole(to, answer);
+            self.b.ins().jump(on, &[]);
+        } else {
+            self.b.ins().jump(slow, &[]);
         }
         self.b.switch_to_block(slow);
         let number = self.b.ins().iconst(I64, question as i64);
@@ -98,8 +51,26 @@ impl Translator<'_, '_> {
         self.b.switch_to_block(on);
     }
 
-    fn walk(&mut self, slow: Block) -> Walk {
-        Walk { halfedges: self.rows(ElementKind::Halfedge), slow }
+    /// The answer, if a walk finds it.
+    fn walked(&mut self, question: Question, elements: [Reg; 2], slow: Block) -> Option<Value> {
+        let [one, other] = elements;
+        match question {
+            Question::LinkCondition | Question::StarShaped => return None,
+            Question::Adjacent => {
+                self.living(ElementKind::Vertex, other);
+            }
+            _ => {}
+        }
+        self.living(question.kind(), one);
+        let walk = Walk { halfedges: self.rows(ElementKind::Halfedge), slow };
+        match question {
+            Question::Degree => Some(self.around(walk, ElementField::Vertex, one)),
+            Question::FaceSize => Some(self.around(walk, ElementField::Face, one)),
+            Question::BoundaryVertex => Some(self.boundary_vertex(walk, one)),
+            Question::BoundaryEdge => Some(self.boundary_edge(walk, one)),
+            Question::Adjacent => Some(self.adjacent(walk, elements)),
+            _ => None,
+        }
     }
 
     fn rows(&mut self, kind: ElementKind) -> Rows {
@@ -146,14 +117,8 @@ impl Translator<'_, '_> {
         self.byte(flags, face, FACE_HOLE)
     }
 
-    /// Goes around an element, and gives the number of halfedges there.
-    fn around(
-        &mut self,
-        walk: Walk,
-        of: ElementField,
-        element: Reg,
-        end: impl FnOnce(&mut Self, Value),
-    ) {
+    /// The number of halfedges around an element.
+    fn around(&mut self, walk: Walk, of: ElementField, element: Reg) -> Value {
         let Walk { halfedges, slow } = walk;
         let start = self.first_of(of, element);
         let (at, count) = (self.b.declare_var(I64), self.b.declare_var(I64));
@@ -187,10 +152,21 @@ impl Translator<'_, '_> {
         let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
         self.b.ins().brif(goes_on, head, &[], slow, &[]);
         self.b.switch_to_block(done);
-        end(self, walked);
+        walked
     }
 
-    fn boundary_vertex(&mut self, walk: Walk, vertex: Reg, to: Reg, on: Block) {
+    fn boundary_edge(&mut self, walk: Walk, edge: Reg) -> Value {
+        let Walk { halfedges, slow } = walk;
+        let half = self.first_of(ElementField::Edge, edge);
+        let here = self.row(halfedges, half, slow);
+        let twin = self.leads(here, HalfedgeField::Twin);
+        let there = self.row(halfedges, twin, slow);
+        let faces = self.rows(ElementKind::Face);
+        let [here, there] = [here, there].map(|half| self.is_in_hole(faces, half, slow));
+        self.b.ins().bor(here, there)
+    }
+
+    fn boundary_vertex(&mut self, walk: Walk, vertex: Reg) -> Value {
         let Walk { halfedges, slow } = walk;
         let faces = self.rows(ElementKind::Face);
         let start = self.first_of(ElementField::Vertex, vertex);
@@ -219,12 +195,11 @@ impl Translator<'_, '_> {
         let goes_on = self.b.ins().icmp(IntCC::UnsignedLessThan, walked, halfedges.count);
         self.b.ins().brif(goes_on, head, &[], slow, &[]);
         self.b.switch_to_block(done);
-        self.set_whole(to, hole);
-        self.b.ins().jump(on, &[]);
+        hole
     }
 
     /// Walks around both vertices in step, so that the smaller number of neighbors counts.
-    fn adjacent(&mut self, walk: Walk, vertices: [Reg; 2], to: Reg, on: Block) {
+    fn adjacent(&mut self, walk: Walk, vertices: [Reg; 2]) -> Value {
         let Walk { halfedges, slow } = walk;
         let starts = vertices.map(|vertex| self.first_of(ElementField::Vertex, vertex));
         let goals = [vertices[1], vertices[0]].map(|vertex| self.id(vertex));
@@ -268,8 +243,6 @@ impl Translator<'_, '_> {
         self.b.def_var(answer, zero);
         self.b.ins().jump(done, &[]);
         self.b.switch_to_block(done);
-        let answer = self.b.use_var(answer);
-        self.set_whole(to, answer);
-        self.b.ins().jump(on, &[]);
+        self.b.use_var(answer)
     }
 }
