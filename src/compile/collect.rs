@@ -4,11 +4,11 @@ use super::collected::{Around, Collected};
 use super::output::Output;
 use super::registers::{Home, Registers};
 use super::{Scope, copy, lower, reason, width};
-use crate::check::guard::Obligation;
 use crate::check::matching::{Claim, Step};
 use crate::diagram::{
     Access, Assignment, Builtin, Drawing, Expr, ExprKind, Kind, LoopKind, NameId, Require,
 };
+use crate::lower::Guard;
 use crate::rewrite::{Cell, Inst, Label, Phase, Reg, Room, Row, Walk};
 
 /// Writes phase 1.
@@ -23,7 +23,7 @@ pub(super) struct Collect<'o, 's, 'd, 'r> {
 
 impl Collect<'_, '_, '_, '_> {
     /// The code of the whole phase.
-    pub fn emit(mut self, matching: &[Step], guard: &[Obligation]) -> Collected {
+    pub fn emit(mut self, matching: &[Step], guard: &Guard) -> Collected {
         let drawing = self.drawing;
         let count = drawing.rule.names.len();
         let mut tests = Vec::new();
@@ -52,7 +52,7 @@ impl Collect<'_, '_, '_, '_> {
             runs: vec![None; count],
             values: Vec::new(),
         };
-        let is_guarded = guard.iter().any(Obligation::is_test);
+        let is_guarded = !guard.tests.is_empty();
         if is_guarded {
             collected.runs = self.runs();
             self.guard(guard, &collected);

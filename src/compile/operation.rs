@@ -6,10 +6,11 @@ use super::collect::Collect;
 use super::output::{Output, kind_of_element};
 use super::reassign::Reassign;
 use super::registers::{Home, Registers};
-use super::write_target::Onto;
+use super::write_target::WriteTarget;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, NameId, Op, Property, Rule};
+use crate::lower::Guard;
 use crate::mesh::Level;
 use crate::rewrite::{
     Cell, Code, Function, Holder, Inst, Label, Matched, Plan, Reg, Row, Stage, TooLarge,
@@ -93,7 +94,7 @@ fn alternative(
     let mut stage = Stage { rule: rule.label.clone(), ..Stage::default() };
     let mut collected =
         Collect { output, drawing: &drawing, registers, fail, rows: &mut stage.collect }
-            .emit(proof.matching(), proof.guard());
+            .emit(proof.matching(), &Guard::new(&drawing, proof.guard()));
     let matched = matched(output, &drawing, &collected.registers);
     allocate(output, &drawing, &mut collected.registers, &mut stage.allocate);
     Reassign {
@@ -101,7 +102,7 @@ fn alternative(
         drawing: &drawing,
         registers: collected.registers.clone(),
         collected: &collected,
-        onto: Onto::Mesh,
+        target: WriteTarget::Mesh,
         rows: &mut stage.reassign,
     }
     .emit();

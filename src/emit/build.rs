@@ -15,6 +15,7 @@ use super::term::{Function, Parameter, Term};
 use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
 use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
+use crate::lower::Guard;
 
 /// The routine of a proved operation, and the functions that it calls; of those, the attributes
 /// that they look at are told by number.
@@ -155,7 +156,7 @@ fn phases(
                 .map(|part| Statement::Refuse { when: part.not(), reason: require.reason.clone() }),
         );
     }
-    body.extend(guard::tests(drawing, proof.guard(), names, conventions));
+    body.extend(guard::tests(drawing, &Guard::new(drawing, proof.guard()), names, conventions));
     let values = values(drawing, names, &mut body)?;
     if !rule.created.is_empty() {
         body.push(Statement::Blank);

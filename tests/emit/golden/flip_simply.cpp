@@ -98,6 +98,15 @@ class Preview {
     for (SeenHalfedge h : star(v)) met += is_hole(face(h));
     return met <= 1;
   }
+  /// Whether it is so where the halfedges of a run of the mesh start, or those of a loop.
+  bool one_hole_along(Mesh::HalfedgeRef first, Mesh::HalfedgeRef until) const {
+    Mesh::HalfedgeRef h = first;
+    do {
+      if (!one_hole(vertex(h))) return false;
+      h = h->next;
+    } while (h != until);
+    return true;
+  }
   /// Whether no face has two corners at v.
   bool faces_differ(SeenVertex v) const {
     std::vector<SeenFace> around;
