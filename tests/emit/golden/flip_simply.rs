@@ -218,10 +218,13 @@ impl<'m> Preview<'m> {
         self.holes.get(f).unwrap_or_else(|| self.mesh.is_hole(f))
     }
 
+    fn first_of(&self, v: VertexId) -> HalfedgeId {
+        self.vertex_halfedge.get(v).unwrap_or_else(|| self.mesh.vertex_halfedge(v))
+    }
+
     /// The halfedges that start at a vertex.
     fn star(&self, v: VertexId) -> Vec<HalfedgeId> {
-        let first = self.vertex_halfedge.get(v);
-        let first = first.unwrap_or_else(|| self.mesh.vertex_halfedge(v));
+        let first = self.first_of(v);
         let mut around = Vec::new();
         let mut h = first;
         while !h.is_none() {
@@ -276,7 +279,8 @@ impl<'m> Preview<'m> {
 
     /// Whether a vertex has two edges or more, or none.
     fn two_spokes(&self, v: VertexId) -> bool {
-        self.star(v).len() != 1
+        let first = self.first_of(v);
+        first.is_none() || self.next(self.twin(first)) != first
     }
 
     /// Whether no more than one corner of a vertex lies in a hole.
