@@ -5,28 +5,26 @@ use super::collected::{Collected, Run};
 use super::reassign::Reassign;
 use super::registers::Home;
 use super::write_target::WriteTarget;
-use crate::lower::{Condition, Guard, GuardTest, PreviewReads, Question};
+use crate::lower::{GuardCondition, GuardTest, Operation, PreviewReads, Question};
 use crate::rewrite::{Cell, Foreseen, Inst, Phase, Question as Query};
 
 impl Collect<'_, '_, '_, '_> {
     /// The tests of the guard; `collected` holds what has been collected so far.
-    pub(super) fn guard(&mut self, guard: &Guard, collected: &Collected) {
+    pub(super) fn guard(&mut self, operation: &Operation, collected: &Collected) {
         let mark = self.output.asm.mark();
-        if let Some(reads) = guard.reads {
-            self.preview(collected, reads);
+        if let Some(reads) = operation.guard.reads {
+            self.preview(operation, collected, reads);
         }
-        for test in &guard.tests {
+        for test in &operation.guard.tests {
             self.test_result(test, collected);
         }
         self.output.asm.release(mark);
     }
 
-    fn preview(&mut self, collected: &Collected, reads: PreviewReads) {
-        let rule = self.drawing.rule;
+    fn preview(&mut self, operation: &Operation, collected: &Collected, reads: PreviewReads) {
         self.output.asm.emit(Inst::PreviewClear);
-        for name in rule.created.iter().map(|created| created.name) {
-            match self.registers.home(name) {
-                _ if !rule.is_first(name) => {}
+        for element in &operation.created {
+            match self.registers.home(element.name) {
                 Home::Reg(to) => self.output.asm.emit(Inst::PreviewNew { to }),
                 home => self.for_each_index(home, |this| {
                     let to = this.output.asm.reg();
@@ -40,6 +38,7 @@ impl Collect<'_, '_, '_, '_> {
         Reassign {
             output: self.output,
             drawing: self.drawing,
+            values: &operation.values,
             registers: self.registers.clone(),
             collected,
             target: WriteTarget::Preview(reads),
@@ -49,8 +48,7 @@ impl Collect<'_, '_, '_, '_> {
     }
 
     fn test_result(&mut self, test: &GuardTest, collected: &Collected) {
-        let indices =
-            test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let indices = test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
         let to = self.output.asm.reg();
         match test.question {
             Question::NotAdjacent(ends) => {
@@ -83,17 +81,17 @@ impl Collect<'_, '_, '_, '_> {
 }
 
 /// The question of the machine for a condition.
-fn foreseen(condition: Condition) -> Foreseen {
+fn foreseen(condition: GuardCondition) -> Foreseen {
     match condition {
-        Condition::ThreeSides => Foreseen::ThreeSides,
-        Condition::MeetsOnce => Foreseen::MeetsOnce,
-        Condition::CornerOnce => Foreseen::CornerOnce,
-        Condition::TwoSpokes => Foreseen::TwoSpokes,
-        Condition::OneHole => Foreseen::OneHole,
-        Condition::FacesDiffer => Foreseen::FacesDiffer,
-        Condition::NeighborsDiffer => Foreseen::NeighborsDiffer,
-        Condition::SingleEdge => Foreseen::SingleEdge,
-        Condition::CornersDiffer => Foreseen::CornersDiffer,
-        Condition::CornersOwn => Foreseen::CornersOwn,
+        GuardCondition::ThreeSides => Foreseen::ThreeSides,
+        GuardCondition::MeetsOnce => Foreseen::MeetsOnce,
+        GuardCondition::CornerOnce => Foreseen::CornerOnce,
+        GuardCondition::TwoSpokes => Foreseen::TwoSpokes,
+        GuardCondition::OneHole => Foreseen::OneHole,
+        GuardCondition::FacesDiffer => Foreseen::FacesDiffer,
+        GuardCondition::NeighborsDiffer => Foreseen::NeighborsDiffer,
+        GuardCondition::SingleEdge => Foreseen::SingleEdge,
+        GuardCondition::CornersDiffer => Foreseen::CornersDiffer,
+        GuardCondition::CornersOwn => Foreseen::CornersOwn,
     }
 }

@@ -7,6 +7,7 @@ use super::registers::{Home, Registers};
 use super::write_target::WriteTarget;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Write};
+use crate::lower::Value;
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
@@ -15,6 +16,7 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub drawing: &'d Drawing<'d>,
     pub registers: Registers,
     pub collected: &'d Collected,
+    pub values: &'d [Value<'d>],
     /// The place where the pointers are set.
     pub target: WriteTarget,
     pub rows: &'r mut Vec<Row>,

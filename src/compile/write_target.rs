@@ -36,16 +36,18 @@ impl WriteTarget {
             Inst::Store { field, halfedge, value } => {
                 keep(pointer(field)).then_some(Inst::PreviewStore { field, halfedge, value })
             }
-            Inst::StoreHalfedge { of, element, value } => keep(first_of(of))
-                .then_some(Inst::PreviewStoreHalfedge { of, element, value }),
+            Inst::StoreHalfedge { of, element, value } => {
+                keep(first_of(of)).then_some(Inst::PreviewStoreHalfedge { of, element, value })
+            }
             Inst::StoreHole { face, hole } => {
                 reads.reads_holes().then_some(Inst::PreviewStoreHole { face, hole })
             }
             Inst::StoreAll { field, buffer, value } => {
                 keep(pointer(field)).then_some(Inst::PreviewStoreAll { field, buffer, value })
             }
-            Inst::StoreSpan { field, span, index, value } => keep(pointer(field))
-                .then_some(Inst::PreviewStoreSpan { field, span, index, value }),
+            Inst::StoreSpan { field, span, index, value } => {
+                keep(pointer(field)).then_some(Inst::PreviewStoreSpan { field, span, index, value })
+            }
             inst => Some(inst),
         }
     }

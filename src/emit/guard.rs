@@ -12,12 +12,12 @@ use super::reassign;
 use super::routine::Statement;
 use super::term::{Function, Term};
 use crate::diagram::{Builtin, Drawing, Kind};
-use crate::lower::{Guard, GuardTest, PreviewReads, Question, StarWalk};
+use crate::lower::{GuardTest, Operation, PreviewReads, Question, StarWalk};
 
 /// The tests of a guard, in order; those that look at a preview as a block with one of its own.
 pub(super) fn tests(
     drawing: &Drawing,
-    guard: &Guard,
+    operation: &Operation,
     names: &Names,
     conventions: Conventions<'_>,
 ) -> Vec<Statement> {
@@ -25,13 +25,13 @@ pub(super) fn tests(
     let names = &mut names.clone();
     let name = names.fresh("preview");
     let mut tests = Tests { drawing, names, preview: name.clone(), body: Vec::new() };
-    guard.tests.iter().for_each(|test| tests.test(test));
+    operation.guard.tests.iter().for_each(|test| tests.test(test));
     let tests = tests.body;
-    let Some(reads) = guard.reads else {
+    let Some(reads) = operation.guard.reads else {
         return tests;
     };
     let changes = Conventions { exhaustive: false, ..conventions };
-    let mut body = allocation(drawing.rule, names);
+    let mut body = allocation(&operation.created, names);
     body.extend(reassign::statements(drawing, names, changes));
     let noted = body.into_iter().filter_map(|statement| noted(statement, reads));
     let mut body: Vec<_> = noted.chain(tests).collect();
@@ -67,9 +67,7 @@ fn noted(statement: Statement, reads: PreviewReads) -> Option<Statement> {
         Statement::IndexLoop { indices, body } => {
             Statement::IndexLoop { indices, body: noted_of(body)? }
         }
-        Statement::When { condition, body } => {
-            Statement::When { condition, body: noted_of(body)? }
-        }
+        Statement::When { condition, body } => Statement::When { condition, body: noted_of(body)? },
         Statement::Walk { walk, body } => Statement::Walk { walk, body: noted_of(body)? },
         statement => statement,
     })

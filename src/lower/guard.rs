@@ -33,14 +33,14 @@ pub enum Question {
     /// No edge of the mesh as it is joins two vertices.
     NotAdjacent([NameId; 2]),
     /// A condition holds for an element of the preview, or for two.
-    Holds { condition: Condition, of: NameId, at: Option<NameId> },
+    Holds { condition: GuardCondition, of: NameId, at: Option<NameId> },
     /// At each vertex along a path at most one corner lies in a hole of the preview.
     OneHoleAlong(NameId),
 }
 
 /// A condition of a level on one orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Condition {
+pub enum GuardCondition {
     /// A loop has three sides or more.
     ThreeSides,
     /// A loop meets no vertex twice.
@@ -63,7 +63,7 @@ pub enum Condition {
     CornersOwn,
 }
 
-impl Condition {
+impl GuardCondition {
     /// The name of the function that asks it, in emitted code.
     pub fn word(self) -> &'static str {
         match self {
@@ -178,19 +178,21 @@ impl Guard {
 fn question(drawing: &Drawing, statement: &Statement) -> Question {
     let (condition, of, at) = match *statement {
         Statement::OneHoleAlong(path) => return Question::OneHoleAlong(path),
-        Statement::ThreeSides(face) => (Condition::ThreeSides, face, None),
-        Statement::MeetsOnce(face) => (Condition::MeetsOnce, face, None),
-        Statement::CornerOnce { face, vertex } => (Condition::CornerOnce, face, Some(vertex)),
-        Statement::FacesDiffer { vertex, .. } => (Condition::FacesDiffer, vertex, None),
-        Statement::TwoSpokes(vertex) => (Condition::TwoSpokes, vertex, None),
-        Statement::OneHole { vertex, .. } => (Condition::OneHole, vertex, None),
-        Statement::NeighborsDiffer { vertex, .. } => (Condition::NeighborsDiffer, vertex, None),
+        Statement::ThreeSides(face) => (GuardCondition::ThreeSides, face, None),
+        Statement::MeetsOnce(face) => (GuardCondition::MeetsOnce, face, None),
+        Statement::CornerOnce { face, vertex } => (GuardCondition::CornerOnce, face, Some(vertex)),
+        Statement::FacesDiffer { vertex, .. } => (GuardCondition::FacesDiffer, vertex, None),
+        Statement::TwoSpokes(vertex) => (GuardCondition::TwoSpokes, vertex, None),
+        Statement::OneHole { vertex, .. } => (GuardCondition::OneHole, vertex, None),
+        Statement::NeighborsDiffer { vertex, .. } => {
+            (GuardCondition::NeighborsDiffer, vertex, None)
+        }
         Statement::SingleEdge { halfedge, .. } => match ends_without_edge(drawing, halfedge) {
             Some(ends) => return Question::NotAdjacent(ends),
-            None => (Condition::SingleEdge, halfedge, None),
+            None => (GuardCondition::SingleEdge, halfedge, None),
         },
-        Statement::CornersDiffer(vertex) => (Condition::CornersDiffer, vertex, None),
-        Statement::CornersOwn { face, vertex } => (Condition::CornersOwn, face, Some(vertex)),
+        Statement::CornersDiffer(vertex) => (GuardCondition::CornersDiffer, vertex, None),
+        Statement::CornersOwn { face, vertex } => (GuardCondition::CornersOwn, face, Some(vertex)),
     };
     Question::Holds { condition, of, at }
 }

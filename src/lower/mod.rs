@@ -5,5 +5,14 @@
 //! [`Drawing::reassignments`](crate::diagram::Drawing::reassignments).
 
 mod guard;
+mod hoist;
+mod matching;
+mod operation;
+mod symmetric;
+mod words;
 
-pub use guard::{Condition, Guard, GuardTest, PreviewReads, Question, StarWalk};
+pub use guard::{Guard, GuardCondition, GuardTest, PreviewReads, Question, StarWalk};
+pub use hoist::{Hoisted, hoist};
+pub use matching::{Begin, EmptyPath, Matching, Step, Test, Tries, Walk, WalkTest};
+pub use operation::{Condition, Element, Operation, Value};
+pub use words::{bound as bound_word, source as source_word};

@@ -20,7 +20,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("lower", &["diagram", "check"]),
     ("compile", &["source", "mesh", "diagram", "check", "lower", "rewrite"]),
     ("draw", &["source", "diagram", "mesh"]),
-    ("emit", &["source", "diagnostic", "diagram", "check", "lower", "compile", "resolve"]),
+    ("emit", &["source", "diagnostic", "diagram", "check", "lower", "resolve"]),
     ("format", &["source", "diagnostic", "syntax"]),
     ("resolve", &["source", "diagnostic", "syntax", "diagram"]),
     ("run", &["source", "mesh", "diagnostic", "diagram", "rewrite", "compile", "resolve"]),
