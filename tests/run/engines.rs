@@ -327,6 +327,11 @@ fn calls_do_the_same_on_both() {
             if is_even(h) { flip(e) } else if let m = split(e) { note(m) }
             if can collapse(e) and not is_even(e.halfedge) { collapse(e) }
           }
+          for e in edges {
+            if is_even(e.halfedge) { split(e) }
+            flip(e)
+            collapse(e, 0.25)
+          }
           print asked, sum(mean_share(v) for v in vertices), count(faces)
           for e in edges where is_even(e.halfedge) {
             turn(e)

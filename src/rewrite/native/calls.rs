@@ -242,9 +242,6 @@ impl Translator<'_, '_> {
         let [slow, on] = [(); 2].map(|()| self.b.create_block());
         self.b.set_cold_block(slow);
         let refuses = self.call_op(&callee, args, slow);
-        let flags = self.flags(Region::Context);
-        let none = self.b.ins().iconst(I32, 0);
-        self.b.ins().store(flags, none, self.context, offset_of!(Context, noted) as i32);
         let applies = self.b.ins().icmp_imm_u(IntCC::Equal, refuses, 0);
         let applies = self.b.ins().uextend(I64, applies);
         self.set_whole(to, applies);
@@ -300,6 +297,10 @@ impl Translator<'_, '_> {
         self.set_field(offset_of!(Context, function), zero);
         let number = self.b.ins().iconst(I64, i64::from(callee.number) + 1);
         self.set_field(offset_of!(Context, op), number);
+        // What an earlier one has noted does not count.
+        let none = self.b.ins().iconst(I32, 0);
+        let flags = self.flags(Region::Context);
+        self.b.ins().store(flags, none, self.context, offset_of!(Context, noted) as i32);
         let answer = self.enter(entry);
         self.set_field(offset_of!(Context, op), zero);
         self.set_field(offset_of!(Context, level), state);
