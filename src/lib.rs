@@ -136,6 +136,7 @@
 //! 3  format  resolve  run                tree to text; tree to program; a program on a mesh
 //!    emit                               pointer code in other languages
 //! 2  syntax  check  compile  draw       text to tree; the proof; a plan; a picture
+//!            lower                      what a proved op does, decided for all that spell it
 //! 1  diagnostic   diagram    rewrite     what is wrong; what is drawn; plans and the machine
 //! 0  source       mesh        library    texts and places; the halfedge mesh and OBJ files; std
 //! ```
@@ -168,6 +169,8 @@ pub mod format;
 pub mod lessons;
 #[doc(hidden)]
 pub mod library;
+#[doc(hidden)]
+pub mod lower;
 #[cfg(feature = "lsp")]
 #[doc(hidden)]
 pub mod lsp;

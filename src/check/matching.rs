@@ -7,7 +7,7 @@
 //! Of a rule with families the names are those of the rule unrolled; a step with members of
 //! families stands for one at each index, written out for index 0.
 
-use crate::diagram::{LoopKind, NameId, Rule};
+use crate::diagram::{LoopKind, NameId, Pointer, Rule};
 
 /// Something that gets bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -161,6 +161,22 @@ impl Source {
             | Source::Counterclockwise(from)
             | Source::Clockwise(from) => from,
             Source::FaceHalfedge(face) => Bound::Element(face),
+        }
+    }
+
+    /// The pointers that lead from there.
+    pub fn pointers(self) -> &'static [Pointer] {
+        match self {
+            Source::Next(_) => &[Pointer::Next],
+            Source::Prev(_) => &[Pointer::Prev],
+            Source::Twin(_) => &[Pointer::Twin],
+            Source::Origin(_) => &[Pointer::Vertex],
+            Source::Target(_) => &[Pointer::Next, Pointer::Vertex],
+            Source::Edge(_) => &[Pointer::Edge],
+            Source::Face(_) => &[Pointer::Face],
+            Source::Counterclockwise(_) => &[Pointer::Prev, Pointer::Twin],
+            Source::Clockwise(_) => &[Pointer::Twin, Pointer::Next],
+            Source::FaceHalfedge(_) => &[Pointer::FaceHalfedge],
         }
     }
 

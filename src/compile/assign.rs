@@ -9,22 +9,15 @@ use crate::rewrite::{Cell, Inst, Reg, Row};
 
 impl Reassign<'_, '_, '_, '_> {
     pub(super) fn assignments(&mut self) {
-        let rule = self.drawing.rule;
-        for (assignment, &home) in rule.assignments.iter().zip(&self.collected.values) {
-            let target = assignment.target.name;
-            if !rule.is_first(target) {
-                continue;
-            }
-            let word = rule.attribute(assignment.attribute);
-            let text = self.output.words(assignment.value.span);
-            self.rows.push(Row {
-                cell: Cell::Set { target: format!("{}.{word}", self.word(target)), value: text },
-                executed: true,
-            });
-            self.indexed(rule.is_member(target), |this| {
-                let value = this.value(home, width(assignment.value.ty));
-                let element = this.element(target);
-                let store = match assignment.attribute {
+        for (set, &home) in self.values.iter().zip(&self.collected.values) {
+            let word = self.drawing.rule.attribute(set.attribute);
+            let text = self.output.words(set.value.span);
+            let target = format!("{}.{word}", self.word(set.element));
+            self.rows.push(Row { cell: Cell::Set { target, value: text }, executed: true });
+            self.indexed(set.at_each_index, |this| {
+                let value = this.value(home, width(set.value.ty));
+                let element = this.element(set.element);
+                let store = match set.attribute {
                     Access::Position => Inst::StorePosition { vertex: element, value },
                     Access::Declared(number) => {
                         Inst::StoreAttribute { attribute: attribute(number), element, value }

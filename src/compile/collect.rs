@@ -3,12 +3,10 @@
 use super::collected::{Around, Collected};
 use super::output::Output;
 use super::registers::{Home, Registers};
-use super::{Scope, copy, lower, reason, width};
-use crate::check::guard::Obligation;
-use crate::check::matching::{Claim, Step};
-use crate::diagram::{
-    Access, Assignment, Builtin, Drawing, Expr, ExprKind, Kind, LoopKind, NameId, Require,
-};
+use super::{Scope, copy, lower, width};
+use crate::check::matching::Claim;
+use crate::diagram::{Drawing, Expr, Kind, LoopKind, NameId};
+use crate::lower::{Condition, Element, Hoisted, Matching, Operation, Test, Value, hoist};
 use crate::rewrite::{Cell, Inst, Label, Phase, Reg, Room, Row, Walk};
 
 /// Writes phase 1.
@@ -23,42 +21,24 @@ pub(super) struct Collect<'o, 's, 'd, 'r> {
 
 impl Collect<'_, '_, '_, '_> {
     /// The code of the whole phase.
-    pub fn emit(mut self, matching: &[Step], guard: &[Obligation]) -> Collected {
-        let drawing = self.drawing;
-        let count = drawing.rule.names.len();
-        let mut tests = Vec::new();
-        for step in matching {
-            match step {
-                Step::Test(claim) => tests.push(claim),
-                step => self.bind(step),
-            }
-        }
-        for path in drawing
-            .rule
-            .names_of(Kind::Path)
-            .filter(|&path| drawing.before.mention(path).is_some())
-            .filter(|&path| drawing.rule.is_first(path))
-        {
-            if let Some(home) = self.registers.home_of_empty(path) {
-                self.is_empty(path, home);
-            }
-        }
-        for claim in tests {
-            self.test(claim);
-        }
-        self.requires();
+    pub fn emit(mut self, operation: &Operation) -> Collected {
+        let Matching { steps, empty_paths, tests } = &operation.matching;
+        steps.iter().for_each(|step| self.bind(step));
+        empty_paths.iter().for_each(|path| self.is_empty(*path));
+        tests.iter().for_each(|test| self.test(test));
+        self.requires(&operation.requires);
         let mut collected = Collected {
             registers: self.registers.clone(),
-            runs: vec![None; count],
+            runs: vec![None; self.drawing.rule.names.len()],
             values: Vec::new(),
         };
-        let is_guarded = guard.iter().any(Obligation::is_test);
+        let is_guarded = !operation.guard.tests.is_empty();
         if is_guarded {
             collected.runs = self.runs();
-            self.guard(guard, &collected);
+            self.guard(operation, &collected);
         }
-        collected.values = self.values();
-        self.room();
+        collected.values = self.values(&operation.values);
+        self.room(&operation.created);
         if !is_guarded {
             collected.runs = self.runs();
         }
@@ -86,15 +66,13 @@ impl Collect<'_, '_, '_, '_> {
         self.registers.end_turns(&mut self.output.asm, indices);
     }
 
-    fn test(&mut self, claim: &Claim) {
-        let reason = reason::refusal(self.drawing, claim);
-        let refusal = self.output.refusal(reason.clone(), Phase::Match);
+    fn test(&mut self, test: &Test) {
+        let refusal = self.output.refusal(test.refusal.clone(), Phase::Match);
         let otherwise = self.fail;
-        self.row(Cell::Test { claim: reason::claim(self.drawing, claim), reason });
+        self.row(Cell::Test { claim: test.claim.clone(), reason: test.refusal.clone() });
         let mark = self.output.asm.mark();
-        let repeated = claim.is_repeated(self.drawing.rule);
-        let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
-        let inst = match claim {
+        let indices = test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+        let inst = match &test.condition {
             Claim::Leads(source, to) => {
                 let left = self.output.asm.reg();
                 self.load(*source, left);
@@ -202,132 +180,90 @@ impl Collect<'_, '_, '_, '_> {
         reg
     }
 
-    fn requires(&mut self) {
-        // What holds at index 0 is asked at every index.
-        let asked = |require: &&Require| require.index.is_none_or(|index| index == 0);
-        for require in self.drawing.rule.requires.iter().filter(asked) {
+    fn requires(&mut self, requires: &[Condition]) {
+        for Condition { condition, at_each_index, refusal } in requires {
             let mark = self.output.asm.mark();
-            let repeated = require.index.is_some();
-            let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
-            let condition = self.expression(&require.condition);
-            let refusal = self.output.refusal(require.reason.clone(), Phase::Require);
+            let hoisted = self.hoisted(condition, *at_each_index);
+            let indices = at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
+            let holds = self.expression(&hoisted);
+            let reason = (*refusal).to_owned();
+            let refusal = self.output.refusal(reason.clone(), Phase::Require);
             let otherwise = self.fail;
-            self.output.asm.emit(Inst::Expect { condition, refusal, otherwise });
+            self.output.asm.emit(Inst::Expect { condition: holds, refusal, otherwise });
             if let Some(indices) = indices {
                 self.registers.end_turns(&mut self.output.asm, indices);
             }
             self.output.asm.release(mark);
-            let claim = self.output.words(require.condition.span);
-            self.row(Cell::Test { claim, reason: require.reason.clone() });
+            let claim = self.output.words(condition.span);
+            self.row(Cell::Test { claim, reason });
         }
     }
 
-    fn values(&mut self) -> Vec<Home> {
-        let rule = self.drawing.rule;
-        let mut values = Vec::new();
-        for assignment in &rule.assignments {
-            let target = assignment.target.name;
-            // What is set at index 0 is set at every index.
-            let value = match (rule.is_member(target), rule.is_first(target)) {
-                (_, false) => Home::Reg(Reg(0)),
-                (false, true) => {
-                    let to = self.output.asm.block(width(assignment.value.ty));
-                    let mark = self.output.asm.mark();
-                    self.value(assignment, to);
-                    self.output.asm.release(mark);
-                    Home::Reg(to)
-                }
-                (true, true) => {
-                    let buffer = self.buffer();
-                    let once = self.computed_once(assignment);
-                    let indices = self.registers.begin_turns(&mut self.output.asm);
-                    let width = width(assignment.value.ty);
-                    let to = self.output.asm.block(width);
-                    self.value(&once, to);
-                    for part in 0..width {
-                        let from = to.part(part);
-                        self.output.asm.emit(Inst::BufferPush { buffer, from });
-                    }
-                    self.registers.end_turns(&mut self.output.asm, indices);
-                    Home::Member { buffer, shift: 0 }
-                }
-            };
-            values.push(value);
-        }
-        values
-    }
-
-    /// The assignment with walks that are the same at every index made here, before the indices:
-    /// else `centroid(f)` would go around the face at each of its corners.
-    fn computed_once(&mut self, assignment: &Assignment) -> Assignment {
-        let mut walks = Vec::new();
-        assignment.value.each(&mut |part| {
-            if self.is_the_same_walk(part) {
-                walks.push(part);
+    fn values(&mut self, values: &[Value]) -> Vec<Home> {
+        let values = values.iter().map(|value| {
+            let width = width(value.value.ty);
+            if !value.at_each_index {
+                let to = self.output.asm.block(width);
+                let mark = self.output.asm.mark();
+                self.value(value, value.value, to);
+                self.output.asm.release(mark);
+                return Home::Reg(to);
             }
+            let buffer = self.buffer();
+            let hoisted = self.hoisted(value.value, true);
+            let indices = self.registers.begin_turns(&mut self.output.asm);
+            let to = self.output.asm.block(width);
+            self.value(value, &hoisted, to);
+            for part in 0..width {
+                let from = to.part(part);
+                self.output.asm.emit(Inst::BufferPush { buffer, from });
+            }
+            self.registers.end_turns(&mut self.output.asm, indices);
+            Home::Member { buffer, shift: 0 }
         });
-        let mut once = assignment.clone();
-        // No parameter and no variable of an aggregate has such a number.
-        for (number, walk) in (0..u32::MAX).rev().zip(walks) {
-            let to = self.output.asm.block(width(walk.ty));
+        values.collect()
+    }
+
+    /// The expression in terms of what is the same at every index, which is computed here.
+    fn hoisted(&mut self, expr: &Expr, at_each_index: bool) -> Expr {
+        if !at_each_index {
+            return expr.clone();
+        }
+        let Hoisted { parts, rest } = hoist(expr, true, Some(self.drawing.rule), true);
+        for (number, part) in &parts {
+            let to = self.output.asm.block(width(part.ty));
             let mark = self.output.asm.mark();
-            let from = self.expression(walk);
-            copy(&mut self.output.asm, walk.ty, to, from);
+            let from = self.expression(part);
+            copy(&mut self.output.asm, part.ty, to, from);
             self.output.asm.release(mark);
-            self.registers.declare(number, to);
-            once.value.visit_mut(&mut |kind| {
-                if *kind == walk.kind {
-                    *kind = ExprKind::Local(number);
-                }
-            });
+            self.registers.declare(*number, to);
         }
-        once
+        rest
     }
 
-    /// True if a part of a value walks around single elements of the drawing.
-    fn is_the_same_walk(&self, part: &Expr) -> bool {
-        use Builtin::{Area, CentroidFace, DegreeFace, DegreeVertex, NormalFace, NormalVertex};
-        let single = |argument: &Expr| match argument.kind {
-            ExprKind::Element(name) => matches!(self.registers.home(name), Home::Reg(_)),
-            _ => false,
-        };
-        match &part.kind {
-            ExprKind::Call(
-                Area | CentroidFace | DegreeFace | DegreeVertex | NormalFace | NormalVertex,
-                arguments,
-            ) => arguments.iter().all(single),
-            _ => false,
+    fn value(&mut self, value: &Value, expr: &Expr, to: Reg) {
+        let from = self.expression(expr);
+        copy(&mut self.output.asm, expr.ty, to, from);
+        if let Some(reason) = &value.infinite {
+            let refusal = self.output.refusal(reason.clone(), Phase::Evaluate);
+            let otherwise = self.fail;
+            self.output.asm.emit(Inst::ExpectFinite { vector: to, refusal, otherwise });
         }
     }
 
-    fn value(&mut self, assignment: &Assignment, to: Reg) {
-        let from = self.expression(&assignment.value);
-        copy(&mut self.output.asm, assignment.value.ty, to, from);
-        if assignment.attribute != Access::Position {
-            return;
-        }
-        let text = &self.drawing.rule.name(assignment.target.name).text;
-        let reason = format!("the new position of `{text}` is not finite");
-        let refusal = self.output.refusal(reason, Phase::Evaluate);
-        let otherwise = self.fail;
-        self.output.asm.emit(Inst::ExpectFinite { vector: to, refusal, otherwise });
-    }
-
-    fn room(&mut self) {
-        let rule = self.drawing.rule;
-        if rule.created.is_empty() {
+    fn room(&mut self, created: &[Element]) {
+        if created.is_empty() {
             return;
         }
         let refusal =
             self.output.refusal("the mesh has no room for more elements".into(), Phase::Evaluate);
-        let count = |kind: Kind, members: bool| {
-            let created = rule.created.iter().map(|created| created.name);
-            let of_kind = created.filter(|&name| {
-                rule.kind(name) == kind && rule.is_member(name) == members && rule.is_first(name)
-            });
+        let count = |kind: Kind, at_each_index: bool| {
+            let of_kind = created
+                .iter()
+                .filter(|element| element.kind == kind && element.at_each_index == at_each_index);
             u16::try_from(of_kind.count()).unwrap_or(u16::MAX)
         };
-        if rule.created.iter().any(|created| rule.is_member(created.name)) {
+        if created.iter().any(|element| element.at_each_index) {
             for kind in [Kind::Vertex, Kind::Halfedge, Kind::Edge, Kind::Face] {
                 let counts = [count(kind, false), count(kind, true)];
                 self.room_around(kind, counts, refusal);

@@ -1,77 +1,30 @@
-//! The guard: what the checker left to test, asked of the result before it is written.
-//!
-//! The pointers of phase 3 are set on a preview of the mesh, as far as tests look at them; then
-//! each test looks at one orbit of the preview. A test that the mesh itself can answer is asked of
-//! it: whether another edge joins two vertices, where no edge leaves them. All of it belongs to
-//! phase 1.
+//! The guard: tests of the result before it is written. All of it belongs to phase 1.
 
 use super::collect::Collect;
 use super::collected::{Collected, Run};
 use super::reassign::Reassign;
 use super::registers::Home;
-use super::write_target::{Looks, Onto};
-use crate::check::guard::{Obligation, Statement};
-use crate::diagram::{Kind, NameId};
-use crate::rewrite::{Cell, Foreseen, Inst, Phase, Question, Reg};
+use super::write_target::WriteTarget;
+use crate::lower::{GuardCondition, GuardTest, Operation, PreviewReads, Question};
+use crate::rewrite::{Cell, Foreseen, Inst, Phase, Question as Query};
 
 impl Collect<'_, '_, '_, '_> {
     /// The tests of the guard; `collected` holds what has been collected so far.
-    pub(super) fn guard(&mut self, guard: &[Obligation], collected: &Collected) {
+    pub(super) fn guard(&mut self, operation: &Operation, collected: &Collected) {
         let mark = self.output.asm.mark();
-        let tests = guard.iter().filter(|obligation| obligation.is_test());
-        let tests = tests.map(|obligation| &obligation.statement);
-        let mut foreseen = tests.clone().filter(|test| self.joined(test).is_none()).peekable();
-        if foreseen.peek().is_some() {
-            let looks = Looks::of_all(foreseen);
-            self.preview(collected, looks);
+        if let Some(reads) = operation.guard.reads {
+            self.preview(operation, collected, reads);
         }
-        for test in tests {
-            self.test_statement(test, collected);
+        for test in &operation.guard.tests {
+            self.test_result(test, collected);
         }
         self.output.asm.release(mark);
     }
 
-    /// Two vertices that would be joined twice exactly if they are joined now: the test asks for
-    /// a second edge between them, no edge that is drawn joins them before, and after it only the
-    /// one that is asked about; edges that are not drawn end where they did.
-    fn joined(&self, test: &Statement) -> Option<[NameId; 2]> {
-        let Statement::SingleEdge { halfedge, .. } = *test else {
-            return None;
-        };
-        let (drawing, rule) = (self.drawing, self.drawing.rule);
-        let ends = [drawing.origin_after(halfedge)?, drawing.target_after(halfedge)?];
-        let are_drawn = ends.iter().all(|&end| drawing.before.mention(end).is_some());
-        let names = || (0..rule.names.len() as u32).map(NameId);
-        let is_plain = rule.aliases.is_empty()
-            && names().all(|name| rule.kind(name) != Kind::Fan && !rule.is_member(name));
-        if ends[0] == ends[1] || !are_drawn || !is_plain {
-            return None;
-        }
-        let joins = |[from, to]: [NameId; 2]| [from, to] == ends || [to, from] == ends;
-        for other in rule.names_of(Kind::Halfedge) {
-            if drawing.before.mention(other).is_some() {
-                let before = [drawing.origin_before(other)?, drawing.target_before(other)?];
-                if joins(before) {
-                    return None;
-                }
-            }
-            if drawing.after.mention(other).is_some() {
-                let after = [drawing.origin_after(other)?, drawing.target_after(other)?];
-                let is_asked = other == halfedge || drawing.after.twin(other) == Some(halfedge);
-                if joins(after) && !is_asked {
-                    return None;
-                }
-            }
-        }
-        Some(ends)
-    }
-
-    fn preview(&mut self, collected: &Collected, looks: Looks) {
-        let rule = self.drawing.rule;
+    fn preview(&mut self, operation: &Operation, collected: &Collected, reads: PreviewReads) {
         self.output.asm.emit(Inst::PreviewClear);
-        for name in rule.created.iter().map(|created| created.name) {
-            match self.registers.home(name) {
-                _ if !rule.is_first(name) => {}
+        for element in &operation.created {
+            match self.registers.home(element.name) {
                 Home::Reg(to) => self.output.asm.emit(Inst::PreviewNew { to }),
                 home => self.for_each_index(home, |this| {
                     let to = this.output.asm.reg();
@@ -85,74 +38,60 @@ impl Collect<'_, '_, '_, '_> {
         Reassign {
             output: self.output,
             drawing: self.drawing,
+            values: &operation.values,
             registers: self.registers.clone(),
             collected,
-            onto: Onto::Preview(looks),
+            target: WriteTarget::Preview(reads),
             rows: &mut rows,
         }
         .emit();
     }
 
-    fn test_statement(&mut self, statement: &Statement, collected: &Collected) {
-        let rule = self.drawing.rule;
-        // The paths of a family lie in one buffer.
-        let repeated =
-            statement.is_repeated(rule) && !matches!(statement, Statement::OneHoleAlong(_));
-        let indices = repeated.then(|| self.registers.begin_turns(&mut self.output.asm));
+    fn test_result(&mut self, test: &GuardTest, collected: &Collected) {
+        let indices = test.at_each_index.then(|| self.registers.begin_turns(&mut self.output.asm));
         let to = self.output.asm.reg();
-        let inst = match statement {
-            Statement::OneHoleAlong(path) => {
-                let condition = Foreseen::OneHole;
+        match test.question {
+            Question::NotAdjacent(ends) => {
+                let elements = ends.map(|end| self.element(end));
+                self.output.asm.emit(Inst::Ask { question: Query::Adjacent, to, elements });
+                self.output.asm.emit(Inst::Not { to, from: to });
+            }
+            Question::Holds { condition, of, at } => {
+                let [element, at] = [of, at.unwrap_or(of)].map(|name| self.element(name));
+                let condition = foreseen(condition);
+                self.output.asm.emit(Inst::Foresee { condition, to, element, at });
+            }
+            Question::OneHoleAlong(path) => {
                 let Run { buffer, .. } = match collected.runs[path.index()] {
                     Some(run) => run,
-                    None => self.collect_path(*path),
+                    None => self.collect_path(path),
                 };
-                Inst::ForeseeAlong { condition, to, buffer }
+                let condition = Foreseen::OneHole;
+                self.output.asm.emit(Inst::ForeseeAlong { condition, to, buffer });
             }
-            statement => match self.joined(statement) {
-                Some(ends) => {
-                    let elements = ends.map(|end| self.element(end));
-                    Inst::Ask { question: Question::Adjacent, to, elements }
-                }
-                None => {
-                    let (condition, element, at) = self.question(statement);
-                    Inst::Foresee { condition, to, element, at }
-                }
-            },
-        };
-        self.output.asm.emit(inst);
-        if let Inst::Ask { .. } = inst {
-            self.output.asm.emit(Inst::Not { to, from: to });
         }
-        let reason = statement.refusal(rule);
-        let refusal = self.output.refusal(reason.clone(), Phase::Guard);
+        let refusal = self.output.refusal(test.refusal.clone(), Phase::Guard);
         self.output.asm.emit(Inst::Expect { condition: to, refusal, otherwise: self.fail });
         if let Some(indices) = indices {
             self.registers.end_turns(&mut self.output.asm, indices);
         }
-        let claim = format!("after it, {}", statement.claim(rule));
-        self.row(Cell::Test { claim, reason });
+        let claim = format!("after it, {}", test.claim);
+        self.row(Cell::Test { claim, reason: test.refusal.clone() });
     }
+}
 
-    /// The questions, each with its elements.
-    fn question(&mut self, statement: &Statement) -> (Foreseen, Reg, Reg) {
-        let (condition, element, at) = match statement {
-            Statement::ThreeSides(face) => (Foreseen::ThreeSides, face, face),
-            Statement::MeetsOnce(face) => (Foreseen::MeetsOnce, face, face),
-            Statement::CornerOnce { face, vertex } => (Foreseen::CornerOnce, face, vertex),
-            Statement::FacesDiffer { vertex, .. } => (Foreseen::FacesDiffer, vertex, vertex),
-            Statement::TwoSpokes(vertex) => (Foreseen::TwoSpokes, vertex, vertex),
-            Statement::OneHole { vertex, .. } => (Foreseen::OneHole, vertex, vertex),
-            Statement::OneHoleAlong(path) => (Foreseen::OneHole, path, path),
-            Statement::NeighborsDiffer { vertex, .. } => {
-                (Foreseen::NeighborsDiffer, vertex, vertex)
-            }
-            Statement::SingleEdge { halfedge, .. } => (Foreseen::SingleEdge, halfedge, halfedge),
-            Statement::CornersDiffer(vertex) => (Foreseen::CornersDiffer, vertex, vertex),
-            Statement::CornersOwn { face, vertex } => (Foreseen::CornersOwn, face, vertex),
-        };
-        debug_assert!(self.drawing.rule.kind(*element) != Kind::Fan);
-        let [element, at] = [element, at].map(|name| self.element(*name));
-        (condition, element, at)
+/// The question of the machine for a condition.
+fn foreseen(condition: GuardCondition) -> Foreseen {
+    match condition {
+        GuardCondition::ThreeSides => Foreseen::ThreeSides,
+        GuardCondition::MeetsOnce => Foreseen::MeetsOnce,
+        GuardCondition::CornerOnce => Foreseen::CornerOnce,
+        GuardCondition::TwoSpokes => Foreseen::TwoSpokes,
+        GuardCondition::OneHole => Foreseen::OneHole,
+        GuardCondition::FacesDiffer => Foreseen::FacesDiffer,
+        GuardCondition::NeighborsDiffer => Foreseen::NeighborsDiffer,
+        GuardCondition::SingleEdge => Foreseen::SingleEdge,
+        GuardCondition::CornersDiffer => Foreseen::CornersDiffer,
+        GuardCondition::CornersOwn => Foreseen::CornersOwn,
     }
 }

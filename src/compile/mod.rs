@@ -20,14 +20,11 @@ mod write_target;
 
 mod expression;
 mod index_loop;
-mod reason;
 mod registers;
 mod run;
-mod symmetric;
 
 pub use expression::{
     Scope, arguments, attribute, copy, each, element_kind, elements, function_number, lower,
     lower_into, width,
 };
 pub use operation::compile;
-pub use reason::refusal as why_refused;

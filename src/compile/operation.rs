@@ -6,10 +6,11 @@ use super::collect::Collect;
 use super::output::{Output, kind_of_element};
 use super::reassign::Reassign;
 use super::registers::{Home, Registers};
-use super::write_target::Onto;
+use super::write_target::WriteTarget;
 use super::{element_kind, width};
 use crate::check::{Proof, Proved};
 use crate::diagram::{Drawing, Kind, NameId, Op, Property, Rule};
+use crate::lower::{Element, Operation};
 use crate::mesh::Level;
 use crate::rewrite::{
     Cell, Code, Function, Holder, Inst, Label, Matched, Plan, Reg, Row, Stage, TooLarge,
@@ -91,23 +92,24 @@ fn alternative(
     let drawing = Drawing::new(rule);
     let registers = Registers::new(&mut output.asm, &drawing, params);
     let mut stage = Stage { rule: rule.label.clone(), ..Stage::default() };
+    let operation = Operation::new(&drawing, proof);
     let mut collected =
         Collect { output, drawing: &drawing, registers, fail, rows: &mut stage.collect }
-            .emit(proof.matching(), proof.guard());
+            .emit(&operation);
     let matched = matched(output, &drawing, &collected.registers);
-    allocate(output, &drawing, &mut collected.registers, &mut stage.allocate);
+    allocate(output, rule, &operation.created, &mut collected.registers, &mut stage.allocate);
     Reassign {
         output,
         drawing: &drawing,
         registers: collected.registers.clone(),
         collected: &collected,
-        onto: Onto::Mesh,
+        values: &operation.values,
+        target: WriteTarget::Mesh,
         rows: &mut stage.reassign,
     }
     .emit();
-    erase(output, &drawing, &mut collected.registers, &mut stage.erase);
-    let result =
-        rule.result.map(|result| collected.registers.element(&mut output.asm, result.name));
+    erase(output, rule, &operation.erased, &mut collected.registers, &mut stage.erase);
+    let result = operation.result.map(|name| collected.registers.element(&mut output.asm, name));
     output.asm.emit(Inst::Return { result });
     (stage, matched)
 }
@@ -130,14 +132,13 @@ fn matched(output: &Output, drawing: &Drawing, registers: &Registers) -> Matched
 
 fn allocate(
     output: &mut Output,
-    drawing: &Drawing,
+    rule: &Rule,
+    created: &[Element],
     registers: &mut Registers,
     rows: &mut Vec<Row>,
 ) {
-    let rule = drawing.rule;
     let asm = &mut output.asm;
-    for name in rule.created.iter().map(|created| created.name) {
-        let kind = rule.kind(name);
+    for &Element { name, kind, .. } in created {
         let new = |to: Reg| match kind {
             Kind::Vertex => Inst::NewVertex { to },
             Kind::Halfedge => Inst::NewHalfedge { to },
@@ -145,7 +146,6 @@ fn allocate(
             _ => Inst::NewFace { to },
         };
         match registers.home(name) {
-            _ if !rule.is_first(name) => continue,
             Home::Reg(to) => asm.emit(new(to)),
             Home::Member { buffer, .. } => {
                 asm.emit(Inst::BufferClear { buffer });
@@ -161,15 +161,19 @@ fn allocate(
     }
 }
 
-fn erase(output: &mut Output, drawing: &Drawing, registers: &mut Registers, rows: &mut Vec<Row>) {
-    let rule = drawing.rule;
+fn erase(
+    output: &mut Output,
+    rule: &Rule,
+    erased: &[Element],
+    registers: &mut Registers,
+    rows: &mut Vec<Row>,
+) {
     let asm = &mut output.asm;
-    for name in rule.erased.iter().map(|erased| erased.name) {
-        let kind = kind_of_element(rule.kind(name));
-        let Some(kind) = kind.filter(|_| rule.is_first(name)) else {
+    for &Element { name, kind, at_each_index } in erased {
+        let Some(kind) = kind_of_element(kind) else {
             continue;
         };
-        let indices = rule.is_member(name).then(|| registers.begin_turns(asm));
+        let indices = at_each_index.then(|| registers.begin_turns(asm));
         let element = registers.element(asm, name);
         asm.emit(Inst::Erase { kind, element });
         if let Some(indices) = indices {

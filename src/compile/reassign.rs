@@ -4,9 +4,10 @@ use super::collected::{Collected, Run};
 use super::expression::halfedge_field;
 use super::output::Output;
 use super::registers::{Home, Registers};
-use super::write_target::Onto;
+use super::write_target::WriteTarget;
 use crate::check::matching::Bound;
 use crate::diagram::{Drawing, Kind, NameId, Operand, Pointer, Write};
+use crate::lower::Value;
 use crate::rewrite::{Cell, ElementField, HalfedgeField, Inst, Reg, Row, Span};
 
 /// Writes phase 3.
@@ -15,8 +16,9 @@ pub(super) struct Reassign<'o, 's, 'd, 'r> {
     pub drawing: &'d Drawing<'d>,
     pub registers: Registers,
     pub collected: &'d Collected,
+    pub values: &'d [Value<'d>],
     /// The place where the pointers are set.
-    pub onto: Onto,
+    pub target: WriteTarget,
     pub rows: &'r mut Vec<Row>,
 }
 
@@ -94,7 +96,7 @@ impl Reassign<'_, '_, '_, '_> {
             }
             Write::Hole { face, is_hole, changes } => {
                 // The preview knows nothing of what is new.
-                let is_set = *changes || self.onto != Onto::Mesh;
+                let is_set = *changes || self.target != WriteTarget::Mesh;
                 let store = Inst::StoreHole { face: self.element(*face), hole: *is_hole };
                 let target = format!("{}.hole", self.word(*face));
                 self.set(target, is_hole.to_string(), is_set.then_some(store));
@@ -108,7 +110,7 @@ impl Reassign<'_, '_, '_, '_> {
 
     fn set(&mut self, target: String, value: String, inst: Option<Inst>) {
         self.rows.push(Row::set(target, value, inst.is_some()));
-        if let Some(inst) = inst.and_then(|inst| self.onto.aim(inst)) {
+        if let Some(inst) = inst.and_then(|inst| self.target.aim(inst)) {
             self.output.asm.emit(inst);
         }
     }

@@ -6,88 +6,62 @@ use super::output::kind_of_element;
 use super::registers::Home;
 use crate::check::matching::Claim;
 use crate::diagram::{Kind, NameId};
+use crate::lower::{Walk as Orbit, WalkTest};
 use crate::rewrite::{Cell, Inst, Phase, Reg, Walk};
 
 impl Collect<'_, '_, '_, '_> {
     /// Walks an orbit once around and deals its halfedges out to the families of a period.
-    pub(super) fn walk(&mut self, orbit: NameId, halfedges: &[NameId]) {
+    pub(super) fn walk(&mut self, orbit: &Orbit) {
         let rule = self.drawing.rule;
-        let (walk, around) = match rule.kind(orbit) {
-            Kind::Vertex => (Walk::Star, "around"),
-            _ => (Walk::Loop, "along"),
+        let (walk, around) = match orbit.around_vertex {
+            true => (Walk::Star, "around"),
+            false => (Walk::Loop, "along"),
         };
-        let text = rule.name(orbit).text.clone();
-        let words: Vec<_> = halfedges.iter().map(|&half| rule.name(half).text.as_str()).collect();
-        self.row(Cell::Note(format!(
-            "walk once {around} {text}: {} at each index",
-            words.join(", ")
-        )));
-        let from = self.registers.begin(&mut self.output.asm, halfedges[0]);
+        let text = &rule.name(orbit.orbit).text;
+        let words = orbit.families.iter().map(|&(half, _)| rule.name(half).text.as_str());
+        let words = words.collect::<Vec<_>>().join(", ");
+        self.row(Cell::Note(format!("walk once {around} {text}: {words} at each index")));
+        let from = self.registers.begin(&mut self.output.asm, orbit.families[0].0);
         let buffer = self.buffer();
         self.output.asm.emit(Inst::Collect { walk, buffer, from, until: from, whole: true });
-        let period = u16::try_from(halfedges.len()).unwrap_or(u16::MAX);
-        if period > 1 {
-            self.test_period(buffer, period, &text, walk);
+        let period = u16::try_from(orbit.families.len()).unwrap_or(u16::MAX);
+        if let Some(test) = &orbit.is_whole {
+            let mark = self.output.asm.mark();
+            let left = self.length(buffer);
+            let right = self.output.asm.constant_int(i64::from(period));
+            let to = self.output.asm.reg();
+            self.output.asm.emit(Inst::ModInt { to, left, right });
+            let zero = self.output.asm.constant_int(0);
+            self.expect_equal([to, zero], test);
+            self.output.asm.release(mark);
         }
-        for (place, &half) in (0..).zip(halfedges) {
+        for (place, &(half, turn)) in (0..).zip(&orbit.families) {
             let Home::Member { buffer: to, .. } = self.registers.home(half) else {
                 continue;
             };
             self.output.asm.emit(Inst::BufferClear { buffer: to });
-            self.output.asm.emit(Inst::BufferDeal {
-                from: buffer,
-                to,
-                place,
-                period,
-                turn: i16::try_from(rule.offset(half)).unwrap_or(0),
-            });
-            match self.registers.cycle {
-                None => self.registers.cycle = Some(to),
-                Some(cycle) if place == 0 => self.test_size(cycle, to, orbit),
-                Some(_) => {}
+            let turn = i16::try_from(turn).unwrap_or(0);
+            self.output.asm.emit(Inst::BufferDeal { from: buffer, to, place, period, turn });
+            let cycle = *self.registers.cycle.get_or_insert(to);
+            if let (0, Some(test)) = (place, &orbit.fits) {
+                let mark = self.output.asm.mark();
+                let lengths = [cycle, to].map(|buffer| self.length(buffer));
+                self.expect_equal(lengths, test);
+                self.output.asm.release(mark);
             }
         }
     }
 
-    /// The halfedges must make whole periods.
-    fn test_period(&mut self, buffer: u16, period: u16, text: &str, walk: Walk) {
-        let mark = self.output.asm.mark();
-        let length = self.output.asm.reg();
-        self.output.asm.emit(Inst::BufferLength { buffer, to: length });
-        let right = self.output.asm.constant_int(i64::from(period));
+    fn length(&mut self, buffer: u16) -> Reg {
         let to = self.output.asm.reg();
-        self.output.asm.emit(Inst::ModInt { to, left: length, right });
-        let what = match walk {
-            Walk::Loop => "sides",
-            Walk::Star => "spokes",
-        };
-        let reason = format!("the number of {what} of `{text}` is no multiple of {period}");
-        let zero = self.output.asm.constant_int(0);
-        self.row(Cell::Test {
-            claim: format!("its {what} come in groups of {period}"),
-            reason: reason.clone(),
-        });
-        self.expect_equal([to, zero], reason);
-        self.output.asm.release(mark);
+        self.output.asm.emit(Inst::BufferLength { buffer, to });
+        to
     }
 
-    /// All families are of one size.
-    fn test_size(&mut self, cycle: u16, other: u16, orbit: NameId) {
-        let mark = self.output.asm.mark();
-        let lengths = [cycle, other].map(|buffer| {
-            let to = self.output.asm.reg();
-            self.output.asm.emit(Inst::BufferLength { buffer, to });
-            to
-        });
-        let orbit = self.drawing.rule.quoted(orbit);
-        let reason = format!("{orbit} is longer, or shorter, than the families before");
-        self.row(Cell::Test { claim: "as many as before".into(), reason: reason.clone() });
-        self.expect_equal(lengths, reason);
-        self.output.asm.release(mark);
-    }
-
-    fn expect_equal(&mut self, [left, right]: [Reg; 2], reason: String) {
-        let refusal = self.output.refusal(reason, Phase::Match);
+    fn expect_equal(&mut self, [left, right]: [Reg; 2], test: &WalkTest) {
+        let WalkTest { claim, refusal } = test.clone();
+        self.row(Cell::Test { claim, reason: refusal.clone() });
+        let refusal = self.output.refusal(refusal, Phase::Match);
         let otherwise = self.fail;
         self.output.asm.emit(Inst::ExpectEqual { left, right, refusal, otherwise });
     }

@@ -12,9 +12,9 @@ use super::names::Names;
 use super::reassign;
 use super::routine::{Alternative, Routine, Statement, without_unread};
 use super::term::{Function, Parameter, Term};
-use crate::check::matching::Step;
 use crate::check::{Proof, Proved};
-use crate::diagram::{Access, Binary, Drawing, Kind, Rule, Type};
+use crate::diagram::{Access, Binary, Drawing, Rule, Type};
+use crate::lower::{Condition, Element, Operation, Step, Tries, Value};
 
 /// The routine of a proved operation, and the functions that it calls; of those, the attributes
 /// that they look at are told by number.
@@ -81,87 +81,67 @@ fn alternative(
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let drawing = Drawing::new(rule);
-    let mut rest = phases(&drawing, proof, conventions, names)?;
-    // From the last attempt outwards: each holds all that comes after it.
-    let attempts: Vec<_> = proof
-        .matching()
-        .iter()
-        .enumerate()
-        .filter(|(_, step)| is_tried(step))
-        .map(|(at, _)| at)
-        .collect();
-    let walked_first = proof.matching().iter().find_map(|step| match step {
-        Step::Walk { orbit, .. } => Some(*orbit),
-        _ => None,
-    });
+    let operation = Operation::new(&drawing, proof);
+    let mut rest = phases(&drawing, &operation, conventions, names)?;
+    let steps = &operation.matching.steps;
     let mut matching = Matching { drawing: &drawing, conventions, names };
-    let mut end = proof.matching().len();
-    for &at in attempts.iter().rev() {
-        let Step::Attempt { element, halfedge, .. } = proof.matching()[at] else {
+    // From the last attempt outwards: each holds all that comes after it.
+    let mut end = steps.len();
+    for (at, step) in steps.iter().enumerate().rev() {
+        let Step::Begin(begin) = step else {
             continue;
         };
-        let mut body = matching.steps(&proof.matching()[at + 1..end], walked_first);
+        if begin.tries == Tries::Some(1) {
+            continue;
+        }
+        let mut body = matching.steps(&steps[at + 1..end]);
         body.extend(rest);
         rest = vec![Statement::Attempt {
-            kind: rule.kind(element),
-            element: matching.names.word(element).into(),
-            halfedge: matching.names.begin(halfedge),
+            kind: rule.kind(begin.element),
+            element: matching.names.word(begin.element).into(),
+            halfedge: matching.names.begin(begin.halfedge),
             body,
         }];
         end = at;
     }
-    let mut body = matching.steps(&proof.matching()[..end], walked_first);
+    let mut body = matching.steps(&steps[..end]);
     body.extend(rest);
     Ok(body)
-}
-
-/// True if several halfedges are tried.
-fn is_tried(step: &Step) -> bool {
-    matches!(step, Step::Attempt { tries, .. } if *tries != Some(1))
 }
 
 /// Everything that comes after matching: the questions, and phases 2 to 4.
 fn phases(
     drawing: &Drawing,
-    proof: &Proof,
+    operation: &Operation,
     conventions: Conventions<'_>,
     names: &mut Names,
 ) -> Result<Vec<Statement>, NotEmitted> {
     let rule = drawing.rule;
-    let mut body = Matching { drawing, conventions, names }.distinct_and_paths(proof.matching());
-    for require in &rule.requires {
-        let repeated = match require.index {
-            None => false,
-            Some(0) => true,
-            // What holds at index 0 is asked at every index.
-            Some(_) => continue,
-        };
+    let mut body =
+        Matching { drawing, conventions, names }.empty_paths_and_tests(&operation.matching);
+    for &Condition { condition, at_each_index, refusal } in &operation.requires {
         let condition =
-            Expressions { names }.once(&require.condition, repeated, Some(rule), &mut body)?;
+            Expressions { names }.once(condition, at_each_index, Some(rule), &mut body)?;
         let ask = |names: &mut Names| Expressions { names }.term(&condition);
-        let condition = names.for_each(repeated, ask)?;
-        if repeated {
-            body.push(Statement::Refuse {
-                when: condition.not().for_some(names.indices()),
-                reason: require.reason.clone(),
-            });
+        let condition = names.for_each(at_each_index, ask)?;
+        let reason = || refusal.to_owned();
+        if at_each_index {
+            let when = condition.not().for_some(names.indices());
+            body.push(Statement::Refuse { when, reason: reason() });
             continue;
         }
         let mut parts = Vec::new();
         conjuncts(condition, &mut parts);
-        body.extend(
-            parts
-                .into_iter()
-                .map(|part| Statement::Refuse { when: part.not(), reason: require.reason.clone() }),
-        );
+        let parts = parts.into_iter();
+        body.extend(parts.map(|part| Statement::Refuse { when: part.not(), reason: reason() }));
     }
-    body.extend(guard::tests(drawing, proof.guard(), names, conventions));
-    let values = values(drawing, names, &mut body)?;
-    if !rule.created.is_empty() {
+    body.extend(guard::tests(drawing, operation, names, conventions));
+    let values = values(rule, &operation.values, names, &mut body)?;
+    if !operation.created.is_empty() {
         body.push(Statement::Blank);
         body.push(Statement::Comment("2. Allocate what is new.".into()));
     }
-    body.extend(allocation(rule, names));
+    body.extend(allocation(&operation.created, names));
     let mut sets = reassign::statements(drawing, names, conventions);
     sets.extend(values);
     if !sets.is_empty() {
@@ -173,47 +153,37 @@ fn phases(
         body.push(Statement::Comment(which.into()));
         body.extend(sets);
     }
-    let erased: Vec<_> = rule
-        .erased
-        .iter()
-        .map(|erased| erased.name)
-        .filter(|&erased| rule.is_first(erased))
-        .filter(|&erased| !matches!(rule.kind(erased), Kind::Path | Kind::Fan))
-        .collect();
-    if !erased.is_empty() {
+    if !operation.erased.is_empty() {
         body.push(Statement::Blank);
         body.push(Statement::Comment("4. Erase what is gone.".into()));
     }
-    for erased in erased {
-        let member = rule.is_member(erased);
-        let erase = Statement::Erase {
-            kind: rule.kind(erased),
-            element: names.for_each(member, |names| names.term(erased)),
-        };
-        body.push(match member {
-            true => Statement::IndexLoop { indices: names.indices(), body: vec![erase] },
-            false => erase,
-        });
+    for &Element { name, kind, at_each_index } in &operation.erased {
+        let element = names.for_each(at_each_index, |names| names.term(name));
+        let erase = Statement::Erase { kind, element };
+        body.push(indexed(at_each_index, names, erase));
     }
-    body.push(Statement::Return { result: rule.result.map(|result| names.term(result.name)) });
+    body.push(Statement::Return { result: operation.result.map(|name| names.term(name)) });
     Ok(body)
 }
 
+/// A statement, done for each index if that is wanted.
+fn indexed(at_each_index: bool, names: &Names, statement: Statement) -> Statement {
+    match at_each_index {
+        true => Statement::IndexLoop { indices: names.indices(), body: vec![statement] },
+        false => statement,
+    }
+}
+
 /// The statements that allocate everything new; a family at its first member.
-pub(super) fn allocation(rule: &Rule, names: &Names) -> Vec<Statement> {
-    let created = rule.created.iter().map(|created| created.name);
-    let created = created.filter(|&created| rule.is_first(created));
-    let allocate = |created| {
-        let (kind, name) = (rule.kind(created), names.word(created).to_string());
-        match rule.is_member(created) {
-            true => {
-                let indices = names.indices();
-                Statement::NewEach { kind, name, indices }
-            }
+pub(super) fn allocation(created: &[Element], names: &Names) -> Vec<Statement> {
+    let allocate = |&Element { name, kind, at_each_index }: &Element| {
+        let name = names.word(name).to_string();
+        match at_each_index {
+            true => Statement::NewEach { kind, name, indices: names.indices() },
             false => Statement::New { kind, name },
         }
     };
-    created.map(allocate).collect()
+    created.iter().map(allocate).collect()
 }
 
 /// The conditions that an `and` joins; they are asked one by one, in the same order.
@@ -229,61 +199,48 @@ fn conjuncts(term: Term, parts: &mut Vec<Term>) {
 
 /// Evaluates the right-hand sides, on the mesh as it was; what sets them.
 fn values(
-    drawing: &Drawing,
+    rule: &Rule,
+    values: &[Value],
     names: &mut Names,
     body: &mut Vec<Statement>,
 ) -> Result<Vec<Statement>, NotEmitted> {
-    let rule = drawing.rule;
     let mut sets = Vec::new();
-    for assignment in &rule.assignments {
-        let target = assignment.target.name;
-        let attribute = match assignment.attribute {
+    for Value { element, attribute, value: expr, at_each_index: member, infinite } in values {
+        let attribute = match attribute {
             Access::Position => None,
-            Access::Declared(number) => names.attribute(number),
+            Access::Declared(number) => names.attribute(*number),
         };
-        if !rule.is_first(target) {
-            continue;
-        }
-        let member = rule.is_member(target);
-        let word = names.word(target).trim_end_matches('_').to_string();
+        let word = names.word(*element).trim_end_matches('_').to_string();
         let called = attribute.as_ref().map_or("position", |it| &it.name);
         let name = names.fresh(&format!("{word}_{called}"));
-        let value = Expressions { names }.once(&assignment.value, member, Some(rule), body)?;
-        let evaluate = |names: &mut Names| Expressions { names }.term(&value);
-        let value = names.for_each(member, evaluate)?;
+        let value = Expressions { names }.once(expr, *member, Some(rule), body)?;
+        let value = names.for_each(*member, |names| Expressions { names }.term(&value))?;
         let ty = attribute.as_ref().map_or(Type::Vec3, |it| it.ty);
-        let indices = names.indices();
         let bound = name.clone();
         body.push(match member {
-            true => Statement::Gather { ty, name: bound, indices: indices.clone(), item: value },
+            true => Statement::Gather { ty, name: bound, indices: names.indices(), item: value },
             false => Statement::Bind { ty, name: bound, value },
         });
-        let (element, value) = names.for_each(member, |names| {
+        let (element, value) = names.for_each(*member, |names| {
             let value = match member {
                 true => names.member(&name, 0),
                 false => Term::name(&name),
             };
-            (names.term(target), value)
+            (names.term(*element), value)
         });
-        if attribute.is_none() && !is_surely_finite(&assignment.value) {
+        if let (Some(reason), false) = (infinite, is_surely_finite(expr)) {
             let infinite = Term::Call(Function::IsFinite, vec![value.clone()]).not();
-            let text = &rule.name(target).text;
-            body.push(Statement::Refuse {
-                when: match member {
-                    true => infinite.for_some(indices.clone()),
-                    false => infinite,
-                },
-                reason: format!("the new position of `{text}` is not finite"),
-            });
+            let when = match member {
+                true => infinite.for_some(names.indices()),
+                false => infinite,
+            };
+            body.push(Statement::Refuse { when, reason: reason.clone() });
         }
         let set = match attribute {
             None => Statement::SetPosition { vertex: element, value },
             Some(attribute) => Statement::SetAttribute { attribute, element, value },
         };
-        sets.push(match member {
-            true => Statement::IndexLoop { indices, body: vec![set] },
-            false => set,
-        });
+        sets.push(indexed(*member, names, set));
     }
     Ok(sets)
 }

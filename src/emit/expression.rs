@@ -3,8 +3,12 @@
 use super::NotEmitted;
 use super::matrix::{is_wide, negated, operated, type_of_call};
 use super::names::Names;
+use super::routine::Statement;
 use super::term::{Around, Fold, Function, Operation, Parameter, Term};
-use crate::diagram::{Access, Binary, Builtin, Collection, Expr, ExprKind, Param, Type, Unary};
+use crate::diagram::{
+    Access, Binary, Builtin, Collection, Expr, ExprKind, Param, Rule, Type, Unary,
+};
+use crate::lower::{Hoisted, hoist};
 
 /// The parameters of an operation, with their defaults.
 pub(super) fn parameters(
@@ -125,6 +129,34 @@ impl Expressions<'_> {
                 }))
             }
         })
+    }
+
+    /// The expression with names for what is the same each time it is computed; their values are
+    /// computed in `body`.
+    pub fn once(
+        &mut self,
+        expr: &Expr,
+        repeated: bool,
+        rule: Option<&Rule>,
+        body: &mut Vec<Statement>,
+    ) -> Result<Expr, NotEmitted> {
+        let Hoisted { parts, rest } = hoist(expr, repeated, rule, false);
+        for (number, part) in &parts {
+            let value = self.term(part)?;
+            let name = self.names.bind(*number, wanted(part));
+            body.push(Statement::Bind { ty: part.ty, name, value });
+        }
+        Ok(rest)
+    }
+}
+
+fn wanted(part: &Expr) -> &'static str {
+    match part.kind {
+        ExprKind::Call(Builtin::CentroidFace, _) => "centroid",
+        ExprKind::Call(Builtin::NormalFace | Builtin::NormalVertex, _) => "normal",
+        ExprKind::Call(Builtin::Area, _) => "area",
+        ExprKind::Call(Builtin::DegreeVertex | Builtin::DegreeFace, _) => "degree",
+        _ => "part",
     }
 }
 

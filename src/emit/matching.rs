@@ -4,9 +4,9 @@ use super::conventions::Conventions;
 use super::names::Names;
 use super::routine::Statement;
 use super::term::{Function, Term};
-use crate::check::matching::{Bound, Claim, Source, Step};
-use crate::compile::why_refused;
+use crate::check::matching::{Bound, Claim, Source};
 use crate::diagram::{Drawing, Kind, LoopKind, NameId, Pointer, Type};
+use crate::lower::{self, Begin, EmptyPath, Step, Walk};
 
 /// Writes what matching does.
 pub(super) struct Matching<'d, 'n> {
@@ -16,48 +16,39 @@ pub(super) struct Matching<'d, 'n> {
 }
 
 impl Matching<'_, '_> {
-    /// Binds names, in order. The tests come when all are bound, but for those that tell how
-    /// long families are: as long as the orbit that is walked first, maybe in earlier steps.
-    pub fn steps(&mut self, steps: &[Step], walked_first: Option<NameId>) -> Vec<Statement> {
+    /// Binds names, in order.
+    pub fn steps(&mut self, steps: &[Step]) -> Vec<Statement> {
         let mut body = Vec::new();
         for step in steps {
             match step {
-                Step::Bind { name, source } => body.push(self.bind(*name, *source)),
-                Step::Walk { orbit, halfedges } => {
-                    self.walk(*orbit, halfedges, walked_first == Some(*orbit), &mut body);
+                Step::Given(_) => {}
+                Step::Begin(begin) => self.begin(begin, &mut body),
+                Step::Walk(walk) => self.walk(walk, &mut body),
+                Step::Bind { bound, source, at_each_index } => {
+                    body.push(self.bind(*bound, *source, *at_each_index));
                 }
-                Step::Attempt { element, halfedge, tries: Some(1) } => {
-                    self.begin(*element, *halfedge, &mut body)
-                }
-                Step::Parameter { .. } | Step::Attempt { .. } | Step::Test(_) => {}
             }
         }
         body
     }
 
     /// The halfedge to begin with, where further ones would match alike.
-    fn begin(&mut self, element: NameId, halfedge: NameId, body: &mut Vec<Statement>) {
-        let rule = self.drawing.rule;
-        let pointer = match rule.kind(element) {
-            Kind::Vertex => Pointer::VertexHalfedge,
-            Kind::Edge => Pointer::EdgeHalfedge,
-            _ => Pointer::FaceHalfedge,
-        };
-        if pointer == Pointer::VertexHalfedge && self.conventions.isolated_vertices {
+    fn begin(&mut self, begin: &Begin, body: &mut Vec<Statement>) {
+        let element = self.term(begin.element);
+        if let (Some(reason), true) = (&begin.isolated, self.conventions.isolated_vertices) {
             body.push(Statement::Refuse {
-                when: Term::Call(Function::IsIsolated, vec![self.term(element)]),
-                reason: format!("{} is isolated: no halfedge starts there", rule.quoted(element)),
+                when: Term::Call(Function::IsIsolated, vec![element.clone()]),
+                reason: reason.clone(),
             });
         }
         body.push(Statement::Bind {
             ty: Type::Halfedge,
-            name: self.names.begin(halfedge),
-            value: self.term(element).follow(pointer),
+            name: self.names.begin(begin.halfedge),
+            value: element.follow(begin.first),
         });
     }
 
-    fn bind(&mut self, bound: Bound, source: Source) -> Statement {
-        let member = self.drawing.rule.is_member(bound.name());
+    fn bind(&mut self, bound: Bound, source: Source, member: bool) -> Statement {
         let value = self.indexed(member, |this| this.source(source));
         let word = match bound {
             Bound::Element(name) | Bound::First(name) => self.names.word(name),
@@ -81,43 +72,30 @@ impl Matching<'_, '_> {
     }
 
     /// Walks an orbit once around and deals its halfedges out to the families of a period.
-    fn walk(
-        &mut self,
-        orbit: NameId,
-        halfedges: &[NameId],
-        is_first: bool,
-        body: &mut Vec<Statement>,
-    ) {
-        let rule = self.drawing.rule;
+    fn walk(&mut self, walk: &Walk, body: &mut Vec<Statement>) {
         let ty = Type::Halfedge;
-        let (function, what) = match rule.kind(orbit) {
-            Kind::Vertex => (Function::SpokesFrom, "spokes"),
-            _ => (Function::LoopFrom, "sides"),
+        let function = match walk.around_vertex {
+            true => Function::SpokesFrom,
+            false => Function::LoopFrom,
         };
-        let from = Term::name(self.names.begin(halfedges[0]));
+        let from = Term::name(self.names.begin(walk.families[0].0));
         let mut all = Term::Call(function, vec![from]);
-        let period = halfedges.len() as i64;
-        if period > 1 {
+        let period = walk.families.len() as i64;
+        if let Some(test) = &walk.is_whole {
             let name = self.names.fresh("all");
             let value = std::mem::replace(&mut all, Term::name(&name));
             body.push(Statement::BindList { ty, name, value });
             let groups = vec![all.clone(), Term::Int(period)];
             let rest = Term::Call(Function::Remainder, groups);
-            body.push(Statement::Refuse {
-                when: rest.equals(Term::Int(0)).not(),
-                reason: format!(
-                    "the number of {what} of {} is no multiple of {period}",
-                    rule.quoted(orbit)
-                ),
-            });
+            let (when, reason) = (rest.equals(Term::Int(0)).not(), test.refusal.clone());
+            body.push(Statement::Refuse { when, reason });
         }
-        for (place, &half) in (0..).zip(halfedges) {
+        for (place, &(half, turn)) in (0..).zip(&walk.families) {
             let mut value = all.clone();
             if period > 1 {
                 let dealt = vec![value, Term::Int(place), Term::Int(period)];
                 value = Term::Call(Function::Every, dealt);
             }
-            let turn = rule.offset(half);
             if turn != 0 {
                 value = Term::Call(Function::Turned, vec![value, Term::Int(turn)]);
             }
@@ -127,63 +105,45 @@ impl Matching<'_, '_> {
             if place > 0 {
                 continue;
             }
-            if !is_first {
-                let length = Term::Call(Function::Length, vec![Term::name(name)]);
-                body.push(Statement::Refuse {
-                    when: length.equals(Term::name(size)).not(),
-                    reason: format!(
-                        "{} is longer, or shorter, than the families before",
-                        rule.quoted(orbit)
-                    ),
-                });
-            } else {
-                body.push(Statement::Size { name: size, list: name });
-            }
+            body.push(match &walk.fits {
+                Some(test) => {
+                    let length = Term::Call(Function::Length, vec![Term::name(name)]);
+                    let when = length.equals(Term::name(size)).not();
+                    Statement::Refuse { when, reason: test.refusal.clone() }
+                }
+                None => Statement::Size { name: size, list: name },
+            });
         }
     }
 
     /// The emptiness of paths, and the tests.
-    pub fn distinct_and_paths(&mut self, steps: &[Step]) -> Vec<Statement> {
-        let drawing = self.drawing;
-        let rule = drawing.rule;
+    pub fn empty_paths_and_tests(&mut self, matching: &lower::Matching) -> Vec<Statement> {
         let mut body = Vec::new();
-        for path in rule.names_of(Kind::Path).filter(|&path| rule.is_first(path)) {
-            if drawing.before.mention(path).is_some() && drawing.is_empty_somewhere(path) {
-                let Some(next) = drawing.before.item_after(path) else {
-                    continue;
-                };
-                let member = rule.is_member(path);
-                let value = self.indexed(member, |this| this.term(path).is(this.term(next)));
-                let name = self.names.empty_word(path).to_string();
-                body.push(self.named(Type::Bool, name, value, member));
-            }
+        for &EmptyPath { path, next, at_each_index } in &matching.empty_paths {
+            let value = self.indexed(at_each_index, |this| this.term(path).is(this.term(next)));
+            let name = self.names.empty_word(path).to_string();
+            body.push(self.named(Type::Bool, name, value, at_each_index));
         }
-        for step in steps {
-            if let Step::Test(claim) = step {
-                let holds = match claim {
-                    Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
-                    Claim::NotAllEmptyAround(paths) => {
-                        let some = self.indexed(true, |this| this.are_empty(paths).not());
-                        some.for_some(self.names.indices())
+        for test in &matching.tests {
+            let holds = match &test.condition {
+                Claim::Begins(name) => Term::name(self.names.begin(*name)).is(self.term(*name)),
+                Claim::NotAllEmptyAround(paths) => {
+                    let some = self.indexed(true, |this| this.are_empty(paths).not());
+                    some.for_some(self.names.indices())
+                }
+                Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
+                Claim::AroundInOrder { along_loop, halfedges } => {
+                    self.around_in_order(*along_loop, halfedges, &mut body)
+                }
+                claim => {
+                    let when = self.indexed(test.at_each_index, |this| this.claim(claim).not());
+                    match test.at_each_index {
+                        true => when.for_some(self.names.indices()).not(),
+                        false => when.not(),
                     }
-                    Claim::AllDistinct(names) => self.all_distinct(names, &mut body),
-                    Claim::AroundInOrder { along_loop, halfedges } => {
-                        self.around_in_order(*along_loop, halfedges, &mut body)
-                    }
-                    claim => {
-                        let repeated = claim.is_repeated(rule);
-                        let when = self.indexed(repeated, |this| this.claim(claim).not());
-                        match repeated {
-                            true => when.for_some(self.names.indices()).not(),
-                            false => when.not(),
-                        }
-                    }
-                };
-                body.push(Statement::Refuse {
-                    when: holds.not(),
-                    reason: why_refused(drawing, claim),
-                });
-            }
+                }
+            };
+            body.push(Statement::Refuse { when: holds.not(), reason: test.refusal.clone() });
         }
         body
     }
@@ -260,20 +220,8 @@ impl Matching<'_, '_> {
     }
 
     fn source(&self, source: Source) -> Term {
-        let (from, pointers): (Bound, &[Pointer]) = match source {
-            Source::Next(from) => (from, &[Pointer::Next]),
-            Source::Prev(from) => (from, &[Pointer::Prev]),
-            Source::Twin(from) => (from, &[Pointer::Twin]),
-            Source::Origin(from) => (from, &[Pointer::Vertex]),
-            Source::Target(from) => (from, &[Pointer::Next, Pointer::Vertex]),
-            Source::Edge(from) => (from, &[Pointer::Edge]),
-            Source::Face(from) => (from, &[Pointer::Face]),
-            Source::Counterclockwise(from) => (from, &[Pointer::Prev, Pointer::Twin]),
-            Source::Clockwise(from) => (from, &[Pointer::Twin, Pointer::Next]),
-            Source::FaceHalfedge(face) => (Bound::Element(face), &[Pointer::FaceHalfedge]),
-        };
         let follow = |term: Term, pointer: &Pointer| term.follow(*pointer);
-        pointers.iter().fold(self.bound(from), follow)
+        source.pointers().iter().fold(self.bound(source.from()), follow)
     }
 
     fn claim(&self, claim: &Claim) -> Term {

@@ -19,7 +19,6 @@ mod callee;
 mod conventions;
 mod expression;
 mod guard;
-mod hoist;
 mod matching;
 mod matrix;
 mod names;

@@ -101,8 +101,6 @@ pub(super) enum Statement {
     List { ty: Type, name: String, items: Vec<Term> },
     /// Adds to a list.
     Push { list: String, item: Term },
-    /// A count, or a truth value, that changes.
-    Tally { ty: Type, name: String, value: Term },
     /// A name for a list.
     BindList { ty: Type, name: String, value: Term },
     /// A name for the number of elements of a list.
@@ -113,14 +111,10 @@ pub(super) enum Statement {
     IndexLoop { indices: IndexLoop, body: Vec<Statement> },
     /// Gives it another value.
     Change { name: String, value: Term },
-    /// One more.
-    Raise { name: String },
     /// Only where something holds.
     When { condition: Term, body: Vec<Statement> },
     /// For each halfedge of a walk.
     Walk { walk: HalfedgeWalk, body: Vec<Statement> },
-    /// For each element of a list.
-    Each { item: String, list: String, body: Vec<Statement> },
     /// A preview of the mesh, and a block in which what is new, and what is set, is noted on it.
     Foresee { preview: String, body: Vec<Statement> },
     /// Allocates an element.
@@ -179,19 +173,6 @@ impl HalfedgeWalk {
 }
 
 impl Statement {
-    /// Statements where something holds; if they are one that asks too, both are asked at once.
-    pub fn only_where(condition: Term, mut body: Vec<Statement>) -> Self {
-        match (body.pop(), body.is_empty()) {
-            (Some(Self::When { condition: second, body: inner }), true) => {
-                Self::When { condition: condition.and(second), body: inner }
-            }
-            (last, _) => {
-                body.extend(last);
-                Self::When { condition, body }
-            }
-        }
-    }
-
     /// The statements inside of it, but for those of steps and functions.
     fn body(&self) -> &[Self] {
         match self {
@@ -199,7 +180,6 @@ impl Statement {
             | Self::IndexLoop { body, .. }
             | Self::When { body, .. }
             | Self::Walk { body, .. }
-            | Self::Each { body, .. }
             | Self::Foresee { body, .. } => body,
             _ => &[],
         }
@@ -212,7 +192,6 @@ impl Statement {
             | Self::IndexLoop { body, .. }
             | Self::When { body, .. }
             | Self::Walk { body, .. }
-            | Self::Each { body, .. }
             | Self::Foresee { body, .. } => vec![body],
             Self::Action(action) => action.bodies_mut(),
             _ => Vec::new(),
@@ -233,8 +212,7 @@ impl Statement {
         if let Self::Attempt { body, .. }
         | Self::IndexLoop { body, .. }
         | Self::When { body, .. }
-        | Self::Walk { body, .. }
-        | Self::Each { body, .. } = &mut self
+        | Self::Walk { body, .. } = &mut self
         {
             *body = made(std::mem::take(body));
         }
@@ -256,7 +234,7 @@ impl Statement {
     pub fn names(&self, see: &mut dyn FnMut(&str)) {
         match self {
             Self::Comment(_) | Self::Blank | Self::Column(_) | Self::New { .. } => {}
-            Self::Bind { value, .. } | Self::BindList { value, .. } | Self::Tally { value, .. } => {
+            Self::Bind { value, .. } | Self::BindList { value, .. } => {
                 value.names(see);
             }
             Self::Size { list, .. } => see(list),
@@ -283,7 +261,6 @@ impl Statement {
                 see(name);
                 value.names(see);
             }
-            Self::Raise { name } => see(name),
             Self::Foresee { body, .. } => body.iter().for_each(|statement| statement.names(see)),
             Self::Erase { element, .. } => element.names(see),
             Self::When { condition, body } => {
@@ -292,10 +269,6 @@ impl Statement {
             }
             Self::Walk { walk, body } => {
                 walk.names(see);
-                body.iter().for_each(|statement| statement.names(see));
-            }
-            Self::Each { list, body, .. } => {
-                see(list);
                 body.iter().for_each(|statement| statement.names(see));
             }
             Self::Set { of, value, .. } => {

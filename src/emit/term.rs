@@ -126,10 +126,6 @@ pub(super) enum Function {
     InOrderAroundVertex,
     /// True if no element stands twice in a list.
     AllDiffer,
-    /// True if a list holds an element.
-    Holds,
-    /// True if two lists without repetitions hold the same.
-    SameElements,
     /// True if all parts of a vector are finite.
     IsFinite,
     /// True if no halfedge starts at a vertex.

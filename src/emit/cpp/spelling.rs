@@ -86,8 +86,6 @@ impl Language for Printer<'_> {
                     Function::InOrderAlongLoop => "in_order_along_loop",
                     Function::InOrderAroundVertex => "in_order_around_vertex",
                     Function::AllDiffer => "all_differ",
-                    Function::Holds => "holds",
-                    Function::SameElements => "same_elements",
                     Function::LoopFrom => "loop_from",
                     Function::SpokesFrom => "spokes_from",
                     Function::Every => "every",

@@ -63,11 +63,6 @@ impl Printer<'_> {
                 let item = self.text(item);
                 self.lines.line(&format!("{list}.push_back({item});"));
             }
-            Statement::Tally { ty, name, value } => {
-                let value = self.text(value);
-                let ty = if *ty == Type::Int { "int" } else { "bool" };
-                self.lines.line(&format!("{ty} {name} = {value};"));
-            }
             Statement::BindList { ty, name, value } => {
                 self.headers.insert("vector");
                 let value = self.text(value);
@@ -87,17 +82,12 @@ impl Printer<'_> {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {value};"));
             }
-            Statement::Raise { name } => self.lines.line(&format!("++{name};")),
             Statement::When { condition, body } => {
                 let condition = self.text(condition);
                 self.held(&format!("if ({condition})"), body);
             }
             Statement::Walk { walk, body } => self.walk(walk, body),
             Statement::Foresee { preview, body } => self.foresee(preview, body),
-            Statement::Each { item, list, body } => {
-                let ty = self.ty(Type::Face);
-                self.held(&format!("for ({ty} {item} : {list})"), body);
-            }
             Statement::New { kind, name } => {
                 let ty = self.style.name(type_name(*kind));
                 let call = self.allocated(*kind);

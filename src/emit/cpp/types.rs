@@ -25,10 +25,6 @@ pub(super) fn types(body: &[Statement], see: &mut dyn FnMut(Type)) {
                 see(Type::Halfedge);
                 types(body, see);
             }
-            Statement::Each { body, .. } => {
-                see(Type::Face);
-                types(body, see);
-            }
             Statement::When { body, .. }
             | Statement::IndexLoop { body, .. }
             | Statement::Foresee { body, .. } => types(body, see),

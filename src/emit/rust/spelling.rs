@@ -297,12 +297,6 @@ impl Printer {
             Function::InOrderAlongLoop => "in_order_along_loop",
             Function::InOrderAroundVertex => "in_order_around_vertex",
             Function::AllDiffer => "all_differ",
-            Function::SameElements => "same_elements",
-            Function::Holds => {
-                let (list, item) = (args.first().cloned(), args.get(1).cloned());
-                let (list, item) = (list.unwrap_or_default(), item.unwrap_or_default());
-                return Spelled::whole(format!("{list}.contains(&{item})"));
-            }
             Function::LoopFrom | Function::SpokesFrom => {
                 let walk = match function {
                     Function::LoopFrom => "loop_from",

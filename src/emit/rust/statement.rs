@@ -102,10 +102,6 @@ impl Printer {
                 let item = self.text(item);
                 self.lines.line(&format!("{list}.push({item});"));
             }
-            Statement::Tally { name, value, .. } => {
-                let value = self.text(value);
-                self.lines.line(&format!("let mut {name} = {value};"));
-            }
             Statement::BindList { name, value, .. } => {
                 let value = self.text(value);
                 self.lines.line(&format!("let {name} = {value};"));
@@ -136,7 +132,6 @@ impl Printer {
                 let value = self.text(value);
                 self.lines.line(&format!("{name} = {};", bare(&value)));
             }
-            Statement::Raise { name } => self.lines.line(&format!("{name} += 1;")),
             Statement::When { condition, body } => {
                 let condition = self.text(condition);
                 self.lines.open(&format!("if {condition} {{"));
@@ -145,11 +140,6 @@ impl Printer {
             }
             Statement::Walk { walk, body } => self.walk(walk, body, has_result),
             Statement::Foresee { preview, body } => self.foresee(preview, body, has_result),
-            Statement::Each { item, list, body } => {
-                self.lines.open(&format!("for &{item} in &{list} {{"));
-                self.block(body, has_result);
-                self.lines.close("}");
-            }
             Statement::New { kind, name } => {
                 self.lines.line(&format!("let {name} = mesh.add_{}();", word(*kind)));
             }

@@ -90,13 +90,25 @@ class Preview {
     for (SeenHalfedge h : star(v)) met += face(h) == f;
     return met <= 1;
   }
-  /// Whether v has two edges or more, or none.
-  bool two_spokes(SeenVertex v) const { return star(v).size() != 1; }
+  /// Whether v has two edges or more.
+  bool two_spokes(SeenVertex v) const {
+    SeenHalfedge first = first_of(v);
+    return next(twin(first)) != first;
+  }
   /// Whether no more than one corner of v lies in a hole.
   bool one_hole(SeenVertex v) const {
     int met = 0;
     for (SeenHalfedge h : star(v)) met += is_hole(face(h));
     return met <= 1;
+  }
+  /// Whether it is so where the halfedges of a run of the mesh start, or those of a loop.
+  bool one_hole_along(Mesh::HalfedgeRef first, Mesh::HalfedgeRef until) const {
+    Mesh::HalfedgeRef h = first;
+    do {
+      if (!one_hole(vertex(h))) return false;
+      h = h->next;
+    } while (h != until);
+    return true;
   }
   /// Whether no face has two corners at v.
   bool faces_differ(SeenVertex v) const {
@@ -176,16 +188,18 @@ class Preview {
     Mesh::FaceRef at = f.element;
     return at->halfedge;
   }
-  /// The halfedges that start at v.
-  std::vector<SeenHalfedge> star(SeenVertex v) const {
+  /// The halfedges that start at v; questions come when all is noted, so they stay.
+  const std::vector<SeenHalfedge>& star(SeenVertex v) const {
+    if (!star_.empty() && star_of_ == v) return star_;
+    star_of_ = v;
+    star_.clear();
     SeenHalfedge first = first_of(v);
-    std::vector<SeenHalfedge> around;
     SeenHalfedge h = first;
     do {
-      around.push_back(h);
+      star_.push_back(h);
       h = next(twin(h));
     } while (h != first);
-    return around;
+    return star_;
   }
   std::vector<SeenVertex> corners(SeenFace f) const {
     SeenHalfedge first = first_of(f);
@@ -214,6 +228,8 @@ class Preview {
   Notes<SeenVertex, SeenHalfedge> firsts_of_vertices_;
   Notes<SeenFace, SeenHalfedge> firsts_of_faces_;
   Notes<SeenFace, bool> holes_;
+  mutable SeenVertex star_of_;
+  mutable std::vector<SeenHalfedge> star_;
   int count_ = 0;
 };
 #endif

@@ -124,13 +124,13 @@ pub fn flip_simply(mesh: &mut Mesh, e: EdgeId) -> bool {
 struct Preview<'m> {
     mesh: &'m Mesh,
     new: u32,
-    next: HashMap<HalfedgeId, HalfedgeId>,
-    twin: HashMap<HalfedgeId, HalfedgeId>,
-    vertex: HashMap<HalfedgeId, VertexId>,
-    face: HashMap<HalfedgeId, FaceId>,
-    vertex_halfedge: HashMap<VertexId, HalfedgeId>,
-    face_halfedge: HashMap<FaceId, HalfedgeId>,
-    holes: HashMap<FaceId, bool>,
+    next: Notes<HalfedgeId, HalfedgeId>,
+    twin: Notes<HalfedgeId, HalfedgeId>,
+    vertex: Notes<HalfedgeId, VertexId>,
+    face: Notes<HalfedgeId, FaceId>,
+    vertex_halfedge: Notes<VertexId, HalfedgeId>,
+    face_halfedge: Notes<FaceId, HalfedgeId>,
+    holes: Notes<FaceId, bool>,
 }
 
 #[allow(dead_code)]
@@ -139,13 +139,13 @@ impl<'m> Preview<'m> {
         Self {
             mesh,
             new: u32::MAX,
-            next: HashMap::new(),
-            twin: HashMap::new(),
-            vertex: HashMap::new(),
-            face: HashMap::new(),
-            vertex_halfedge: HashMap::new(),
-            face_halfedge: HashMap::new(),
-            holes: HashMap::new(),
+            next: Notes::new(),
+            twin: Notes::new(),
+            vertex: Notes::new(),
+            face: Notes::new(),
+            vertex_halfedge: Notes::new(),
+            face_halfedge: Notes::new(),
+            holes: Notes::new(),
         }
     }
 
@@ -171,57 +171,60 @@ impl<'m> Preview<'m> {
     }
 
     fn set_next(&mut self, h: HalfedgeId, to: HalfedgeId) {
-        self.next.insert(h, to);
+        self.next.set(h, to);
     }
 
     fn set_twin(&mut self, h: HalfedgeId, to: HalfedgeId) {
-        self.twin.insert(h, to);
+        self.twin.set(h, to);
     }
 
     fn set_vertex(&mut self, h: HalfedgeId, to: VertexId) {
-        self.vertex.insert(h, to);
+        self.vertex.set(h, to);
     }
 
     fn set_face(&mut self, h: HalfedgeId, to: FaceId) {
-        self.face.insert(h, to);
+        self.face.set(h, to);
     }
 
     fn set_vertex_halfedge(&mut self, v: VertexId, to: HalfedgeId) {
-        self.vertex_halfedge.insert(v, to);
+        self.vertex_halfedge.set(v, to);
     }
 
     fn set_face_halfedge(&mut self, f: FaceId, to: HalfedgeId) {
-        self.face_halfedge.insert(f, to);
+        self.face_halfedge.set(f, to);
     }
 
     fn set_hole(&mut self, f: FaceId, hole: bool) {
-        self.holes.insert(f, hole);
+        self.holes.set(f, hole);
     }
 
     fn next(&self, h: HalfedgeId) -> HalfedgeId {
-        self.next.get(&h).copied().unwrap_or_else(|| self.mesh.next(h))
+        self.next.get(h).unwrap_or_else(|| self.mesh.next(h))
     }
 
     fn twin(&self, h: HalfedgeId) -> HalfedgeId {
-        self.twin.get(&h).copied().unwrap_or_else(|| self.mesh.twin(h))
+        self.twin.get(h).unwrap_or_else(|| self.mesh.twin(h))
     }
 
     fn vertex(&self, h: HalfedgeId) -> VertexId {
-        self.vertex.get(&h).copied().unwrap_or_else(|| self.mesh.vertex(h))
+        self.vertex.get(h).unwrap_or_else(|| self.mesh.vertex(h))
     }
 
     fn face(&self, h: HalfedgeId) -> FaceId {
-        self.face.get(&h).copied().unwrap_or_else(|| self.mesh.face(h))
+        self.face.get(h).unwrap_or_else(|| self.mesh.face(h))
     }
 
     fn is_hole(&self, f: FaceId) -> bool {
-        self.holes.get(&f).copied().unwrap_or_else(|| self.mesh.is_hole(f))
+        self.holes.get(f).unwrap_or_else(|| self.mesh.is_hole(f))
+    }
+
+    fn first_of(&self, v: VertexId) -> HalfedgeId {
+        self.vertex_halfedge.get(v).unwrap_or_else(|| self.mesh.vertex_halfedge(v))
     }
 
     /// The halfedges that start at a vertex.
     fn star(&self, v: VertexId) -> Vec<HalfedgeId> {
-        let first = self.vertex_halfedge.get(&v).copied();
-        let first = first.unwrap_or_else(|| self.mesh.vertex_halfedge(v));
+        let first = self.first_of(v);
         let mut around = Vec::new();
         let mut h = first;
         while !h.is_none() {
@@ -236,7 +239,7 @@ impl<'m> Preview<'m> {
 
     /// The corners of a face.
     fn corners(&self, f: FaceId) -> Vec<VertexId> {
-        let first = self.face_halfedge.get(&f).copied();
+        let first = self.face_halfedge.get(f);
         let first = first.unwrap_or_else(|| self.mesh.face_halfedge(f));
         let mut around = vec![self.vertex(first)];
         let mut h = self.next(first);
@@ -254,8 +257,9 @@ impl<'m> Preview<'m> {
         corners
     }
 
-    fn differ<T: PartialEq>(all: &[T]) -> bool {
-        (1..all.len()).all(|at| !all[..at].contains(&all[at]))
+    fn differ<T: Ord>(mut all: Vec<T>) -> bool {
+        all.sort_unstable();
+        all.windows(2).all(|two| two[0] != two[1])
     }
 
     /// Whether a face or hole has three sides or more.
@@ -265,7 +269,7 @@ impl<'m> Preview<'m> {
 
     /// Whether no vertex is two corners of a face.
     fn meets_once(&self, f: FaceId) -> bool {
-        Self::differ(&self.corners(f))
+        Self::differ(self.corners(f))
     }
 
     /// Whether a face has no more than one corner at a vertex.
@@ -275,7 +279,8 @@ impl<'m> Preview<'m> {
 
     /// Whether a vertex has two edges or more, or none.
     fn two_spokes(&self, v: VertexId) -> bool {
-        self.star(v).len() != 1
+        let first = self.first_of(v);
+        first.is_none() || self.next(self.twin(first)) != first
     }
 
     /// Whether no more than one corner of a vertex lies in a hole.
@@ -283,10 +288,23 @@ impl<'m> Preview<'m> {
         self.star(v).into_iter().filter(|&h| self.is_hole(self.face(h))).count() <= 1
     }
 
+    /// Whether it is so where the halfedges of a run of the mesh start, or those of a loop.
+    fn one_hole_along(&self, first: HalfedgeId, until: HalfedgeId) -> bool {
+        let mut h = first;
+        loop {
+            if !self.one_hole(self.vertex(h)) {
+                return false;
+            }
+            h = self.mesh.next(h);
+            if h == until {
+                return true;
+            }
+        }
+    }
+
     /// Whether no face has two corners at a vertex.
     fn faces_differ(&self, v: VertexId) -> bool {
-        let faces: Vec<_> = self.star(v).into_iter().map(|h| self.face(h)).collect();
-        Self::differ(&faces)
+        Self::differ(self.star(v).into_iter().map(|h| self.face(h)).collect())
     }
 
     fn target(&self, h: HalfedgeId) -> VertexId {
@@ -295,8 +313,7 @@ impl<'m> Preview<'m> {
 
     /// Whether no two edges lead from a vertex to one neighbor.
     fn neighbors_differ(&self, v: VertexId) -> bool {
-        let neighbors: Vec<_> = self.star(v).into_iter().map(|h| self.target(h)).collect();
-        Self::differ(&neighbors)
+        Self::differ(self.star(v).into_iter().map(|h| self.target(h)).collect())
     }
 
     /// Whether no other edge joins the ends of a halfedge.
@@ -309,7 +326,7 @@ impl<'m> Preview<'m> {
     fn corners_differ(&self, v: VertexId) -> bool {
         let faces = self.star(v).into_iter().map(|h| self.face(h));
         let faces = faces.filter(|&f| !self.is_hole(f));
-        Self::differ(&faces.map(|f| self.sorted_corners(f)).collect::<Vec<_>>())
+        Self::differ(faces.map(|f| self.sorted_corners(f)).collect())
     }
 
     /// Whether no other face around a vertex has the corners of a face.
@@ -317,5 +334,32 @@ impl<'m> Preview<'m> {
         let others = self.star(v).into_iter().map(|h| self.face(h));
         let mut others = others.filter(|&other| other != f && !self.is_hole(other));
         self.is_hole(f) || others.all(|other| self.sorted_corners(other) != self.sorted_corners(f))
+    }
+}
+
+/// Values that are noted of elements: the first few in a list, more of them in a map.
+struct Notes<K, V> {
+    few: Vec<(K, V)>,
+    more: HashMap<K, V>,
+}
+
+impl<K: Copy + Eq + std::hash::Hash, V: Copy> Notes<K, V> {
+    fn new() -> Self {
+        Self { few: Vec::new(), more: HashMap::new() }
+    }
+
+    fn set(&mut self, of: K, value: V) {
+        if let Some(known) = self.few.iter_mut().find(|known| known.0 == of) {
+            known.1 = value;
+        } else if self.few.len() < 16 {
+            self.few.push((of, value));
+        } else {
+            self.more.insert(of, value);
+        }
+    }
+
+    fn get(&self, of: K) -> Option<V> {
+        let known = self.few.iter().find(|known| known.0 == of);
+        known.map(|known| known.1).or_else(|| self.more.get(&of).copied())
     }
 }

@@ -2,41 +2,37 @@
 //! each element of an aggregate. They are computed before, and get names; else `centroid(f)`
 //! would go around the face at each of its corners.
 
-use super::NotEmitted;
-use super::expression::Expressions;
-use super::routine::Statement;
 use crate::diagram::{Binary, Builtin, Expr, ExprKind, FoldFunction, Rule};
 
-impl Expressions<'_> {
-    /// The expression with names for what is the same each time; their values are computed in
-    /// `body`.
-    pub fn once(
-        &mut self,
-        expr: &Expr,
-        repeated: bool,
-        rule: Option<&Rule>,
-        body: &mut Vec<Statement>,
-    ) -> Result<Expr, NotEmitted> {
-        let mut finder = Finder { rule, bound: Vec::new(), found: Vec::new() };
-        finder.look(expr, repeated, true);
-        let mut once = expr.clone();
-        // No parameter and no variable of an aggregate has such a number.
-        for (number, part) in (0..u32::MAX).rev().zip(finder.found) {
-            let value = self.term(part)?;
-            let name = self.names.bind(number, wanted(part));
-            body.push(Statement::Bind { ty: part.ty, name, value });
-            once.visit_mut(&mut |kind| {
-                if *kind == part.kind {
-                    *kind = ExprKind::Local(number);
-                }
-            });
-        }
-        Ok(once)
+/// A value that is taken apart.
+#[derive(Clone, Debug)]
+pub struct Hoisted {
+    /// The parts that are computed before, in order, with numbers that no variable has.
+    pub parts: Vec<(u32, Expr)>,
+    /// The value in terms of them.
+    pub rest: Expr,
+}
+
+/// Takes a value apart; `repeated` if it is computed at each index. Calls of functions that may
+/// draw random numbers stay where they are: `random_calls` says whether the program's may.
+pub fn hoist(expr: &Expr, repeated: bool, rule: Option<&Rule>, random_calls: bool) -> Hoisted {
+    let mut finder = Finder { rule, random_calls, bound: Vec::new(), found: Vec::new() };
+    finder.look(expr, repeated, true);
+    let parts: Vec<_> = (0..u32::MAX).rev().zip(finder.found.into_iter().cloned()).collect();
+    let mut rest = expr.clone();
+    for (number, part) in &parts {
+        rest.visit_mut(&mut |kind| {
+            if *kind == part.kind {
+                *kind = ExprKind::Local(*number);
+            }
+        });
     }
+    Hoisted { parts, rest }
 }
 
 struct Finder<'e> {
     rule: Option<&'e Rule>,
+    random_calls: bool,
     /// The variables of the aggregates around.
     bound: Vec<u32>,
     found: Vec<&'e Expr>,
@@ -103,9 +99,12 @@ impl<'e> Finder<'e> {
         match &part.kind {
             ExprKind::Element(name) => self.rule.is_some_and(|rule| rule.is_member(*name)),
             ExprKind::Local(variable) => self.bound.contains(variable),
-            ExprKind::Member(..) | ExprKind::Let(..) | ExprKind::Try(..) | ExprKind::Text(_) => {
-                true
-            }
+            ExprKind::Invoke(..) => self.random_calls,
+            ExprKind::Member(..)
+            | ExprKind::Let(..)
+            | ExprKind::Try(..)
+            | ExprKind::Text(_)
+            | ExprKind::Call(Builtin::Random | Builtin::RandomInt, _) => true,
             _ => false,
         }
     }
@@ -127,15 +126,5 @@ fn may_stop(part: &Expr) -> bool {
         ),
         ExprKind::Invoke(..) => true,
         _ => false,
-    }
-}
-
-fn wanted(part: &Expr) -> &'static str {
-    match part.kind {
-        ExprKind::Call(Builtin::CentroidFace, _) => "centroid",
-        ExprKind::Call(Builtin::NormalFace | Builtin::NormalVertex, _) => "normal",
-        ExprKind::Call(Builtin::Area, _) => "area",
-        ExprKind::Call(Builtin::DegreeVertex | Builtin::DegreeFace, _) => "degree",
-        _ => "part",
     }
 }

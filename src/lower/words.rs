@@ -4,7 +4,7 @@ use crate::check::matching::{Bound, Claim, Source};
 use crate::diagram::{Drawing, Kind, LoopKind, NameId};
 
 /// A bound name, without backticks.
-pub(super) fn bound(drawing: &Drawing, bound: Bound) -> String {
+pub fn bound(drawing: &Drawing, bound: Bound) -> String {
     match bound {
         Bound::Element(name) => drawing.rule.name(name).text.clone(),
         Bound::First(path) => format!("first({})", drawing.rule.name(path).text),
@@ -13,20 +13,9 @@ pub(super) fn bound(drawing: &Drawing, bound: Bound) -> String {
 }
 
 /// A pointer as one writes it: `a.next`.
-pub(super) fn source(drawing: &Drawing, source: Source) -> String {
-    let (from, pointer) = match source {
-        Source::Next(from) => (from, "next"),
-        Source::Prev(from) => (from, "prev"),
-        Source::Twin(from) => (from, "twin"),
-        Source::Origin(from) => (from, "vertex"),
-        Source::Target(from) => (from, "next.vertex"),
-        Source::Edge(from) => (from, "edge"),
-        Source::Face(from) => (from, "face"),
-        Source::Counterclockwise(from) => (from, "prev.twin"),
-        Source::Clockwise(from) => (from, "twin.next"),
-        Source::FaceHalfedge(face) => (Bound::Element(face), "halfedge"),
-    };
-    format!("{}.{pointer}", bound(drawing, from))
+pub fn source(drawing: &Drawing, source: Source) -> String {
+    let pointers: Vec<_> = source.pointers().iter().map(|pointer| pointer.word()).collect();
+    format!("{}.{}", bound(drawing, source.from()), pointers.join("."))
 }
 
 /// The words of a claim, as the table prints it.
@@ -69,7 +58,7 @@ pub(super) fn claim(drawing: &Drawing, claim: &Claim) -> String {
 }
 
 /// The reason why a claim fails, as a refusal says it.
-pub fn refusal(drawing: &Drawing, claim: &Claim) -> String {
+pub(super) fn refusal(drawing: &Drawing, claim: &Claim) -> String {
     let rule = drawing.rule;
     let tick = |text: String| format!("`{text}`");
     match claim {

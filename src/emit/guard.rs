@@ -1,0 +1,126 @@
+//! The guard: tests of the result before it is written.
+//!
+//! The pointers of phase 3 are noted on a preview of the mesh, as far as a test reads them, and each
+//! test looks at one orbit of the preview, as the machine does.
+
+use std::collections::BTreeSet;
+
+use super::build::allocation;
+use super::conventions::Conventions;
+use super::names::Names;
+use super::reassign;
+use super::routine::Statement;
+use super::term::{Function, Term};
+use crate::diagram::{Builtin, Drawing, Kind};
+use crate::lower::{GuardTest, Operation, PreviewReads, Question, StarWalk};
+
+/// The tests of a guard, in order; those that look at a preview as a block with one of its own.
+pub(super) fn tests(
+    drawing: &Drawing,
+    operation: &Operation,
+    names: &Names,
+    conventions: Conventions<'_>,
+) -> Vec<Statement> {
+    // What is named within the block is free again behind it.
+    let names = &mut names.clone();
+    let name = names.fresh("preview");
+    let mut tests = Tests { drawing, names, preview: name.clone(), body: Vec::new() };
+    operation.guard.tests.iter().for_each(|test| tests.test(test));
+    let tests = tests.body;
+    let Some(reads) = operation.guard.reads else {
+        return tests;
+    };
+    let changes = Conventions { exhaustive: false, ..conventions };
+    let mut body = allocation(&operation.created, names);
+    body.extend(reassign::statements(drawing, names, changes));
+    let noted = body.into_iter().filter_map(|statement| noted(statement, reads));
+    let mut body: Vec<_> = noted.chain(tests).collect();
+    let mut read = BTreeSet::new();
+    body.iter().for_each(|statement| {
+        statement.names(&mut |name| {
+            read.insert(name.to_string());
+        });
+    });
+    body.retain(|statement| match statement {
+        Statement::New { name, .. }
+        | Statement::NewEach { name, .. }
+        | Statement::Size { name, .. } => read.contains(name),
+        _ => true,
+    });
+    vec![Statement::Foresee { preview: name, body }]
+}
+
+/// The part of a statement that a test reads.
+fn noted(statement: Statement, reads: PreviewReads) -> Option<Statement> {
+    let noted_of = |body: Vec<Statement>| -> Option<Vec<_>> {
+        let body: Vec<_> = body.into_iter().filter_map(|it| noted(it, reads)).collect();
+        (!body.is_empty()).then_some(body)
+    };
+    Some(match statement {
+        Statement::New { kind: Kind::Edge, .. } | Statement::NewEach { kind: Kind::Edge, .. } => {
+            return None;
+        }
+        Statement::Set { pointer, .. } if !reads.reads(pointer, StarWalk::Clockwise) => {
+            return None;
+        }
+        Statement::SetHole { .. } if !reads.reads_holes() => return None,
+        Statement::IndexLoop { indices, body } => {
+            Statement::IndexLoop { indices, body: noted_of(body)? }
+        }
+        Statement::When { condition, body } => Statement::When { condition, body: noted_of(body)? },
+        Statement::Walk { walk, body } => Statement::Walk { walk, body: noted_of(body)? },
+        statement => statement,
+    })
+}
+
+/// The writer of the tests.
+struct Tests<'d, 'n> {
+    drawing: &'d Drawing<'d>,
+    names: &'n mut Names,
+    preview: String,
+    body: Vec<Statement>,
+}
+
+impl Tests<'_, '_> {
+    fn test(&mut self, test: &GuardTest) {
+        let repeated = match test.question {
+            Question::OneHoleAlong(path) => self.drawing.rule.is_member(path),
+            _ => test.at_each_index,
+        };
+        let outer = self.names.enter_index(repeated);
+        let breaks = self.breaks(test.question);
+        self.names.turn_back(outer);
+        let when = match repeated {
+            true => breaks.for_some(self.names.indices()),
+            false => breaks,
+        };
+        self.body.push(Statement::Refuse { when, reason: test.refusal.clone() });
+    }
+
+    /// The condition that the result is not as it has to be.
+    fn breaks(&self, question: Question) -> Term {
+        let (word, elements) = match question {
+            Question::NotAdjacent(ends) => {
+                let ends = ends.map(|end| self.names.term(end)).into();
+                return Term::Call(Function::Builtin(Builtin::Adjacent), ends);
+            }
+            Question::Holds { condition, of, at } => {
+                (condition.word(), std::iter::once(of).chain(at).collect())
+            }
+            Question::OneHoleAlong(path) => {
+                let next = self.drawing.before.item_after(path).unwrap_or(path);
+                ("one_hole_along", vec![path, next])
+            }
+        };
+        let elements: Vec<_> = elements.into_iter().map(|name| self.names.term(name)).collect();
+        let args = std::iter::once(Term::name(&self.preview)).chain(elements).collect();
+        let breaks = Term::Call(Function::Foreseen(word), args).not();
+        match question {
+            // An empty path would look like a loop.
+            Question::OneHoleAlong(path) if self.drawing.is_empty_somewhere(path) => {
+                self.names.empty(path).not().and(breaks)
+            }
+            _ => breaks,
+        }
+    }
+}

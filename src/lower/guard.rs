@@ -1,0 +1,230 @@
+//! The tests of a guard: the conditions of its level that the proof left open.
+//!
+//! Each is asked of the result before it is written: the pointers of phase 3 are set on a preview of
+//! the mesh, as far as a test reads them, and the test looks at one orbit of the preview. Where the
+//! mesh itself has the answer, it is asked.
+
+use crate::check::guard::{Obligation, Statement};
+use crate::diagram::{Drawing, Kind, NameId, Pointer};
+
+/// The tests of a guard.
+#[derive(Clone, Debug)]
+pub struct Guard {
+    pub tests: Vec<GuardTest>,
+    /// The pointers of the preview that they read; none if no test looks at it.
+    pub reads: Option<PreviewReads>,
+}
+
+/// A test, in order.
+#[derive(Clone, Debug)]
+pub struct GuardTest {
+    pub question: Question,
+    /// True if it is asked at every index, though its names are those of one.
+    pub at_each_index: bool,
+    /// The condition, without backticks.
+    pub claim: String,
+    /// The reason to refuse where it does not hold.
+    pub refusal: String,
+}
+
+/// A question about the result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Question {
+    /// No edge of the mesh as it is joins two vertices.
+    NotAdjacent([NameId; 2]),
+    /// A condition holds for an element of the preview, or for two.
+    Holds { condition: GuardCondition, of: NameId, at: Option<NameId> },
+    /// At each vertex along a path at most one corner lies in a hole of the preview.
+    OneHoleAlong(NameId),
+}
+
+/// A condition of a level on one orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GuardCondition {
+    /// A loop has three sides or more.
+    ThreeSides,
+    /// A loop meets no vertex twice.
+    MeetsOnce,
+    /// A loop has no more than one corner at a vertex.
+    CornerOnce,
+    /// A vertex has two spokes or more, or none at all.
+    TwoSpokes,
+    /// At most one corner of a vertex lies in a hole.
+    OneHole,
+    /// No loop lies around a vertex twice.
+    FacesDiffer,
+    /// No two edges join a vertex to the same neighbor.
+    NeighborsDiffer,
+    /// No other edge has the ends of that of a halfedge.
+    SingleEdge,
+    /// No two faces around a vertex have the same set of corners.
+    CornersDiffer,
+    /// No other face around a vertex of a face has the same set of corners.
+    CornersOwn,
+}
+
+impl GuardCondition {
+    /// The name of the function that asks it, in emitted code.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::ThreeSides => "three_sides",
+            Self::MeetsOnce => "meets_once",
+            Self::CornerOnce => "corner_once",
+            Self::TwoSpokes => "two_spokes",
+            Self::OneHole => "one_hole",
+            Self::FacesDiffer => "faces_differ",
+            Self::NeighborsDiffer => "neighbors_differ",
+            Self::SingleEdge => "single_edge",
+            Self::CornersDiffer => "corners_differ",
+            Self::CornersOwn => "corners_own",
+        }
+    }
+
+    fn reads(self) -> PreviewReads {
+        let none = PreviewReads::default();
+        match self {
+            Self::ThreeSides => PreviewReads { loops: true, ..none },
+            Self::MeetsOnce => PreviewReads { loops: true, origins: true, ..none },
+            Self::TwoSpokes => PreviewReads { stars: true, ..none },
+            Self::CornerOnce | Self::FacesDiffer | Self::OneHole => {
+                PreviewReads { stars: true, faces: true, ..none }
+            }
+            Self::NeighborsDiffer | Self::SingleEdge => {
+                PreviewReads { stars: true, origins: true, ..none }
+            }
+            Self::CornersDiffer | Self::CornersOwn => PreviewReads::ALL,
+        }
+    }
+}
+
+/// The pointers of a preview that tests read. None reads edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PreviewReads {
+    /// Walks around vertices.
+    stars: bool,
+    /// Walks around loops.
+    loops: bool,
+    /// The vertices where halfedges start.
+    origins: bool,
+    /// In which loops they lie, and which of these are holes.
+    faces: bool,
+}
+
+/// The way around a vertex from one spoke to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StarWalk {
+    /// `h.prev.twin`; it tells where a spoke ends by the halfedge before the last.
+    Counterclockwise,
+    /// `h.twin.next`
+    Clockwise,
+}
+
+impl PreviewReads {
+    const ALL: Self = Self { stars: true, loops: true, origins: true, faces: true };
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            stars: self.stars | other.stars,
+            loops: self.loops | other.loops,
+            origins: self.origins | other.origins,
+            faces: self.faces | other.faces,
+        }
+    }
+
+    /// True if a pointer is read, by tests that walk around vertices in this way.
+    pub fn reads(self, pointer: Pointer, walk: StarWalk) -> bool {
+        let clockwise = walk == StarWalk::Clockwise;
+        match pointer {
+            Pointer::Next => self.loops || self.stars && clockwise,
+            Pointer::Prev => (self.stars || self.loops) && !clockwise,
+            Pointer::Twin => self.stars || self.origins,
+            Pointer::Vertex => self.origins,
+            Pointer::Face => self.faces,
+            Pointer::VertexHalfedge => self.stars,
+            Pointer::FaceHalfedge => self.loops,
+            _ => false,
+        }
+    }
+
+    /// True if it is read which faces are holes.
+    pub fn reads_holes(self) -> bool {
+        self.faces
+    }
+}
+
+impl Guard {
+    /// The tests that obligations leave.
+    pub fn new(drawing: &Drawing, obligations: &[Obligation]) -> Self {
+        let rule = drawing.rule;
+        let open = obligations.iter().filter(|obligation| obligation.is_test());
+        let test = |Obligation { statement, .. }: &Obligation| GuardTest {
+            question: question(drawing, statement),
+            // The paths of a family are walked together.
+            at_each_index: statement.is_repeated(rule)
+                && !matches!(statement, Statement::OneHoleAlong(_)),
+            claim: statement.claim(rule),
+            refusal: statement.refusal(rule),
+        };
+        let tests: Vec<_> = open.map(test).collect();
+        let reads = tests.iter().filter_map(|test| match test.question {
+            Question::NotAdjacent(_) => None,
+            Question::Holds { condition, .. } => Some(condition.reads()),
+            Question::OneHoleAlong(_) => Some(PreviewReads::ALL),
+        });
+        Self { reads: reads.reduce(PreviewReads::and), tests }
+    }
+}
+
+fn question(drawing: &Drawing, statement: &Statement) -> Question {
+    let (condition, of, at) = match *statement {
+        Statement::OneHoleAlong(path) => return Question::OneHoleAlong(path),
+        Statement::ThreeSides(face) => (GuardCondition::ThreeSides, face, None),
+        Statement::MeetsOnce(face) => (GuardCondition::MeetsOnce, face, None),
+        Statement::CornerOnce { face, vertex } => (GuardCondition::CornerOnce, face, Some(vertex)),
+        Statement::FacesDiffer { vertex, .. } => (GuardCondition::FacesDiffer, vertex, None),
+        Statement::TwoSpokes(vertex) => (GuardCondition::TwoSpokes, vertex, None),
+        Statement::OneHole { vertex, .. } => (GuardCondition::OneHole, vertex, None),
+        Statement::NeighborsDiffer { vertex, .. } => {
+            (GuardCondition::NeighborsDiffer, vertex, None)
+        }
+        Statement::SingleEdge { halfedge, .. } => match ends_without_edge(drawing, halfedge) {
+            Some(ends) => return Question::NotAdjacent(ends),
+            None => (GuardCondition::SingleEdge, halfedge, None),
+        },
+        Statement::CornersDiffer(vertex) => (GuardCondition::CornersDiffer, vertex, None),
+        Statement::CornersOwn { face, vertex } => (GuardCondition::CornersOwn, face, Some(vertex)),
+    };
+    Question::Holds { condition, of, at }
+}
+
+/// The ends of a halfedge of `after`, if they would be joined twice exactly if they are joined now:
+/// no edge that is drawn joins them before, and after it only that of the halfedge; edges that are
+/// not drawn end where they did.
+fn ends_without_edge(drawing: &Drawing, halfedge: NameId) -> Option<[NameId; 2]> {
+    let rule = drawing.rule;
+    let ends = [drawing.origin_after(halfedge)?, drawing.target_after(halfedge)?];
+    let are_drawn = ends.iter().all(|&end| drawing.before.mention(end).is_some());
+    let names = || (0..rule.names.len() as u32).map(NameId);
+    let is_plain = rule.aliases.is_empty()
+        && names().all(|name| rule.kind(name) != Kind::Fan && !rule.is_member(name));
+    if ends[0] == ends[1] || !are_drawn || !is_plain {
+        return None;
+    }
+    let joins = |[from, to]: [NameId; 2]| [from, to] == ends || [to, from] == ends;
+    for other in rule.names_of(Kind::Halfedge) {
+        if drawing.before.mention(other).is_some() {
+            let before = [drawing.origin_before(other)?, drawing.target_before(other)?];
+            if joins(before) {
+                return None;
+            }
+        }
+        if drawing.after.mention(other).is_some() {
+            let after = [drawing.origin_after(other)?, drawing.target_after(other)?];
+            let is_asked = other == halfedge || drawing.after.twin(other) == Some(halfedge);
+            if joins(after) && !is_asked {
+                return None;
+            }
+        }
+    }
+    Some(ends)
+}
