@@ -31,6 +31,7 @@ mod value;
 mod walks;
 
 // A routine as text.
+mod builtin;
 pub mod cpp;
 mod language;
 mod lines;

@@ -10,7 +10,7 @@ use super::super::names::Names;
 use super::super::routine;
 use super::super::term::{Parameter, Term};
 use super::comments::comments;
-use super::effects::{AllEffects, each, values};
+use super::effects::AllEffects;
 use crate::diagram::{Access, Collection, Expr, ExprKind, Type};
 use crate::resolve::{Block, Body, Program, Statement, StatementKind};
 use crate::source::{Sources, Span};
@@ -68,21 +68,22 @@ impl<'s> Writer<'s> {
     ) -> Self {
         let (mut set, mut changing) = (BTreeSet::new(), BTreeSet::new());
         let mut read = BTreeSet::new();
-        each(&body.block, &mut |statement| {
+        let mut note = |statement: &Statement| {
             if let StatementKind::Set { variable, .. }
             | StatementKind::IfApply { variable: Some(variable), .. } = statement.kind
                 && !set.insert(variable)
             {
                 changing.insert(variable);
             }
-            values(statement, &mut |value| {
+            statement.values(&mut |value| {
                 value.each(&mut |part| {
                     if let ExprKind::Local(variable) = part.kind {
                         read.insert(variable);
                     }
                 });
             });
-        });
+        };
+        body.block.iter().for_each(|statement| statement.each(&mut note));
         Self {
             known,
             body,
@@ -127,9 +128,10 @@ impl<'s> Writer<'s> {
     /// True if a `return` gives something.
     fn gives_back(&self) -> bool {
         let mut gives = false;
-        each(&self.body.block, &mut |statement| {
+        let mut look = |statement: &Statement| {
             gives |= matches!(statement.kind, StatementKind::Return(Some(_)));
-        });
+        };
+        self.body.block.iter().for_each(|statement| statement.each(&mut look));
         gives
     }
 
@@ -313,7 +315,7 @@ impl<'s> Writer<'s> {
     /// what they write.
     fn written_in(&mut self, body: &Block) -> Vec<(Access, Held)> {
         let mut held: Vec<(Access, Held)> = Vec::new();
-        each(body, &mut |statement| {
+        let mut note = |statement: &Statement| {
             let StatementKind::Write { target, attribute: access, value } = &statement.kind else {
                 return;
             };
@@ -332,7 +334,8 @@ impl<'s> Writer<'s> {
                 attribute,
             };
             held.push((*access, written));
-        });
+        };
+        body.iter().for_each(|statement| statement.each(&mut note));
         held
     }
 
