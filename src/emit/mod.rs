@@ -15,7 +15,6 @@ mod selection;
 // An operation as a routine.
 mod action;
 mod build;
-mod callee;
 mod conventions;
 mod expression;
 mod guard;
@@ -27,7 +26,6 @@ pub mod reserved;
 mod routine;
 mod steps;
 mod term;
-mod value;
 mod walks;
 
 // A routine as text.

@@ -175,6 +175,19 @@ impl<'s> Writer<'s> {
             StatementKind::For { variable, collection, filter, body, .. } => {
                 self.visit((*variable, collection), filter.as_ref(), body, span)?
             }
+            StatementKind::If { condition, then, otherwise }
+                if self.ending == Ending::Value
+                    && let (Some(then), Some(other)) =
+                        (self.value(then), self.value(otherwise)) =>
+            {
+                let kind = ExprKind::If(
+                    Box::new(condition.clone()),
+                    Box::new(then.clone()),
+                    Box::new(other.clone()),
+                );
+                let chosen = Expr { ty: then.ty, span, kind };
+                return self.leave(Some(&chosen), out);
+            }
             StatementKind::If { condition, then, otherwise } => Action::Choose {
                 condition: self.term(condition)?,
                 then: self.block(then)?,
@@ -253,6 +266,26 @@ impl<'s> Writer<'s> {
         Ok(())
     }
 
+    /// The value of a block that does nothing but compute it.
+    fn value<'b>(&self, block: &'b Block) -> Option<&'b Expr> {
+        match block.as_slice() {
+            [Statement { kind: StatementKind::Return(Some(value)), .. }] => {
+                self.deed(value).is_none().then_some(value)
+            }
+            _ => None,
+        }
+    }
+
+    /// A value, behind what of it is the same each time it is computed.
+    fn computed(
+        &mut self,
+        value: &Expr,
+        out: &mut Vec<routine::Statement>,
+    ) -> Result<Term, NotEmitted> {
+        let value = Expressions { names: self.names }.once(value, false, None, out)?;
+        self.term(&value)
+    }
+
     pub(super) fn term(&mut self, value: &Expr) -> Result<Term, NotEmitted> {
         Expressions { names: self.names }.term(value)
     }
@@ -298,7 +331,7 @@ impl<'s> Writer<'s> {
             return Ok(());
         }
         // The value knows nothing of a variable that is new.
-        let value = self.term(value)?;
+        let value = self.computed(value, out)?;
         match self.place(variable) {
             None => {}
             Some(Target { name, form: Form::Known, .. }) => {
@@ -413,7 +446,7 @@ impl<'s> Writer<'s> {
         let value = match value {
             None => None,
             Some(value) => Some(match self.deed(value) {
-                None => self.term(value)?,
+                None => self.computed(value, out)?,
                 Some((function, args)) => {
                     let call = self.function(function, args, out)?;
                     let name = self.names.fresh("result");
